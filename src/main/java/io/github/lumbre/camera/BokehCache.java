@@ -1,0 +1,57 @@
+package io.github.lumbre.camera;
+
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.sampling.Sampler;
+import java.util.Arrays;
+
+/**
+ * A lens in the form of a black and white mask, one unit wide and centred. The white texels are
+ * listed once; a lens sample that falls on white is used as it is, any other is replaced by a
+ * random point of a random white texel, so that the density over the white area is exactly uniform.
+ */
+public final class BokehCache implements Aperture {
+  private final int width;
+  private final int height;
+  private final boolean[] white;
+  private final int[] whiteTexels;
+
+  /**
+   * @param white {@code [row][column]}, row 0 at the <b>bottom</b>; all rows of one length
+   * @throws IllegalArgumentException if no texel is white
+   */
+  public BokehCache(boolean[][] white) {
+    height = white.length;
+    width = height == 0 ? 0 : white[0].length;
+    this.white = new boolean[Math.multiplyExact(width, height)];
+    int[] found = new int[this.white.length];
+    int count = 0;
+    for (int y = 0; y < height; y++) {
+      for (int x = 0; x < width; x++) {
+        if (white[y][x]) {
+          this.white[y * width + x] = true;
+          found[count++] = y * width + x;
+        }
+      }
+    }
+    if (count == 0) {
+      throw new IllegalArgumentException("white: expected at least one white texel, found none");
+    }
+    whiteTexels = Arrays.copyOf(found, count);
+  }
+
+  @Override
+  public Point2 sample(Sampler sampler) {
+    Point2 u = sampler.get2d(Sampler.LENS);
+    int x = (int) (u.x() * width);
+    int y = (int) (u.y() * height);
+    return white[y * width + x] ? new Point2(u.x() - .5, u.y() - .5) : replacement(sampler);
+  }
+
+  private Point2 replacement(Sampler sampler) {
+    int texel = whiteTexels[(int) (sampler.get1d(Sampler.MASK) * whiteTexels.length)];
+    Point2 jitter = sampler.get2d(Sampler.MASK + 1);
+    int column = texel % width;
+    int row = texel / width;
+    return new Point2((column + jitter.x()) / width - .5, (row + jitter.y()) / height - .5);
+  }
+}

@@ -1,0 +1,64 @@
+package io.github.lumbre.camera;
+
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Turns points of the film into rays of the world. Immutable; its pose is a position and a
+ * rotation, its proportions the film's.
+ */
+public abstract sealed class Camera
+    permits PinholeCamera, ThinLensCamera, CylindricalCamera, FishEyeCamera, SphericalCamera {
+  private final Vec3 position;
+  private final Frame axes;
+  private final double aspect;
+
+  /**
+   * @param position of the eye, in the world
+   * @param axes in the world: right, up and forward, of unit length and at right angles
+   * @param aspect width of the film over its height, &gt; 0 and finite
+   */
+  Camera(Vec3 position, Frame axes, double aspect) {
+    this.position = Objects.requireNonNull(position, "position");
+    this.axes = Objects.requireNonNull(axes, "axes");
+    if (!(aspect > 0) || Double.isInfinite(aspect)) {
+      throw new IllegalArgumentException("aspect: expected a finite number > 0, found " + aspect);
+    }
+    this.aspect = aspect;
+  }
+
+  /**
+   * Returns the ray of unit direction that lights a film point, or empty where nothing is imaged:
+   * outside the circle of a fisheye.
+   *
+   * @param film in [0,1)², v down
+   * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
+   *     lens and by no other
+   */
+  public final Optional<Ray> rayFor(Point2 film, Sampler sampler) {
+    return localRay(film, sampler)
+        .map(
+            ray ->
+                new Ray(
+                    position.plus(axes.toWorld(ray.origin())),
+                    axes.toWorld(ray.direction()).normalized()));
+  }
+
+  /** Tells whether some film points have no ray. */
+  public boolean leavesBlanks() {
+    return false;
+  }
+
+  /** Returns the ray in camera space; its direction need not be of unit length. */
+  abstract Optional<Ray> localRay(Point2 film, Sampler sampler);
+
+  /** Returns the film's width over its height. */
+  final double aspect() {
+    return aspect;
+  }
+}

@@ -1,0 +1,41 @@
+package io.github.lumbre.camera;
+
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+import java.util.Optional;
+
+/** A panorama of 360° on an upright cylinder; the film's centre looks along +z. */
+public final class CylindricalCamera extends Camera {
+  /** Beyond this, squares of directions would overflow. */
+  private static final double MAX_HEIGHT = 1e150;
+
+  private final double halfHeight;
+
+  /**
+   * @param halfHeight of the film on the unit cylinder, in [0, 1e150]
+   */
+  public CylindricalCamera(Vec3 position, Frame axes, double aspect, double halfHeight) {
+    super(position, axes, aspect);
+    if (!(halfHeight >= 0 && halfHeight <= MAX_HEIGHT)) {
+      throw new IllegalArgumentException(
+          "halfHeight: expected in [0, " + MAX_HEIGHT + "], found " + halfHeight);
+    }
+    this.halfHeight = halfHeight;
+  }
+
+  @Override
+  Optional<Ray> localRay(Point2 film, Sampler sampler) {
+    double turns = film.x() - .5;
+    return Optional.of(
+        new Ray(
+            Vec3.ZERO,
+            new Vec3(
+                Elementary.sinTurns(turns),
+                (1 - 2 * film.y()) * halfHeight,
+                Elementary.cosTurns(turns))));
+  }
+}

@@ -1,0 +1,57 @@
+package io.github.lumbre.camera;
+
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Perspective through a lens of some width: points off the plane of focus blur into the form of the
+ * lens. The pixel is sampled as in {@link PinholeCamera}, independently of the lens.
+ */
+public final class ThinLensCamera extends Camera {
+  private final double halfHeight;
+  private final double focusDistance;
+  private final double apertureSize;
+  private final Aperture aperture;
+
+  /**
+   * @param fovDegrees full vertical angle of view, in (0, 180)
+   * @param focusDistance from the lens to the plane of focus, &gt; 0; infinite focuses at infinity
+   * @param apertureSize what one unit of the aperture's form measures in the scene, ≥ 0: the disc's
+   *     radius, a mask's width
+   */
+  public ThinLensCamera(
+      Vec3 position,
+      Frame axes,
+      double aspect,
+      double fovDegrees,
+      double focusDistance,
+      double apertureSize,
+      Aperture aperture) {
+    super(position, axes, aspect);
+    halfHeight = PinholeCamera.halfHeight(fovDegrees);
+    if (!(focusDistance > 0)) {
+      throw new IllegalArgumentException("focusDistance: expected > 0, found " + focusDistance);
+    }
+    if (!(apertureSize >= 0) || Double.isInfinite(apertureSize)) {
+      throw new IllegalArgumentException(
+          "apertureSize: expected a finite number >= 0, found " + apertureSize);
+    }
+    this.focusDistance = focusDistance;
+    this.apertureSize = apertureSize;
+    this.aperture = Objects.requireNonNull(aperture, "aperture");
+  }
+
+  @Override
+  Optional<Ray> localRay(Point2 film, Sampler sampler) {
+    Vec3 chief = PinholeCamera.direction(film, aspect(), halfHeight);
+    Point2 lens = aperture.sample(sampler);
+    Vec3 origin = new Vec3(lens.x() * apertureSize, lens.y() * apertureSize, 0);
+    // Towards focusDistance·chief, divided by focusDistance: at infinity the rays are parallel.
+    return Optional.of(new Ray(origin, chief.minus(origin.times(1 / focusDistance))));
+  }
+}

@@ -1,0 +1,47 @@
+package io.github.lumbre.geometry;
+
+/**
+ * The nearest hit found so far along one ray, and the scratch memory of the search. Mutable, one
+ * for each thread, reused ray after ray.
+ */
+public final class NearestHit {
+  /** Ray parameter of the hit; before any hit, the ray's end. */
+  double t;
+
+  /** Number of the shape that was hit, or -1. */
+  int shape;
+
+  /** Part of the shape: a mesh's triangle, a box's face. */
+  int element;
+
+  /** Barycentric weights of a triangle's second and third vertex. */
+  double b1;
+
+  double b2;
+
+  /** Nodes still to visit; nested searches (instances) use the part from stackTop on. */
+  int[] stack = new int[256];
+
+  int stackTop;
+
+  /** Forgets the last ray. */
+  void start(double tMax) {
+    t = tMax;
+    shape = -1;
+    stackTop = 0;
+  }
+
+  public boolean isHit() {
+    return shape >= 0;
+  }
+
+  /** Returns the ray parameter of the hit. */
+  public double t() {
+    return t;
+  }
+
+  /** Returns the number of the shape that was hit: its index in the list the Bvh was built from. */
+  public int shape() {
+    return shape;
+  }
+}

@@ -1,0 +1,41 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+
+/** A surface in world space: how to hit it, and how to sample it as a light. Immutable. */
+public interface Shape {
+  /** Returns a box around the surface, rounded outward; with infinite sides for infinite planes. */
+  Bounds3 bounds();
+
+  /**
+   * Looks for a hit with 0 &lt; t &lt; {@code nearest.t}. If there is one, stores its t and what
+   * {@link #surfaceAt} needs, and returns true; otherwise changes nothing. The shape's number is
+   * the caller's to store.
+   */
+  boolean intersect(Ray ray, NearestHit nearest);
+
+  /** Returns the surface at the hit that {@link #intersect} stored last for the same ray. */
+  SurfaceHit surfaceAt(Ray ray, NearestHit hit);
+
+  /** Returns the area in world units; infinite for infinite planes. */
+  double area();
+
+  /**
+   * Returns a point of the surface to light {@code reference} from, or an empty sample (pdf 0)
+   * where none can be seen. Which points are drawn, and how often, is the shape's choice; the
+   * density says.
+   *
+   * @param u uniform in [0,1)²
+   * @throws UnsupportedOperationException if {@link #area} is infinite
+   */
+  SurfaceSample sample(Vec3 reference, Point2 u);
+
+  /**
+   * Returns the density, per solid angle at {@code reference}, with which {@link #sample} draws the
+   * hit that a ray from there found; 0 for a point it never draws.
+   */
+  double pdf(Vec3 reference, SurfaceHit onShape);
+}

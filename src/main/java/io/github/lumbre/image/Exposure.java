@@ -1,0 +1,54 @@
+package io.github.lumbre.image;
+
+import java.util.OptionalDouble;
+
+/**
+ * A factor on a finished picture: a fixed number of stops, or chosen by the picture's brightness.
+ *
+ * @param stops each doubles the brightness; empty means automatic
+ */
+public record Exposure(OptionalDouble stops) {
+  /** The picture as it is. */
+  public static final Exposure NONE = of(0);
+
+  /** Brings the geometric mean of the luminances to 18 % grey. */
+  public static final Exposure AUTO = new Exposure(OptionalDouble.empty());
+
+  /**
+   * @throws IllegalArgumentException if the number of stops is not finite
+   */
+  public Exposure {
+    if (stops.isPresent() && !Double.isFinite(stops.getAsDouble())) {
+      throw new IllegalArgumentException(
+          "stops: expected a finite number, found " + stops.getAsDouble());
+    }
+  }
+
+  /** Returns the exposure of a fixed number of stops. */
+  public static Exposure of(double stops) {
+    return new Exposure(OptionalDouble.of(stops));
+  }
+
+  /**
+   * Returns the factor for a picture. Automatic: .18 / exp(mean of ln max(Y, 1e-6)) over the pixels
+   * with luminance Y &gt; 0, and 1 for a black picture.
+   */
+  public double factor(Image image) {
+    return stops.isPresent() ? StrictMath.pow(2, stops.getAsDouble()) : automatic(image);
+  }
+
+  private static double automatic(Image image) {
+    double sum = 0;
+    long count = 0;
+    for (int y = 0; y < image.height(); y++) {
+      for (int x = 0; x < image.width(); x++) {
+        double luminance = image.pixel(x, y).luminance();
+        if (luminance > 0) {
+          sum += StrictMath.log(Math.max(luminance, 1e-6));
+          count++;
+        }
+      }
+    }
+    return count == 0 ? 1 : .18 / StrictMath.exp(sum / count);
+  }
+}

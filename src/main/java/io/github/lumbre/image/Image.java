@@ -1,0 +1,80 @@
+package io.github.lumbre.image;
+
+import java.util.Objects;
+
+/**
+ * A picture of linear light: width × height pixels, row 0 at the top, and optionally an alpha
+ * channel (straight, not premultiplied).
+ *
+ * <p>The arrays are the picture's own; callers who keep a reference share them.
+ */
+public final class Image {
+  private static final float[] OPAQUE = {};
+
+  private final int width;
+  private final int height;
+  private final float[] rgb;
+  private final float[] alpha;
+
+  /**
+   * @param rgb three values a pixel, row by row
+   * @param alpha one value in [0,1] a pixel, or an empty array for an opaque picture
+   */
+  public Image(int width, int height, float[] rgb, float[] alpha) {
+    if (width < 1 || height < 1) {
+      throw new IllegalArgumentException(
+          "width and height: expected at least 1, found " + width + "x" + height);
+    }
+    long pixels = (long) width * height;
+    if (Objects.requireNonNull(rgb, "rgb").length != 3 * pixels) {
+      throw new IllegalArgumentException(
+          "rgb: expected " + 3 * pixels + " values, found " + rgb.length);
+    }
+    if (Objects.requireNonNull(alpha, "alpha").length != 0 && alpha.length != pixels) {
+      throw new IllegalArgumentException(
+          "alpha: expected 0 or " + pixels + " values, found " + alpha.length);
+    }
+    this.width = width;
+    this.height = height;
+    this.rgb = rgb;
+    this.alpha = alpha;
+  }
+
+  /** Returns an opaque black picture. */
+  public static Image black(int width, int height) {
+    return new Image(width, height, new float[Math.multiplyExact(3, width * height)], OPAQUE);
+  }
+
+  public int width() {
+    return width;
+  }
+
+  public int height() {
+    return height;
+  }
+
+  public boolean hasAlpha() {
+    return alpha.length != 0;
+  }
+
+  /** Returns the pixel in column x from the left, row y from the top. */
+  public Rgb pixel(int x, int y) {
+    int i = 3 * index(x, y);
+    return new Rgb(rgb[i], rgb[i + 1], rgb[i + 2]);
+  }
+
+  /** Returns the alpha of a pixel; 1 everywhere in an opaque picture. */
+  public float alpha(int x, int y) {
+    return alpha.length == 0 ? 1 : alpha[index(x, y)];
+  }
+
+  /** Returns the raster itself: three values a pixel, row by row. */
+  public float[] rgb() {
+    return rgb;
+  }
+
+  private int index(int x, int y) {
+    Objects.checkIndex(x, width);
+    return Objects.checkIndex(y, height) * width + x;
+  }
+}

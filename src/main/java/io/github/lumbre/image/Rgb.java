@@ -1,0 +1,45 @@
+package io.github.lumbre.image;
+
+/** A linear colour: a radiance, an irradiance, a reflectance or a weight, component by component. */
+public record Rgb(double r, double g, double b) {
+  public static final Rgb BLACK = new Rgb(0, 0, 0);
+  public static final Rgb WHITE = new Rgb(1, 1, 1);
+
+  public static Rgb grey(double v) {
+    return new Rgb(v, v, v);
+  }
+
+  public Rgb plus(Rgb o) {
+    return new Rgb(r + o.r, g + o.g, b + o.b);
+  }
+
+  public Rgb times(Rgb o) {
+    return new Rgb(r * o.r, g * o.g, b * o.b);
+  }
+
+  public Rgb times(double s) {
+    return new Rgb(r * s, g * s, b * s);
+  }
+
+  /** Returns each component, but at most 1. */
+  public Rgb clampedToOne() {
+    return r <= 1 && g <= 1 && b <= 1 ? this : new Rgb(Math.min(r, 1), Math.min(g, 1), Math.min(b, 1));
+  }
+
+  /** Returns the relative luminance, by the weights of ITU-R BT.709. */
+  public double luminance() {
+    return .2126 * r + .7152 * g + .0722 * b;
+  }
+
+  public double max() {
+    return Math.max(r, Math.max(g, b));
+  }
+
+  public boolean isBlack() {
+    return r == 0 && g == 0 && b == 0;
+  }
+
+  public boolean isFinite() {
+    return Double.isFinite(r) && Double.isFinite(g) && Double.isFinite(b);
+  }
+}

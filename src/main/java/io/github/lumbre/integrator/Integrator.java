@@ -1,0 +1,18 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.scene.Scene;
+
+/** An algorithm of light transport. Stateless, shared by all threads. */
+public interface Integrator {
+  /**
+   * Returns the radiance that arrives at the ray's origin from its direction.
+   *
+   * @param ray of unit direction
+   * @param sampler started at the current sample
+   * @param scratch the calling thread's own
+   */
+  Rgb radiance(Ray ray, Scene scene, Sampler sampler, Scratch scratch);
+}

@@ -1,0 +1,8 @@
+/**
+ * Light transport: the radiance that arrives along a ray.
+ *
+ * <p>{@link io.github.lumbre.integrator.PathTracer} estimates all of it, up to a depth; {@link
+ * io.github.lumbre.integrator.RayTracer} is Whitted's: direct light, mirrors and glass. Both are
+ * stateless and shared by all threads.
+ */
+package io.github.lumbre.integrator;

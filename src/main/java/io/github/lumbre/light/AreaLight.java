@@ -1,0 +1,48 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SurfaceSample;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * A shape that glows. The same shape and emission stand in the scene as a primitive, which rays can
+ * hit.
+ *
+ * @param shape of finite area
+ */
+public record AreaLight(Shape shape, Emission emission) implements Light {
+  public AreaLight {
+    Objects.requireNonNull(shape, "shape");
+    Objects.requireNonNull(emission, "emission");
+  }
+
+  @Override
+  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
+    SurfaceSample point = shape.sample(reference, u);
+    if (!(point.pdf() > 0)) {
+      return Optional.empty();
+    }
+    Vec3 way = point.position().minus(reference);
+    Rgb radiance = emission.towards(way.negated(), point.normal(), point.texture());
+    if (radiance.isBlack()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new LightSample(
+            way.normalized(), radiance, point.pdf(), new LightSample.AtSurface(point)));
+  }
+
+  @Override
+  public boolean isBlack() {
+    return emission.isBlack();
+  }
+
+  @Override
+  public boolean isDelta() {
+    return false;
+  }
+}

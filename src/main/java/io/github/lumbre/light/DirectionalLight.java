@@ -1,0 +1,35 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Parallel light from infinitely far.
+ *
+ * @param direction unit direction in which it shines
+ * @param irradiance at normal incidence
+ */
+public record DirectionalLight(Vec3 direction, Rgb irradiance) implements Light {
+  public DirectionalLight {
+    Objects.requireNonNull(direction, "direction");
+    Objects.requireNonNull(irradiance, "irradiance");
+  }
+
+  @Override
+  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
+    return Optional.of(
+        new LightSample(
+            direction.negated(),
+            irradiance,
+            Double.POSITIVE_INFINITY,
+            LightSample.AtInfinity.INSTANCE));
+  }
+
+  @Override
+  public boolean isBlack() {
+    return irradiance.isBlack();
+  }
+}

@@ -1,0 +1,35 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.Constant;
+import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.Objects;
+
+/**
+ * The light that a surface sends out by itself.
+ *
+ * @param radiance the same in all directions
+ * @param twoSided whether the inside shines as the outside does
+ */
+public record Emission(Texture<Rgb> radiance, boolean twoSided) {
+  public Emission {
+    Objects.requireNonNull(radiance, "radiance");
+  }
+
+  /**
+   * Returns the radiance that leaves a point of the surface.
+   *
+   * @param direction in which it leaves, any length
+   * @param normal the surface's geometric normal, outward
+   */
+  public Rgb towards(Vec3 direction, Vec3 normal, TexturePoint point) {
+    return twoSided || direction.dot(normal) > 0 ? radiance.at(point) : Rgb.BLACK;
+  }
+
+  /** Tells whether nothing is emitted anywhere. */
+  public boolean isBlack() {
+    return radiance instanceof Constant<Rgb> constant && constant.value().isBlack();
+  }
+}

@@ -1,0 +1,24 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import java.util.Optional;
+
+/** Something that emits and can be sampled. Immutable. */
+public sealed interface Light
+    permits PointLight, SpotLight, DirectionalLight, AreaLight, EnvironmentLight {
+  /**
+   * Returns light that may arrive at a point, or empty if none can.
+   *
+   * @param u uniform in [0,1)²; delta lights ignore it
+   */
+  Optional<LightSample> sample(Vec3 reference, Point2 u);
+
+  /** Tells whether the light emits nothing at all, so that it need never be chosen. */
+  boolean isBlack();
+
+  /** Tells whether the light is of no size, so that no scattered ray can hit it. */
+  default boolean isDelta() {
+    return true;
+  }
+}

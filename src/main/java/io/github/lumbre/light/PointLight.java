@@ -1,0 +1,36 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import java.util.Objects;
+import java.util.Optional;
+
+/** A light of no size that shines equally in all directions. */
+public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implements Light {
+  public PointLight {
+    Objects.requireNonNull(position, "position");
+    Objects.requireNonNull(intensity, "intensity");
+    Objects.requireNonNull(falloff, "falloff");
+  }
+
+  @Override
+  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
+    Vec3 way = position.minus(reference);
+    double distanceSquared = way.lengthSquared();
+    if (distanceSquared == 0) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new LightSample(
+            way.normalized(),
+            falloff.irradiance(intensity, distanceSquared),
+            Double.POSITIVE_INFINITY,
+            new LightSample.AtPoint(position)));
+  }
+
+  @Override
+  public boolean isBlack() {
+    return intensity.isBlack();
+  }
+}

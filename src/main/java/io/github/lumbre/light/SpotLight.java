@@ -1,0 +1,73 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import java.util.Objects;
+import java.util.Optional;
+
+/** A point light that shines inside a cone only, with a sharp or a soft edge. Immutable. */
+public final class SpotLight implements Light {
+  private final PointLight source;
+  private final Vec3 axis;
+  private final double halfAngleDegrees;
+  private final double penumbraDegrees;
+  private final double cosOuter;
+
+  /**
+   * @param source the light without its shade
+   * @param axis unit direction in which it shines
+   * @param halfAngleDegrees where the light ends, in (0, 90]
+   * @param penumbraDegrees width of the soft edge inside the half angle, in [0, halfAngleDegrees]
+   */
+  public SpotLight(PointLight source, Vec3 axis, double halfAngleDegrees, double penumbraDegrees) {
+    this.source = Objects.requireNonNull(source, "source");
+    this.axis = Objects.requireNonNull(axis, "axis");
+    if (!(halfAngleDegrees > 0 && halfAngleDegrees <= 90)) {
+      throw new IllegalArgumentException(
+          "halfAngleDegrees: expected in (0, 90], found " + halfAngleDegrees);
+    }
+    if (!(penumbraDegrees >= 0 && penumbraDegrees <= halfAngleDegrees)) {
+      throw new IllegalArgumentException(
+          "penumbraDegrees: expected in [0, " + halfAngleDegrees + "], found " + penumbraDegrees);
+    }
+    this.halfAngleDegrees = halfAngleDegrees;
+    this.penumbraDegrees = penumbraDegrees;
+    cosOuter = Elementary.cosDegrees(halfAngleDegrees);
+  }
+
+  @Override
+  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
+    return source.sample(reference, u).flatMap(this::shaded);
+  }
+
+  private Optional<LightSample> shaded(LightSample sample) {
+    double share = share(-sample.wi().dot(axis));
+    if (share == 0) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new LightSample(
+            sample.wi(), sample.radiance().times(share), sample.pdf(), sample.target()));
+  }
+
+  private double share(double cosAngle) {
+    if (cosAngle < cosOuter) {
+      return 0;
+    }
+    if (penumbraDegrees == 0) {
+      return 1;
+    }
+    double angle =
+        Math.toDegrees(
+            Elementary.atan2(Elementary.safeSqrt(1 - cosAngle * cosAngle), cosAngle));
+    double s = Math.max(0, Math.min(1, (halfAngleDegrees - angle) / penumbraDegrees));
+    return s * s * (3 - 2 * s);
+  }
+
+  @Override
+  public boolean isBlack() {
+    return source.isBlack();
+  }
+}

@@ -1,0 +1,64 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+
+/**
+ * A smooth boundary of glass: reflects by the exact Fresnel equations and refracts by Snell's law
+ * (PBRT 4e, sec. 9.5). The inside is where z is negative.
+ *
+ * @param reflectance tints what is reflected, each component in [0,1]
+ * @param transmittance tints what passes, each component in [0,1]
+ * @param ior index of refraction inside over the one outside, &gt; 0
+ */
+public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements Bsdf {
+  @Override
+  public Rgb eval(Vec3 wo, Vec3 wi) {
+    return Rgb.BLACK;
+  }
+
+  @Override
+  public double pdf(Vec3 wo, Vec3 wi) {
+    return 0;
+  }
+
+  @Override
+  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+    double fresnel = reflected(wo);
+    double reflect = fresnel * reflectance.max();
+    double pass = (1 - fresnel) * transmittance.max();
+    if (reflect + pass == 0) {
+      return BsdfSample.ABSORBED;
+    }
+    double probability = reflect / (reflect + pass);
+    return uLobe < probability
+        ? BsdfSample.specular(
+            SpecularReflection.reflect(wo), reflectance.times(fresnel / probability))
+        : BsdfSample.specular(
+            refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
+  }
+
+  @Override
+  public boolean isSpecular() {
+    return true;
+  }
+
+  /** Returns the share of light from wo that is reflected, tint aside. */
+  public double reflected(Vec3 wo) {
+    return Fresnel.dielectric(Math.abs(wo.z()), eta(wo));
+  }
+
+  /** Returns the refracted direction; meaningless beyond the critical angle. */
+  public Vec3 refract(Vec3 wo) {
+    double eta = eta(wo);
+    double cosT = Fresnel.cosTransmitted(Math.abs(wo.z()), eta);
+    return eta == 1
+        ? wo.negated()
+        : new Vec3(-wo.x() / eta, -wo.y() / eta, -Math.copySign(cosT, wo.z())).normalized();
+  }
+
+  private double eta(Vec3 wo) {
+    return wo.z() > 0 ? ior : 1 / ior;
+  }
+}

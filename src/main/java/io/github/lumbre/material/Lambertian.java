@@ -1,0 +1,39 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Warp;
+
+/**
+ * The ideal diffuse reflector: f = albedo / π, on both sides of the surface (PBRT 4e, sec. 9.2).
+ *
+ * @param albedo share of light reflected, each component in [0,1]
+ */
+public record Lambertian(Rgb albedo) implements Bsdf {
+  @Override
+  public Rgb eval(Vec3 wo, Vec3 wi) {
+    return wo.z() * wi.z() > 0 ? albedo.times(Math.abs(wi.z()) * Elementary.INV_PI) : Rgb.BLACK;
+  }
+
+  @Override
+  public double pdf(Vec3 wo, Vec3 wi) {
+    return wo.z() * wi.z() > 0 ? Warp.cosineHemispherePdf(Math.abs(wi.z())) : 0;
+  }
+
+  @Override
+  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+    Vec3 up = Warp.cosineHemisphere(u);
+    if (up.z() == 0 || wo.z() == 0) {
+      return BsdfSample.ABSORBED;
+    }
+    Vec3 wi = wo.z() > 0 ? up : new Vec3(up.x(), up.y(), -up.z());
+    return new BsdfSample(wi, albedo, Warp.cosineHemispherePdf(up.z()));
+  }
+
+  @Override
+  public Rgb diffuseAlbedo() {
+    return albedo;
+  }
+}

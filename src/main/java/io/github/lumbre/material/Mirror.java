@@ -1,0 +1,22 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.Texture;
+import java.util.Objects;
+
+/**
+ * A perfect mirror: the format's Reflective.
+ *
+ * @param reflectance share of light reflected; components above 1 are taken as 1
+ */
+public record Mirror(Texture<Rgb> reflectance) implements Material {
+  public Mirror {
+    Objects.requireNonNull(reflectance, "reflectance");
+  }
+
+  @Override
+  public Bsdf at(SurfaceHit hit) {
+    return new SpecularReflection(reflectance.at(hit.texture()).clampedToOne());
+  }
+}

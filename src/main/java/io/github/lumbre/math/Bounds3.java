@@ -1,0 +1,54 @@
+package io.github.lumbre.math;
+
+/** An axis-aligned box; {@link #EMPTY} holds no point, and a box may have zero thickness. */
+public record Bounds3(Vec3 min, Vec3 max) {
+  private static final double INF = Double.POSITIVE_INFINITY;
+
+  /** The box without a point: the neutral element of {@link #union}. */
+  public static final Bounds3 EMPTY =
+      new Bounds3(new Vec3(INF, INF, INF), new Vec3(-INF, -INF, -INF));
+
+  /** Returns the smallest box that holds all the points. */
+  public static Bounds3 of(Vec3... points) {
+    Bounds3 bounds = EMPTY;
+    for (Vec3 point : points) {
+      bounds = bounds.union(point);
+    }
+    return bounds;
+  }
+
+  public Bounds3 union(Vec3 p) {
+    return new Bounds3(
+        new Vec3(Math.min(min.x(), p.x()), Math.min(min.y(), p.y()), Math.min(min.z(), p.z())),
+        new Vec3(Math.max(max.x(), p.x()), Math.max(max.y(), p.y()), Math.max(max.z(), p.z())));
+  }
+
+  public Bounds3 union(Bounds3 o) {
+    return o.isEmpty() ? this : union(o.min).union(o.max);
+  }
+
+  public boolean isEmpty() {
+    return !(min.x() <= max.x() && min.y() <= max.y() && min.z() <= max.z());
+  }
+
+  public boolean isFinite() {
+    return min.isFinite() && max.isFinite();
+  }
+
+  /** Returns the corner with the given number, 0 to 7: bit k picks the maximum on axis k. */
+  public Vec3 corner(int number) {
+    return new Vec3(
+        (number & 1) == 0 ? min.x() : max.x(),
+        (number & 2) == 0 ? min.y() : max.y(),
+        (number & 4) == 0 ? min.z() : max.z());
+  }
+
+  public Vec3 centre() {
+    return min.times(.5).plus(max.times(.5));
+  }
+
+  /** Returns the radius of the sphere around {@link #centre} through the corners; 0 if empty. */
+  public double radius() {
+    return isEmpty() ? 0 : max.times(.5).minus(min.times(.5)).length();
+  }
+}

@@ -1,0 +1,88 @@
+package io.github.lumbre.math;
+
+/** A point or a direction: three coordinates, in whatever space the name of the variable says. */
+public record Vec3(double x, double y, double z) {
+  public static final Vec3 ZERO = new Vec3(0, 0, 0);
+  public static final Vec3 X = new Vec3(1, 0, 0);
+  public static final Vec3 Y = new Vec3(0, 1, 0);
+  public static final Vec3 Z = new Vec3(0, 0, 1);
+
+  /** Squared lengths outside this range have lost digits to underflow or overflow. */
+  private static final double SMALLEST_SAFE_SQUARE = 0x1p-900;
+
+  private static final double LARGEST_SAFE_SQUARE = 0x1p1000;
+
+  public Vec3 plus(Vec3 o) {
+    return new Vec3(x + o.x, y + o.y, z + o.z);
+  }
+
+  /** Returns this + s·o. */
+  public Vec3 plus(double s, Vec3 o) {
+    return new Vec3(x + s * o.x, y + s * o.y, z + s * o.z);
+  }
+
+  public Vec3 minus(Vec3 o) {
+    return new Vec3(x - o.x, y - o.y, z - o.z);
+  }
+
+  public Vec3 times(double s) {
+    return new Vec3(x * s, y * s, z * s);
+  }
+
+  public Vec3 negated() {
+    return new Vec3(-x, -y, -z);
+  }
+
+  public double dot(Vec3 o) {
+    return x * o.x + y * o.y + z * o.z;
+  }
+
+  /** Returns the cross product; in left-handed space its direction follows the left hand. */
+  public Vec3 cross(Vec3 o) {
+    return new Vec3(y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x);
+  }
+
+  public double lengthSquared() {
+    return x * x + y * y + z * z;
+  }
+
+  public double length() {
+    double square = lengthSquared();
+    if (square >= SMALLEST_SAFE_SQUARE && square <= LARGEST_SAFE_SQUARE) {
+      return Math.sqrt(square);
+    }
+    double scale = maxAbs();
+    return scale == 0 || !Double.isFinite(scale) ? scale : scale * times(1 / scale).length();
+  }
+
+  /**
+   * Returns the unit vector of the same direction, for any finite vector but zero, however long or
+   * short; of the zero vector, NaN.
+   */
+  public Vec3 normalized() {
+    double square = lengthSquared();
+    if (square >= SMALLEST_SAFE_SQUARE && square <= LARGEST_SAFE_SQUARE) {
+      return times(1 / Math.sqrt(square));
+    }
+    // Two steps of a power of two each, so that neither the factor nor the product overflows.
+    int exponent = Math.getExponent(maxAbs());
+    double half = Math.scalb(1.0, -(exponent / 2));
+    double rest = Math.scalb(1.0, -(exponent - exponent / 2));
+    Vec3 scaled = times(half).times(rest);
+    return scaled.times(1 / Math.sqrt(scaled.lengthSquared()));
+  }
+
+  /** Returns the largest absolute coordinate. */
+  public double maxAbs() {
+    return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+  }
+
+  /** Returns the coordinate of an axis: 0 is x, 1 is y, 2 is z. */
+  public double get(int axis) {
+    return axis == 0 ? x : axis == 1 ? y : z;
+  }
+
+  public boolean isFinite() {
+    return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
+  }
+}

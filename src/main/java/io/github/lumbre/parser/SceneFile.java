@@ -1,0 +1,23 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.util.List;
+
+/**
+ * What a scene file holds.
+ *
+ * @param warnings a line each, as in {@link SceneFormatException#problems}
+ * @param hash SHA-256 of the file and of every file it refers to, in hexadecimal
+ * @param contents what the scene is made of, for people
+ */
+public record SceneFile(
+    Scene scene,
+    RenderSettings settings,
+    List<String> warnings,
+    String hash,
+    SceneContents contents) {
+  public SceneFile {
+    warnings = List.copyOf(warnings);
+  }
+}

@@ -1,0 +1,24 @@
+package io.github.lumbre.render;
+
+/**
+ * Hears what a render has done and may cancel it. All methods are called from worker threads, any
+ * of them at once, and should return quickly.
+ */
+public interface Progress {
+  /** Hears nothing and never cancels. */
+  Progress NONE = new Progress() {};
+
+  /** The render begins: so many samples over all pixels. */
+  default void started(long totalSamples) {}
+
+  /** So many more samples are done: a fraction of a bucket, many times a second. */
+  default void advanced(long samples) {}
+
+  /** All pixels of a bucket are done. */
+  default void finished(Bucket bucket) {}
+
+  /** Asked between pixels: true makes the render stop and return what it has. */
+  default boolean isCancelled() {
+    return false;
+  }
+}

@@ -1,0 +1,71 @@
+package io.github.lumbre.sampling;
+
+/** A choice among n items with given weights: piecewise constant over [0,1). Immutable. */
+public final class Distribution1d {
+  /** cumulative[i] is the probability of items before i, cumulative[n] exactly 1. */
+  private final double[] cumulative;
+
+  private final double sum;
+
+  /**
+   * @param weights at least one; each finite and ≥ 0; if all are 0 the choice is uniform
+   */
+  public Distribution1d(double... weights) {
+    int n = weights.length;
+    if (n == 0) {
+      throw new IllegalArgumentException("weights: expected at least one, found none");
+    }
+    double largest = 0;
+    for (double weight : weights) {
+      if (!(weight >= 0) || Double.isInfinite(weight)) {
+        throw new IllegalArgumentException("weights: expected finite and >= 0, found " + weight);
+      }
+      largest = Math.max(largest, weight);
+    }
+    cumulative = new double[n + 1];
+    for (int i = 0; i < n; i++) {
+      // Relative to the largest, so that neither 1e300 nor 1e-300 leaves the range of doubles.
+      cumulative[i + 1] = cumulative[i] + (largest == 0 ? 1 : weights[i] / largest);
+    }
+    double total = cumulative[n];
+    sum = largest == 0 ? 0 : total * largest;
+    for (int i = 1; i <= n; i++) {
+      cumulative[i] = cumulative[i] == total ? 1 : cumulative[i] / total;
+    }
+  }
+
+  public int size() {
+    return cumulative.length - 1;
+  }
+
+  /** Returns the sum of the weights. */
+  public double sum() {
+    return sum;
+  }
+
+  /** Returns the probability of an item. */
+  public double probability(int item) {
+    return cumulative[item + 1] - cumulative[item];
+  }
+
+  /** Returns the item that a uniform number chooses; never one of probability 0. */
+  public int choose(double u) {
+    int low = 0;
+    int high = size() - 1;
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (u < cumulative[middle + 1]) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return low;
+  }
+
+  /** Returns where inside the chosen item the number fell, itself uniform in [0,1). */
+  public double remainder(int item, double u) {
+    double r = (u - cumulative[item]) / probability(item);
+    return Math.max(0, Math.min(r, 0x1.fffffffffffffp-1));
+  }
+}

@@ -1,0 +1,54 @@
+package io.github.lumbre.sampling;
+
+import io.github.lumbre.math.Point2;
+
+/**
+ * Addressed random numbers in [0,1): a pure function of seed, pixel, sample and dimension, so that
+ * neither threads nor the order of work can change a picture. Mutable (it remembers the address)
+ * and confined to one thread.
+ *
+ * <p>The order of dimensions is a contract: those of the camera are constants here, and each vertex
+ * of a path owns {@link #VERTEX_STRIDE} dimensions from {@link #vertex} on, used or not.
+ */
+public interface Sampler {
+  /** Two dimensions: where in the pixel. */
+  int FILM = 0;
+
+  /** Two dimensions: where on the lens. */
+  int LENS = 2;
+
+  /** Three dimensions: which texel of a lens mask, and where in it. */
+  int MASK = 4;
+
+  /** Offset within a vertex, one dimension: which light. */
+  int LIGHT_CHOICE = 0;
+
+  /** Offset within a vertex, two dimensions: where on the light. */
+  int LIGHT_POINT = 1;
+
+  /** Offset within a vertex, one dimension: which lobe of the surface. */
+  int LOBE = 3;
+
+  /** Offset within a vertex, two dimensions: the scattered direction. */
+  int DIRECTION = 4;
+
+  /** Offset within a vertex, one dimension: whether the path goes on. */
+  int ROULETTE = 6;
+
+  int FIRST_VERTEX = 8;
+  int VERTEX_STRIDE = 7;
+
+  /** Returns the first dimension of a path's vertex; the one that the camera sees is 0. */
+  static int vertex(int number) {
+    return FIRST_VERTEX + number * VERTEX_STRIDE;
+  }
+
+  /** Moves to a sample of a pixel of the full frame. */
+  void startSample(int x, int y, int sample);
+
+  /** Returns the number at one dimension of the current sample. */
+  double get1d(int dimension);
+
+  /** Returns a point of the unit square, at two consecutive dimensions of the current sample. */
+  Point2 get2d(int dimension);
+}

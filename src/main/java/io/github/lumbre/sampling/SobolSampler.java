@@ -1,0 +1,90 @@
+package io.github.lumbre.sampling;
+
+import io.github.lumbre.math.Point2;
+
+/**
+ * Owen-scrambled Sobol points, every pair of dimensions its own shuffled and scrambled copy of the
+ * first two: any number of samples is well spread, and a power of two perfectly, without knowing
+ * the number beforehand.
+ *
+ * <p>Burley 2020, "Practical Hash-based Owen Scrambling"; the hash of the scrambling is
+ * Vegdahl's improvement of Laine and Karras's.
+ */
+public final class SobolSampler implements Sampler {
+  private static final double ULP32 = 0x1p-32;
+
+  private final long seedKey;
+  private long pixelKey;
+  private int reversedIndex;
+
+  public SobolSampler(long seed) {
+    seedKey = mix(seed + 0x9e3779b97f4a7c15L);
+  }
+
+  @Override
+  public void startSample(int x, int y, int sample) {
+    pixelKey = mix(seedKey ^ ((long) y << 32 | x & 0xffffffffL));
+    reversedIndex = Integer.reverse(sample);
+  }
+
+  @Override
+  public double get1d(int dimension) {
+    long key = mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
+    int reversed = scramble(reversedIndex, (int) key);
+    // The base-2 radical inverse of the shuffled index is its reversed bits, which we have.
+    int value = scrambleReversed(reversed, (int) (key >>> 32));
+    return (value & 0xffffffffL) * ULP32;
+  }
+
+  @Override
+  public Point2 get2d(int dimension) {
+    long key = mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
+    int reversed = scramble(reversedIndex, (int) key);
+    int high = (int) (key >>> 32);
+    int x = scrambleReversed(reversed, high);
+    int y = scrambleReversed(secondSobolDimension(Integer.reverse(reversed)), mix32(high));
+    return new Point2((x & 0xffffffffL) * ULP32, (y & 0xffffffffL) * ULP32);
+  }
+
+  /**
+   * Returns the index's bits times the second Sobol matrix. That matrix is Pascal's triangle modulo
+   * 2, which is a Kronecker power of [1 1; 0 1], so five shifts replace 32 table rows.
+   */
+  static int secondSobolDimension(int index) {
+    int v = index;
+    v ^= (v & 0xaaaaaaaa) >>> 1;
+    v ^= (v & 0xcccccccc) >>> 2;
+    v ^= (v & 0xf0f0f0f0) >>> 4;
+    v ^= (v & 0xff00ff00) >>> 8;
+    v ^= v >>> 16;
+    return Integer.reverse(v);
+  }
+
+  /** Owen-scrambles a number whose most significant bit is its lowest: the Laine–Karras hash. */
+  static int scramble(int x, int key) {
+    x ^= x * 0x3d20adea;
+    x += key;
+    x *= (key >>> 16) | 1;
+    x ^= x * 0x05526c56;
+    x ^= x * 0x53a22864;
+    return x;
+  }
+
+  /** Owen-scrambles a number whose most significant bit is its highest. */
+  static int scrambleReversed(int x, int key) {
+    return Integer.reverse(scramble(Integer.reverse(x), key));
+  }
+
+  /** The 64-bit finaliser of SplitMix64 (Steele et al. 2014; constants: Stafford's variant 13). */
+  static long mix(long z) {
+    z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;
+    z = (z ^ (z >>> 27)) * 0x94d049bb133111ebL;
+    return z ^ (z >>> 31);
+  }
+
+  private static int mix32(int x) {
+    x = (x ^ (x >>> 16)) * 0x7feb352d;
+    x = (x ^ (x >>> 15)) * 0x846ca68b;
+    return x ^ (x >>> 16);
+  }
+}

@@ -1,0 +1,81 @@
+package io.github.lumbre.sampling;
+
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+
+/** Maps from the unit square that keep areas in proportion, each beside its density. */
+public final class Warp {
+  public static final double INV_FOUR_PI = 1 / (4 * Math.PI);
+  private static final double QUARTER_PI = Math.PI / 4;
+
+  private Warp() {}
+
+  /**
+   * Returns a uniform point of the unit disc; (½, ½) goes to the centre and rings of squares to
+   * rings of the disc.
+   *
+   * <p>Shirley &amp; Chiu 1997, "A Low Distortion Map Between Disk and Square".
+   */
+  public static Point2 concentricDisk(Point2 u) {
+    double a = 2 * u.x() - 1;
+    double b = 2 * u.y() - 1;
+    if (a == 0 && b == 0) {
+      return new Point2(0, 0);
+    }
+    if (Math.abs(a) > Math.abs(b)) {
+      double phi = QUARTER_PI * (b / a);
+      return new Point2(a * Elementary.cosSmall(phi), a * Elementary.sinSmall(phi));
+    }
+    double phi = QUARTER_PI * (a / b);
+    return new Point2(b * Elementary.sinSmall(phi), b * Elementary.cosSmall(phi));
+  }
+
+  /** Returns a unit direction around +z with density cos θ / π (Malley's method). */
+  public static Vec3 cosineHemisphere(Point2 u) {
+    Point2 d = concentricDisk(u);
+    return new Vec3(
+        d.x(), d.y(), Elementary.safeSqrt(1 - d.x() * d.x() - d.y() * d.y()));
+  }
+
+  /** Returns the density of {@link #cosineHemisphere}; 0 below the horizon. */
+  public static double cosineHemispherePdf(double cosTheta) {
+    return Math.max(0, cosTheta) * Elementary.INV_PI;
+  }
+
+  /** Returns a uniform unit direction. */
+  public static Vec3 uniformSphere(Point2 u) {
+    return direction(1 - 2 * u.x(), 2 * Math.sqrt(u.x() * (1 - u.x())), u.y());
+  }
+
+  /**
+   * Returns a uniform direction of the cone around +z.
+   *
+   * @param oneMinusCosMax 1 − cos of the half angle, in [0,2]: so given, narrow cones keep their
+   *     digits
+   */
+  public static Vec3 uniformCone(Point2 u, double oneMinusCosMax) {
+    double h = u.x() * oneMinusCosMax;
+    return direction(1 - h, Elementary.safeSqrt(h * (2 - h)), u.y());
+  }
+
+  /** Returns the density of {@link #uniformCone} inside the cone. */
+  public static double uniformConePdf(double oneMinusCosMax) {
+    return 1 / (Elementary.TWO_PI * oneMinusCosMax);
+  }
+
+  /**
+   * Returns the first two barycentric weights of a uniform point of a triangle.
+   *
+   * <p>Osada et al. 2002, "Shape Distributions", eq. 1.
+   */
+  public static Point2 uniformTriangle(Point2 u) {
+    double root = Math.sqrt(u.x());
+    return new Point2(1 - root, u.y() * root);
+  }
+
+  private static Vec3 direction(double cosTheta, double sinTheta, double turns) {
+    return new Vec3(
+        sinTheta * Elementary.cosTurns(turns), sinTheta * Elementary.sinTurns(turns), cosTheta);
+  }
+}

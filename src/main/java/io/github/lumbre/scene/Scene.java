@@ -1,0 +1,113 @@
+package io.github.lumbre.scene;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.geometry.Bvh;
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The world: complete, immutable, and shared by all threads. Built by {@link SceneBuilder}.
+ *
+ * <p>Two lists of lights: {@link #lights} are those that the scene calls lights, {@link
+ * #emitters} add what else shines if all light is followed (glowing surfaces, the background).
+ */
+public final class Scene {
+  private final Camera camera;
+  private final List<Primitive> primitives;
+  private final Bvh bvh;
+  private final List<Light> lights;
+  private final List<Light> emitters;
+  private final List<EnvironmentLight> environments;
+  private final Rgb ambient;
+  /** The index among the emitters of each primitive that is one. */
+  private final int[] emitterOfPrimitive;
+
+  Scene(
+      Camera camera,
+      List<Primitive> primitives,
+      List<Light> lights,
+      List<Light> emitters,
+      Map<Integer, Integer> emitterOfPrimitive,
+      Rgb ambient) {
+    this.camera = camera;
+    this.primitives = List.copyOf(primitives);
+    this.lights = List.copyOf(lights);
+    this.emitters = List.copyOf(emitters);
+    this.ambient = ambient;
+    bvh = Bvh.over(this.primitives.stream().map(Primitive::shape).toList());
+    environments =
+        this.emitters.stream()
+            .filter(EnvironmentLight.class::isInstance)
+            .map(EnvironmentLight.class::cast)
+            .toList();
+    this.emitterOfPrimitive = new int[primitives.size()];
+    for (int i = 0; i < primitives.size(); i++) {
+      this.emitterOfPrimitive[i] = emitterOfPrimitive.getOrDefault(i, -1);
+    }
+  }
+
+  /** Returns a builder of a scene seen by the given camera. */
+  public static SceneBuilder seenBy(Camera camera) {
+    return new SceneBuilder(camera);
+  }
+
+  public Camera camera() {
+    return camera;
+  }
+
+  public List<Primitive> primitives() {
+    return primitives;
+  }
+
+  /** Returns the lights that the scene calls lights, black ones left out. */
+  public List<Light> lights() {
+    return lights;
+  }
+
+  /** Returns all that shines and can be sampled, black ones left out. */
+  public List<Light> emitters() {
+    return emitters;
+  }
+
+  /** Returns those emitters that are infinitely far all around. */
+  public List<EnvironmentLight> environments() {
+    return environments;
+  }
+
+  /** Returns the irradiance that reaches every diffuse surface from nowhere in particular. */
+  public Rgb ambient() {
+    return ambient;
+  }
+
+  /** Returns what a ray meets first; empty if nothing. The hit is scratch memory of the caller. */
+  public Optional<Intersection> intersect(Ray ray, NearestHit hit) {
+    if (!bvh.intersect(ray, hit)) {
+      return Optional.empty();
+    }
+    Primitive primitive = primitives.get(hit.shape());
+    SurfaceHit surface = primitive.shape().surfaceAt(ray, hit);
+    return Optional.of(new Intersection(primitive, surface, emitterOfPrimitive[hit.shape()]));
+  }
+
+  /** Tells whether anything lies on a ray. */
+  public boolean isOccluded(Ray ray, NearestHit scratch) {
+    return bvh.isOccluded(ray, scratch);
+  }
+
+  /** Returns what arrives along a unit direction from beyond everything. */
+  public Rgb background(Vec3 direction) {
+    Rgb sum = Rgb.BLACK;
+    for (EnvironmentLight environment : environments) {
+      sum = sum.plus(environment.from(direction));
+    }
+    return sum;
+  }
+}

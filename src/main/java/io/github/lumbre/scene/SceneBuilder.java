@@ -1,0 +1,87 @@
+package io.github.lumbre.scene;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.Unlit;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+
+/** Collects a scene. Mutable; what it builds is not. */
+public final class SceneBuilder {
+  private final Camera camera;
+  private final List<Primitive> primitives = new ArrayList<>();
+  private final List<Light> lights = new ArrayList<>();
+  private final List<Light> emitters = new ArrayList<>();
+  private final Map<Integer, Integer> emitterOfPrimitive = new HashMap<>();
+  private Rgb ambient = Rgb.BLACK;
+
+  SceneBuilder(Camera camera) {
+    this.camera = Objects.requireNonNull(camera, "camera");
+  }
+
+  /** Adds a surface that only scatters. */
+  public SceneBuilder add(Shape shape, Material material) {
+    primitives.add(new Primitive(shape, material, Optional.empty()));
+    return this;
+  }
+
+  /** Adds a light without a surface, or a dome. */
+  public SceneBuilder add(Light light) {
+    if (!light.isBlack()) {
+      lights.add(light);
+      emitters.add(light);
+    }
+    return this;
+  }
+
+  /** Adds a lamp: a surface that shines, scatters nothing, and is a light in both modes. */
+  public SceneBuilder addLamp(Shape shape, Emission emission) {
+    AreaLight light = new AreaLight(shape, emission);
+    addGlowing(shape, emission);
+    if (!light.isBlack()) {
+      lights.add(light);
+    }
+    return this;
+  }
+
+  /**
+   * Adds a surface that shows its own colour and scatters nothing. Where all light is followed it
+   * lights other things; infinite planes only by being hit.
+   */
+  public SceneBuilder addGlowing(Shape shape, Emission emission) {
+    if (!emission.isBlack() && Double.isFinite(shape.area())) {
+      emitterOfPrimitive.put(primitives.size(), emitters.size());
+      emitters.add(new AreaLight(shape, emission));
+    }
+    primitives.add(new Primitive(shape, Unlit.INSTANCE, Optional.of(emission)));
+    return this;
+  }
+
+  /** Adds a uniform glow from all around, which lights surfaces where all light is followed. */
+  public SceneBuilder addBackground(Rgb radiance) {
+    if (!radiance.isBlack()) {
+      emitters.add(EnvironmentLight.uniform(radiance));
+    }
+    return this;
+  }
+
+  /** Adds irradiance that reaches every diffuse surface from nowhere in particular. */
+  public SceneBuilder addAmbient(Rgb irradiance) {
+    ambient = ambient.plus(irradiance);
+    return this;
+  }
+
+  public Scene build() {
+    return new Scene(camera, primitives, lights, emitters, emitterOfPrimitive, ambient);
+  }
+}

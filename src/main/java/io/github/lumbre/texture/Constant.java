@@ -1,0 +1,15 @@
+package io.github.lumbre.texture;
+
+import java.util.Objects;
+
+/** The texture that has one value everywhere. */
+public record Constant<T>(T value) implements Texture<T> {
+  public Constant {
+    Objects.requireNonNull(value, "value");
+  }
+
+  @Override
+  public T at(TexturePoint p) {
+    return value;
+  }
+}

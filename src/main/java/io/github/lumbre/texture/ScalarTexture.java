@@ -1,0 +1,12 @@
+package io.github.lumbre.texture;
+
+/** A number at each point of a surface: a roughness, an exponent, an index of refraction. */
+@FunctionalInterface
+public interface ScalarTexture {
+  double at(TexturePoint p);
+
+  /** Returns the texture that has one value everywhere. */
+  static ScalarTexture constant(double value) {
+    return p -> value;
+  }
+}
