@@ -3,9 +3,8 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.scene.Scene;
 
-/** An algorithm of light transport. Stateless, shared by all threads. */
+/** An algorithm of light transport in one scene. Immutable, shared by all threads. */
 public interface Integrator {
   /**
    * Returns the radiance that arrives at the ray's origin from its direction.
@@ -14,5 +13,5 @@ public interface Integrator {
    * @param sampler started at the current sample
    * @param scratch the calling thread's own
    */
-  Rgb radiance(Ray ray, Scene scene, Sampler sampler, Scratch scratch);
+  Rgb radiance(Ray ray, Sampler sampler, Scratch scratch);
 }

@@ -1,13 +1,21 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.scene.Scene;
 
 /** Memory and counters that a thread reuses from sample to sample. Mutable, one for each thread. */
 public final class Scratch {
   final NearestHit hit = new NearestHit();
+  private final NearestHit shadow = new NearestHit();
   long rays;
-  long shadowRays;
   boolean metSomething;
+  private long shadowRays;
+
+  boolean isOccluded(Scene scene, Ray ray) {
+    shadowRays++;
+    return scene.isOccluded(ray, shadow);
+  }
 
   /** Returns how many rays were followed to what they meet. */
   public long rays() {
@@ -19,7 +27,12 @@ public final class Scratch {
     return shadowRays;
   }
 
-  /** Tells whether the last ray from the camera met a surface. */
+  /** Forgets whether a ray met anything, for the next ray from the camera. */
+  public void startSample() {
+    metSomething = false;
+  }
+
+  /** Tells whether the ray from the camera met a surface. */
   public boolean metSomething() {
     return metSomething;
   }

@@ -1,6 +1,8 @@
 package io.github.lumbre.render;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * What a render did.
@@ -19,10 +21,39 @@ public record RenderStatistics(
     long rejected,
     List<RejectedSample> firstRejected,
     long saturated) {
+  /** Nothing done. */
+  static final RenderStatistics ZERO = new RenderStatistics(0, 0, 0, 0, List.of(), 0);
+
+  private static final int MAX_FIRST_REJECTED = 10;
+
   public RenderStatistics {
     firstRejected = List.copyOf(firstRejected);
   }
 
+  /** Returns what two workers did together. */
+  RenderStatistics plus(RenderStatistics o) {
+    return new RenderStatistics(
+        samples + o.samples,
+        rays + o.rays,
+        shadowRays + o.shadowRays,
+        rejected + o.rejected,
+        Stream.concat(firstRejected.stream(), o.firstRejected.stream())
+            .sorted()
+            .limit(MAX_FIRST_REJECTED)
+            .toList(),
+        saturated + o.saturated);
+  }
+
   /** Where a sample was rejected, so that it can be repeated: pixel of the full frame, number. */
-  public record RejectedSample(int x, int y, int sample) {}
+  public record RejectedSample(int x, int y, int sample) implements Comparable<RejectedSample> {
+    private static final Comparator<RejectedSample> ORDER =
+        Comparator.comparingInt(RejectedSample::y)
+            .thenComparingInt(RejectedSample::x)
+            .thenComparingInt(RejectedSample::sample);
+
+    @Override
+    public int compareTo(RejectedSample o) {
+      return ORDER.compare(this, o);
+    }
+  }
 }

@@ -11,7 +11,6 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /**
  * The world: complete, immutable, and shared by all threads. Built by {@link SceneBuilder}.
@@ -87,14 +86,27 @@ public final class Scene {
     return ambient;
   }
 
-  /** Returns what a ray meets first; empty if nothing. The hit is scratch memory of the caller. */
-  public Optional<Intersection> intersect(Ray ray, NearestHit hit) {
-    if (!bvh.intersect(ray, hit)) {
-      return Optional.empty();
-    }
-    Primitive primitive = primitives.get(hit.shape());
-    SurfaceHit surface = primitive.shape().surfaceAt(ray, hit);
-    return Optional.of(new Intersection(primitive, surface, emitterOfPrimitive[hit.shape()]));
+  /** Finds what a ray meets first; tells whether there is anything. */
+  public boolean intersect(Ray ray, NearestHit hit) {
+    return bvh.intersect(ray, hit);
+  }
+
+  /** Returns the primitive of a hit that {@link #intersect} found. */
+  public Primitive primitiveAt(NearestHit hit) {
+    return primitives.get(hit.shape());
+  }
+
+  /** Returns the surface of a hit that {@link #intersect} found along the same ray. */
+  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
+    return primitiveAt(hit).shape().surfaceAt(ray, hit);
+  }
+
+  /**
+   * Returns the index among {@link #emitters} of the primitive that was hit, or -1 if it is not
+   * sampled as a light.
+   */
+  public int emitterAt(NearestHit hit) {
+    return emitterOfPrimitive[hit.shape()];
   }
 
   /** Tells whether anything lies on a ray. */

@@ -1,0 +1,171 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.Dielectric;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.scene.Scene;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Whitted's ray tracing (1980): light straight from every light, mirrors, and glass; no light from
+ * one diffuse surface to another. Each area light and dome is sampled once.
+ */
+public final class RayTracer implements Integrator {
+  /**
+   * Up to so many glass surfaces a path splits into what is reflected and what passes; from then on
+   * it takes one of the two at random, so that deep glass does not cost 2^depth rays.
+   */
+  private static final int MAX_SPLITS = 4;
+
+  /** For lobes that draw nothing. */
+  private static final Point2 MIDDLE = new Point2(.5, .5);
+
+  private final Scene scene;
+  private final List<Light> lights;
+  private final int maxReflections;
+  private final int maxRefractions;
+
+  /**
+   * @param maxReflections how many mirrors a path may meet, at least 0
+   * @param maxRefractions how many glass surfaces a path may meet, at least 0
+   */
+  public RayTracer(Scene scene, int maxReflections, int maxRefractions) {
+    this.scene = Objects.requireNonNull(scene, "scene");
+    this.lights = scene.lights();
+    this.maxReflections = maxReflections;
+    this.maxRefractions = maxRefractions;
+  }
+
+  /** A ray still to be followed, what it counts for, and what it has met. */
+  private record Branch(Ray ray, Rgb throughput, int reflections, int refractions) {}
+
+  @Override
+  public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
+    Deque<Branch> pending = new ArrayDeque<>();
+    pending.push(new Branch(cameraRay, Rgb.WHITE, 0, 0));
+    Rgb radiance = Rgb.BLACK;
+    for (int number = 0; !pending.isEmpty(); number++) {
+      radiance = radiance.plus(follow(pending.pop(), number, sampler, scratch, pending));
+    }
+    return radiance;
+  }
+
+  /** Returns the light that a branch finds at its end, and adds the branches that begin there. */
+  private Rgb follow(
+      Branch branch, int number, Sampler sampler, Scratch scratch, Deque<Branch> pending) {
+    NearestHit hit = scratch.hit;
+    scratch.rays++;
+    if (!scene.intersect(branch.ray(), hit)) {
+      return branch.throughput().times(scene.background(branch.ray().direction()));
+    }
+    scratch.metSomething = true;
+    SurfaceHit surface = scene.surfaceAt(branch.ray(), hit);
+    Primitive primitive = scene.primitiveAt(hit);
+    if (primitive.emission().isPresent()) {
+      return branch
+          .throughput()
+          .times(
+              primitive
+                  .emission()
+                  .get()
+                  .towards(surface.wo(), surface.geometricNormal(), surface.texture()));
+    }
+    Vertex vertex = Vertex.at(surface, primitive.material());
+    if (vertex.bsdf() instanceof Dielectric glass) {
+      double lobe = sampler.get1d(Sampler.vertex(number) + Sampler.LOBE);
+      splitAtGlass(branch, vertex, glass, lobe, pending);
+      return Rgb.BLACK;
+    }
+    if (vertex.bsdf().isSpecular()) {
+      reflect(branch, vertex, pending);
+      return Rgb.BLACK;
+    }
+    return branch.throughput().times(direct(vertex, number, sampler, scratch));
+  }
+
+  private Rgb direct(Vertex vertex, int number, Sampler sampler, Scratch scratch) {
+    Bsdf bsdf = vertex.bsdf();
+    Rgb sum = scene.ambient().times(bsdf.diffuseAlbedo()).times(Elementary.INV_PI);
+    for (int i = 0; i < lights.size(); i++) {
+      int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
+      Optional<LightSample> drawn =
+          lights.get(i).sample(vertex.surface().position(), sampler.get2d(dimension));
+      if (drawn.isPresent()) {
+        sum = sum.plus(arriving(drawn.get(), vertex, scratch));
+      }
+    }
+    return sum;
+  }
+
+  private Rgb arriving(LightSample light, Vertex vertex, Scratch scratch) {
+    Rgb scattered = vertex.eval(light.wi()).times(light.radiance());
+    if (scattered.isBlack() || scratch.isOccluded(scene, light.shadowRay(vertex.surface()))) {
+      return Rgb.BLACK;
+    }
+    return light.isDelta() ? scattered : scattered.times(1 / light.pdf());
+  }
+
+  private void reflect(Branch branch, Vertex vertex, Deque<Branch> pending) {
+    BsdfSample mirrored = vertex.sample(0, MIDDLE);
+    if (branch.reflections() < maxReflections && !mirrored.weight().isBlack()) {
+      pending.push(
+          new Branch(
+              vertex.surface().spawn(mirrored.wi()),
+              branch.throughput().times(mirrored.weight()),
+              branch.reflections() + 1,
+              branch.refractions()));
+    }
+  }
+
+  private void splitAtGlass(
+      Branch branch, Vertex vertex, Dielectric glass, double lobe, Deque<Branch> pending) {
+    if (branch.refractions() >= maxRefractions) {
+      return;
+    }
+    if (branch.refractions() >= MAX_SPLITS) {
+      BsdfSample either = vertex.sample(lobe, MIDDLE);
+      pushGlass(branch, vertex, either.wi(), either.weight(), pending);
+      return;
+    }
+    double reflected = glass.reflected(vertex.wo());
+    Vec3 mirror = new Vec3(-vertex.wo().x(), -vertex.wo().y(), vertex.wo().z());
+    pushGlass(
+        branch, vertex, vertex.frame().toWorld(mirror), glass.reflectance().times(reflected),
+        pending);
+    if (reflected < 1) {
+      pushGlass(
+          branch,
+          vertex,
+          vertex.frame().toWorld(glass.refract(vertex.wo())),
+          glass.transmittance().times(1 - reflected),
+          pending);
+    }
+  }
+
+  private void pushGlass(
+      Branch branch, Vertex vertex, Vec3 direction, Rgb weight, Deque<Branch> pending) {
+    if (!weight.isBlack()) {
+      pending.push(
+          new Branch(
+              vertex.surface().spawn(direction),
+              branch.throughput().times(weight),
+              branch.reflections(),
+              branch.refractions() + 1));
+    }
+  }
+}

@@ -1,0 +1,132 @@
+package io.github.lumbre.render;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.Scratch;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Renders buckets until there are none left. Confined to one thread. */
+final class BucketWorker implements Runnable {
+  /** After so many samples the listener hears of them, and may cancel. */
+  private static final int SAMPLES_PER_REPORT = 1024;
+
+  private static final int MAX_REPORTED_REJECTS = 10;
+
+  private final RenderSettings settings;
+  private final Scene scene;
+  private final Integrator integrator;
+  private final Film film;
+  private final RenderQueue queue;
+  private final RenderSettings.Crop window;
+  private final Sampler sampler;
+  private final Scratch scratch = new Scratch();
+  private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
+  private long samples;
+  private long reported;
+  private long rejected;
+  private long saturated;
+
+  BucketWorker(
+      RenderSettings settings, Scene scene, Integrator integrator, Film film, RenderQueue queue) {
+    this.settings = settings;
+    this.scene = scene;
+    this.integrator = integrator;
+    this.film = film;
+    this.queue = queue;
+    window = settings.window();
+    sampler = new SobolSampler(settings.seed());
+  }
+
+  @Override
+  public void run() {
+    boolean returned = false;
+    try {
+      Optional<Bucket> bucket = queue.take();
+      while (bucket.isPresent() && render(bucket.get())) {
+        queue.finish(bucket.get());
+        bucket = queue.take();
+      }
+      returned = true;
+    } finally {
+      if (!returned) {
+        queue.stop();
+      }
+    }
+  }
+
+  /** Renders a bucket; tells whether it is complete. */
+  private boolean render(Bucket bucket) {
+    for (int y = bucket.y(); y < bucket.y() + bucket.height(); y++) {
+      for (int x = bucket.x(); x < bucket.x() + bucket.width(); x++) {
+        if (!renderPixel(x, y)) {
+          return false;
+        }
+      }
+    }
+    report();
+    return true;
+  }
+
+  private boolean renderPixel(int x, int y) {
+    int pixel = (y - window.y()) * window.width() + (x - window.x());
+    for (int sample = 0; sample < settings.samples(); sample++) {
+      if (samples - reported >= SAMPLES_PER_REPORT) {
+        report();
+      }
+      if ((sample & 63) == 0 && queue.isStopped()) {
+        return false;
+      }
+      renderSample(x, y, sample, pixel);
+    }
+    return true;
+  }
+
+  private void renderSample(int x, int y, int sample, int pixel) {
+    sampler.startSample(x, y, sample);
+    scratch.startSample();
+    samples++;
+    Point2 jitter = sampler.get2d(Sampler.FILM);
+    Point2 point =
+        new Point2((x + jitter.x()) / settings.width(), (y + jitter.y()) / settings.height());
+    Optional<Ray> ray = scene.camera().rayFor(point, sampler);
+    if (ray.isEmpty()) {
+      film.add(pixel, Rgb.BLACK, false);
+      return;
+    }
+    Rgb radiance = accepted(integrator.radiance(ray.get(), sampler, scratch), x, y, sample);
+    film.add(pixel, radiance, scratch.metSomething() || !settings.transparent());
+  }
+
+  /** Returns the radiance, or black and a note of it if it is no radiance. */
+  private Rgb accepted(Rgb radiance, int x, int y, int sample) {
+    if (!radiance.isFinite() || radiance.r() < 0 || radiance.g() < 0 || radiance.b() < 0) {
+      rejected++;
+      if (firstRejected.size() < MAX_REPORTED_REJECTS) {
+        firstRejected.add(new RenderStatistics.RejectedSample(x, y, sample));
+      }
+      return Rgb.BLACK;
+    }
+    if (radiance.max() > Film.LARGEST) {
+      saturated++;
+    }
+    return radiance;
+  }
+
+  private void report() {
+    queue.advance(samples - reported);
+    reported = samples;
+  }
+
+  RenderStatistics statistics() {
+    return new RenderStatistics(
+        samples, scratch.rays(), scratch.shadowRays(), rejected, firstRejected, saturated);
+  }
+}

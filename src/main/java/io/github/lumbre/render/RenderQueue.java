@@ -1,0 +1,50 @@
+package io.github.lumbre.render;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/** The buckets still to be rendered, and whether to go on. Shared by the workers. */
+final class RenderQueue {
+  private final List<Bucket> buckets;
+  private final Progress progress;
+  private final AtomicInteger next = new AtomicInteger();
+  private final AtomicInteger finished = new AtomicInteger();
+  private final AtomicBoolean stopped = new AtomicBoolean();
+
+  RenderQueue(List<Bucket> buckets, Progress progress) {
+    this.buckets = List.copyOf(buckets);
+    this.progress = progress;
+  }
+
+  /** Takes the next bucket; empty if there is none left. */
+  Optional<Bucket> take() {
+    // Threads that come too late leave the counter near the end: it cannot overflow.
+    int number = next.get() < buckets.size() ? next.getAndIncrement() : buckets.size();
+    return number < buckets.size() ? Optional.of(buckets.get(number)) : Optional.empty();
+  }
+
+  void finish(Bucket bucket) {
+    finished.incrementAndGet();
+    progress.finished(bucket);
+  }
+
+  void advance(long samples) {
+    progress.advanced(samples);
+  }
+
+  /** Makes all workers end soon. */
+  void stop() {
+    stopped.set(true);
+  }
+
+  boolean isStopped() {
+    return stopped.get() || progress.isCancelled();
+  }
+
+  /** Tells whether all buckets are done. */
+  boolean isExhausted() {
+    return finished.get() == buckets.size();
+  }
+}
