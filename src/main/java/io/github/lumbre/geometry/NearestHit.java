@@ -19,8 +19,14 @@ public final class NearestHit {
 
   double b2;
 
+  /** Whether any hit will do, so that the search may stop at the first. */
+  boolean any;
+
   /** Nodes still to visit; nested searches (instances) use the part from stackTop on. */
-  int[] stack = new int[256];
+  final int[] stack = new int[2 * BvhBuilder.MAX_DEPTH];
+
+  /** Where the ray enters the nodes still to visit. */
+  final double[] stackNear = new double[2 * BvhBuilder.MAX_DEPTH];
 
   int stackTop;
 
@@ -29,6 +35,7 @@ public final class NearestHit {
     t = tMax;
     shape = -1;
     stackTop = 0;
+    any = false;
   }
 
   public boolean isHit() {

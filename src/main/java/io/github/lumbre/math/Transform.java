@@ -102,6 +102,11 @@ public final class Transform {
     return determinant != 0 && Double.isFinite(determinant) && Double.isFinite(sum);
   }
 
+  /** Returns the determinant of the 3×3 part: the factor by which the map scales volumes. */
+  public double determinant() {
+    return determinant;
+  }
+
   /** Tells whether the map turns a left hand into a right one. */
   public boolean isMirroring() {
     return determinant < 0;
@@ -165,6 +170,36 @@ public final class Transform {
         i00 * v.x() + i01 * v.y() + i02 * v.z(),
         i10 * v.x() + i11 * v.y() + i12 * v.z(),
         i20 * v.x() + i21 * v.y() + i22 * v.z());
+  }
+
+  /** Returns the local x of a world position given by its coordinates; makes no object. */
+  public double inversePointX(double x, double y, double z) {
+    return inverseVectorX(x - tx, y - ty, z - tz);
+  }
+
+  /** Returns the local y of a world position given by its coordinates; makes no object. */
+  public double inversePointY(double x, double y, double z) {
+    return inverseVectorY(x - tx, y - ty, z - tz);
+  }
+
+  /** Returns the local z of a world position given by its coordinates; makes no object. */
+  public double inversePointZ(double x, double y, double z) {
+    return inverseVectorZ(x - tx, y - ty, z - tz);
+  }
+
+  /** Returns the local x of a world direction given by its coordinates; makes no object. */
+  public double inverseVectorX(double x, double y, double z) {
+    return i00 * x + i01 * y + i02 * z;
+  }
+
+  /** Returns the local y of a world direction given by its coordinates; makes no object. */
+  public double inverseVectorY(double x, double y, double z) {
+    return i10 * x + i11 * y + i12 * z;
+  }
+
+  /** Returns the local z of a world direction given by its coordinates; makes no object. */
+  public double inverseVectorZ(double x, double y, double z) {
+    return i20 * x + i21 * y + i22 * z;
   }
 
   /** Returns the box around the image of a box. */

@@ -1,0 +1,229 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.TexturePoint;
+
+/**
+ * A box around the local origin with faces along the local axes, solid from both sides. Face 2a
+ * lies on the negative side of axis a, face 2a + 1 on the positive.
+ *
+ * <p>Texture: u falls with z on the x faces and with x on the others; v falls with z on the y faces
+ * and with y on the others.
+ */
+public final class Box implements Shape {
+  private static final int FACES = 6;
+  private static final Vec3[] AXES = {Vec3.X, Vec3.Y, Vec3.Z};
+
+  /** The local axis along which u falls, for the faces of each axis. */
+  private static final int[] U_AXIS = {2, 0, 0};
+
+  private static final int[] V_AXIS = {1, 2, 1};
+
+  private final Transform toWorld;
+  private final Vec3 half;
+  private final Frame[] frames = new Frame[FACES];
+  private final double[] faceArea = new double[FACES];
+
+  /**
+   * @param toWorld invertible
+   * @param width along local x, in (0, 1e150]
+   * @param height along local y, in (0, 1e150]
+   * @param depth along local z, in (0, 1e150]
+   */
+  public Box(Transform toWorld, double width, double height, double depth) {
+    this.toWorld = Placement.invertible(toWorld);
+    half =
+        new Vec3(
+            .5 * Placement.size("width", width),
+            .5 * Placement.size("height", height),
+            .5 * Placement.size("depth", depth));
+    for (int face = 0; face < FACES; face++) {
+      Vec3 axis = AXES[face >> 1];
+      Vec3 u = toWorld.vector(AXES[U_AXIS[face >> 1]]);
+      Vec3 v = toWorld.vector(AXES[V_AXIS[face >> 1]]);
+      Vec3 normal = toWorld.normal((face & 1) == 0 ? axis.negated() : axis);
+      frames[face] = Frame.around(normal, u.negated(), v.negated());
+      faceArea[face] =
+          u.cross(v).length() * (2 * half.get(U_AXIS[face >> 1])) * (2 * half.get(V_AXIS[face >> 1]));
+    }
+  }
+
+  @Override
+  public Bounds3 bounds() {
+    return Placement.outward(toWorld, new Bounds3(half.negated(), half));
+  }
+
+  /** {@inheritDoc} On edges and corners the faces of x come before those of y, and y before z. */
+  @Override
+  public boolean intersect(Ray ray, NearestHit nearest) {
+    Vec3 o = ray.origin();
+    Vec3 d = ray.direction();
+    double ox = toWorld.inversePointX(o.x(), o.y(), o.z());
+    double oy = toWorld.inversePointY(o.x(), o.y(), o.z());
+    double oz = toWorld.inversePointZ(o.x(), o.y(), o.z());
+    double dx = toWorld.inverseVectorX(d.x(), d.y(), d.z());
+    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
+    double dz = toWorld.inverseVectorZ(d.x(), d.y(), d.z());
+    double nearX = enter(ox, dx, half.x());
+    double nearY = enter(oy, dy, half.y());
+    double nearZ = enter(oz, dz, half.z());
+    double farX = leave(ox, dx, half.x());
+    double farY = leave(oy, dy, half.y());
+    double farZ = leave(oz, dz, half.z());
+    double near = Math.max(nearX, Math.max(nearY, nearZ));
+    double far = Math.min(farX, Math.min(farY, farZ));
+    if (!(near <= far)) {
+      return false;
+    }
+    double t = near > 0 ? near : far;
+    if (!(t > 0 && t < nearest.t)) {
+      return false;
+    }
+    nearest.t = t;
+    // A ray comes in by the negative face of an axis that it runs along, and goes out by the other.
+    if (near > 0) {
+      nearest.element = near == nearX ? face(0, -dx) : near == nearY ? face(1, -dy) : face(2, -dz);
+    } else {
+      nearest.element = far == farX ? face(0, dx) : far == farY ? face(1, dy) : face(2, dz);
+    }
+    return true;
+  }
+
+  /** Returns where a ray enters the slab |x| ≤ half: −∞ or +∞ if it runs along inside or outside. */
+  private static double enter(double o, double d, double half) {
+    if (d == 0) {
+      return Math.abs(o) <= half ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+    }
+    return (-Math.copySign(half, d) - o) / d;
+  }
+
+  private static double leave(double o, double d, double half) {
+    return d == 0 ? Double.POSITIVE_INFINITY : (Math.copySign(half, d) - o) / d;
+  }
+
+  private static int face(int axis, double side) {
+    return 2 * axis + (side > 0 ? 1 : 0);
+  }
+
+  @Override
+  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
+    Vec3 origin = toWorld.inversePoint(ray.origin());
+    Vec3 direction = toWorld.inverseVector(ray.direction());
+    Vec3 local = onFace(hit.element, origin.plus(hit.t, direction));
+    Frame frame = frames[hit.element];
+    return new SurfaceHit(
+        toWorld.point(local),
+        frame.normal(),
+        frame,
+        texture(hit.element, local),
+        ray.direction().negated().normalized(),
+        toWorld.pointError(local, frame.normal()));
+  }
+
+  /** Returns the point of a face closest to a local point near it. */
+  private Vec3 onFace(int face, Vec3 p) {
+    double side = (face & 1) == 0 ? -1 : 1;
+    int axis = face >> 1;
+    return new Vec3(
+        axis == 0 ? side * half.x() : clamp(p.x(), half.x()),
+        axis == 1 ? side * half.y() : clamp(p.y(), half.y()),
+        axis == 2 ? side * half.z() : clamp(p.z(), half.z()));
+  }
+
+  private static double clamp(double x, double half) {
+    return Math.max(-half, Math.min(x, half));
+  }
+
+  private TexturePoint texture(int face, Vec3 local) {
+    int u = U_AXIS[face >> 1];
+    int v = V_AXIS[face >> 1];
+    return new TexturePoint(
+        (half.get(u) - local.get(u)) / (2 * half.get(u)),
+        (half.get(v) - local.get(v)) / (2 * half.get(v)));
+  }
+
+  @Override
+  public double area() {
+    return 2 * (faceArea[0] + faceArea[2] + faceArea[4]);
+  }
+
+  /** {@inheritDoc} Points are uniform by area on the faces that the reference sees. */
+  @Override
+  public SurfaceSample sample(Vec3 reference, Point2 u) {
+    Vec3 from = toWorld.inversePoint(reference);
+    double visible = visibleArea(from);
+    if (!(visible > 0)) {
+      return SurfaceSample.NONE;
+    }
+    double rest = u.x() * visible;
+    int face = firstVisible(from);
+    for (int next = face + 1; next < FACES && rest >= faceArea[face]; next++) {
+      if (sees(from, next)) {
+        rest -= faceArea[face];
+        face = next;
+      }
+    }
+    Vec3 local = pointOf(face, Math.min(rest / faceArea[face], 1), u.y());
+    Vec3 position = toWorld.point(local);
+    Frame frame = frames[face];
+    double pdf = Placement.solidAnglePdf(reference.minus(position), frame.normal(), visible);
+    return pdf > 0
+        ? new SurfaceSample(
+            position,
+            frame.normal(),
+            texture(face, local),
+            toWorld.pointError(local, frame.normal()),
+            pdf)
+        : SurfaceSample.NONE;
+  }
+
+  @Override
+  public double pdf(Vec3 reference, SurfaceHit onShape) {
+    Vec3 from = toWorld.inversePoint(reference);
+    Vec3 way = reference.minus(onShape.position());
+    if (!isInside(from) && !(way.dot(onShape.geometricNormal()) > 0)) {
+      return 0;
+    }
+    double visible = visibleArea(from);
+    return visible > 0 ? Placement.solidAnglePdf(way, onShape.geometricNormal(), visible) : 0;
+  }
+
+  private Vec3 pointOf(int face, double a, double b) {
+    int u = U_AXIS[face >> 1];
+    int v = V_AXIS[face >> 1];
+    Vec3 p = AXES[u].times((2 * a - 1) * half.get(u)).plus((2 * b - 1) * half.get(v), AXES[v]);
+    return onFace(face, p);
+  }
+
+  private boolean isInside(Vec3 local) {
+    return Math.abs(local.x()) <= half.x()
+        && Math.abs(local.y()) <= half.y()
+        && Math.abs(local.z()) <= half.z();
+  }
+
+  private boolean sees(Vec3 from, int face) {
+    double along = from.get(face >> 1);
+    return isInside(from) || ((face & 1) == 0 ? -along : along) > half.get(face >> 1);
+  }
+
+  private double visibleArea(Vec3 from) {
+    double sum = 0;
+    for (int face = 0; face < FACES; face++) {
+      sum += sees(from, face) ? faceArea[face] : 0;
+    }
+    return sum;
+  }
+
+  private int firstVisible(Vec3 from) {
+    int face = 0;
+    while (face < FACES - 1 && !sees(from, face)) {
+      face++;
+    }
+    return face;
+  }
+}

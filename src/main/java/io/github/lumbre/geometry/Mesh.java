@@ -1,0 +1,77 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import java.util.List;
+
+/**
+ * A triangle mesh in world space, solid from both sides. The {@link Bvh} takes its triangles in
+ * singly; for a mesh that stands in many places there is {@link MeshInstance}.
+ */
+public final class Mesh implements Shape {
+  private final TriangleMesh world;
+  private final MeshSurface surface;
+
+  /** A hierarchy of its own, made only if someone intersects this shape by itself. */
+  private volatile Bvh bvh;
+
+  private Mesh(TriangleMesh world) {
+    this.world = world;
+    surface = new MeshSurface(world, Transform.IDENTITY);
+  }
+
+  /**
+   * Returns a mesh in its place: its vertices are mapped to the world once.
+   *
+   * @param toWorld invertible
+   */
+  public static Mesh baked(TriangleMesh local, Transform toWorld) {
+    return new Mesh(local.baked(Placement.invertible(toWorld)));
+  }
+
+  /** Returns the triangles in world space. */
+  TriangleMesh triangles() {
+    return world;
+  }
+
+  @Override
+  public Bounds3 bounds() {
+    return world.bounds();
+  }
+
+  @Override
+  public boolean intersect(Ray ray, NearestHit nearest) {
+    Bvh known = bvh;
+    if (known == null) {
+      known = Bvh.over(List.of(this));
+      bvh = known;
+    }
+    Vec3 o = ray.origin();
+    Vec3 d = ray.direction();
+    return known.intersectPart(ray, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), nearest);
+  }
+
+  @Override
+  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
+    return surface.at(ray, hit);
+  }
+
+  @Override
+  public double area() {
+    return surface.area();
+  }
+
+  /** {@inheritDoc} Points are uniform by area, also where the mesh hides itself. */
+  @Override
+  public SurfaceSample sample(Vec3 reference, Point2 u) {
+    return surface.sample(reference, u);
+  }
+
+  @Override
+  public double pdf(Vec3 reference, SurfaceHit onShape) {
+    return surface.pdf(reference, onShape);
+  }
+}

@@ -1,0 +1,67 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+
+/** One of the places where a shared mesh stands; solid from both sides. */
+public final class MeshInstance implements Shape {
+  private final SharedMesh shared;
+  private final Transform toWorld;
+  private final MeshSurface surface;
+
+  /**
+   * @param toWorld invertible
+   */
+  public MeshInstance(SharedMesh shared, Transform toWorld) {
+    this.shared = shared;
+    this.toWorld = Placement.invertible(toWorld);
+    surface = new MeshSurface(shared.mesh(), toWorld);
+  }
+
+  @Override
+  public Bounds3 bounds() {
+    return Placement.outward(toWorld, shared.mesh().bounds());
+  }
+
+  /** {@inheritDoc} The local direction is not normalised, so that t means the same on both sides. */
+  @Override
+  public boolean intersect(Ray ray, NearestHit nearest) {
+    Vec3 o = ray.origin();
+    Vec3 d = ray.direction();
+    return shared
+        .bvh()
+        .intersectPart(
+            ray,
+            toWorld.inversePointX(o.x(), o.y(), o.z()),
+            toWorld.inversePointY(o.x(), o.y(), o.z()),
+            toWorld.inversePointZ(o.x(), o.y(), o.z()),
+            toWorld.inverseVectorX(d.x(), d.y(), d.z()),
+            toWorld.inverseVectorY(d.x(), d.y(), d.z()),
+            toWorld.inverseVectorZ(d.x(), d.y(), d.z()),
+            nearest);
+  }
+
+  @Override
+  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
+    return surface.at(ray, hit);
+  }
+
+  @Override
+  public double area() {
+    return surface.area();
+  }
+
+  /** {@inheritDoc} Points are uniform by area, also where the mesh hides itself. */
+  @Override
+  public SurfaceSample sample(Vec3 reference, Point2 u) {
+    return surface.sample(reference, u);
+  }
+
+  @Override
+  public double pdf(Vec3 reference, SurfaceHit onShape) {
+    return surface.pdf(reference, onShape);
+  }
+}

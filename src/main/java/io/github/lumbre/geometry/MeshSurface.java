@@ -1,0 +1,162 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Distribution1d;
+import io.github.lumbre.sampling.Warp;
+import io.github.lumbre.texture.TexturePoint;
+
+/** The world-space surface of a placed mesh: at a hit, or at random. */
+final class MeshSurface {
+  private final TriangleMesh mesh;
+  private final Transform toWorld;
+  private final boolean isInWorld;
+
+  /** The triangles' areas in the world; made when first asked for, since few meshes are lights. */
+  private volatile Distribution1d areas;
+
+  MeshSurface(TriangleMesh mesh, Transform toWorld) {
+    this.mesh = mesh;
+    this.toWorld = toWorld;
+    isInWorld = toWorld == Transform.IDENTITY;
+  }
+
+  /** Returns the surface at barycentric weights (1 − b1 − b2, b1, b2) of a triangle. */
+  SurfaceHit at(Ray ray, NearestHit hit) {
+    int triangle = hit.element;
+    Vec3 a = position(triangle, 0);
+    Vec3 e1 = position(triangle, 1).minus(a);
+    Vec3 e2 = position(triangle, 2).minus(a);
+    Vec3 normal = geometricNormal(triangle, e1, e2);
+    Vec3 shadingNormal = shadingNormal(hit, normal);
+    return new SurfaceHit(
+        a.plus(hit.b1, e1).plus(hit.b2, e2),
+        normal,
+        shadingFrame(triangle, e1, e2, shadingNormal),
+        texture(triangle, hit.b1, hit.b2),
+        ray.direction().negated().normalized(),
+        error(triangle, normal));
+  }
+
+  private Vec3 position(int triangle, int corner) {
+    Vec3 local = mesh.position(mesh.vertex(triangle, corner));
+    return isInWorld ? local : toWorld.point(local);
+  }
+
+  private Vec3 normal(int triangle, int corner) {
+    Vec3 local = mesh.normal(mesh.vertex(triangle, corner));
+    return isInWorld ? local : TriangleMesh.mappedNormal(toWorld, local);
+  }
+
+  private Vec3 geometricNormal(int triangle, Vec3 e1, Vec3 e2) {
+    Vec3 cross = TriangleMesh.cross(e1, e2);
+    if (!(cross.maxAbs() > 0)) {
+      // A map may flatten a sliver to a line; any direction off it will do.
+      return e1.maxAbs() > 0 ? Frame.around(e1.normalized()).tangent() : Vec3.Y;
+    }
+    boolean isTurned = mesh.isTurned(triangle) ^ toWorld.isMirroring();
+    return isTurned ? cross.normalized().negated() : cross.normalized();
+  }
+
+  private Vec3 shadingNormal(NearestHit hit, Vec3 geometricNormal) {
+    if (!mesh.hasNormals()) {
+      return geometricNormal;
+    }
+    Vec3 sum =
+        normal(hit.element, 0)
+            .times(1 - hit.b1 - hit.b2)
+            .plus(hit.b1, normal(hit.element, 1))
+            .plus(hit.b2, normal(hit.element, 2));
+    return sum.dot(geometricNormal) > 0 ? sum.normalized() : geometricNormal;
+  }
+
+  /** Returns the frame whose tangents solve E1 = ΔU1 T + ΔV1 B and E2 = ΔU2 T + ΔV2 B. */
+  private Frame shadingFrame(int triangle, Vec3 e1, Vec3 e2, Vec3 normal) {
+    TexturePoint a = mesh.uv(triangle, 0);
+    TexturePoint b = mesh.uv(triangle, 1);
+    TexturePoint c = mesh.uv(triangle, 2);
+    double du1 = b.u() - a.u();
+    double dv1 = b.v() - a.v();
+    double du2 = c.u() - a.u();
+    double dv2 = c.v() - a.v();
+    double determinant = du1 * dv2 - du2 * dv1;
+    if (!(Math.abs(determinant) > 1e-12 * (Math.abs(du1 * dv2) + Math.abs(du2 * dv1)))) {
+      return Frame.around(normal);
+    }
+    double sign = Math.copySign(1, determinant);
+    Vec3 tangent = e1.times(sign * dv2).plus(-sign * dv1, e2);
+    Vec3 bitangent = e2.times(sign * du1).plus(-sign * du2, e1);
+    return Frame.around(normal, tangent, bitangent);
+  }
+
+  private TexturePoint texture(int triangle, double b1, double b2) {
+    TexturePoint a = mesh.uv(triangle, 0);
+    TexturePoint b = mesh.uv(triangle, 1);
+    TexturePoint c = mesh.uv(triangle, 2);
+    return new TexturePoint(
+        a.u() + b1 * (b.u() - a.u()) + b2 * (c.u() - a.u()),
+        a.v() + b1 * (b.v() - a.v()) + b2 * (c.v() - a.v()));
+  }
+
+  /** Returns the rounding of a point of a triangle along its normal: all three vertices enter. */
+  private double error(int triangle, Vec3 normal) {
+    Vec3 a = mesh.position(mesh.vertex(triangle, 0));
+    Vec3 b = mesh.position(mesh.vertex(triangle, 1));
+    Vec3 c = mesh.position(mesh.vertex(triangle, 2));
+    return toWorld.pointError(
+        new Vec3(
+            largest(a.x(), b.x(), c.x()),
+            largest(a.y(), b.y(), c.y()),
+            largest(a.z(), b.z(), c.z())),
+        normal);
+  }
+
+  private static double largest(double a, double b, double c) {
+    return Math.max(Math.abs(a), Math.max(Math.abs(b), Math.abs(c)));
+  }
+
+  double area() {
+    return mesh.triangleCount() == 0 ? 0 : areas().sum();
+  }
+
+  private Distribution1d areas() {
+    Distribution1d known = areas;
+    if (known == null) {
+      double[] weights = new double[mesh.triangleCount()];
+      for (int i = 0; i < weights.length; i++) {
+        Vec3 a = position(i, 0);
+        weights[i] = .5 * position(i, 1).minus(a).cross(position(i, 2).minus(a)).length();
+      }
+      // Two threads may both come here; they find the same.
+      known = new Distribution1d(weights);
+      areas = known;
+    }
+    return known;
+  }
+
+  SurfaceSample sample(Vec3 reference, Point2 u) {
+    if (!(area() > 0)) {
+      return SurfaceSample.NONE;
+    }
+    int triangle = areas().choose(u.x());
+    Point2 b = Warp.uniformTriangle(new Point2(areas().remainder(triangle, u.x()), u.y()));
+    Vec3 a = position(triangle, 0);
+    Vec3 e1 = position(triangle, 1).minus(a);
+    Vec3 e2 = position(triangle, 2).minus(a);
+    Vec3 position = a.plus(b.x(), e1).plus(b.y(), e2);
+    Vec3 normal = geometricNormal(triangle, e1, e2);
+    double pdf = Placement.solidAnglePdf(reference.minus(position), normal, area());
+    return pdf > 0
+        ? new SurfaceSample(
+            position, normal, texture(triangle, b.x(), b.y()), error(triangle, normal), pdf)
+        : SurfaceSample.NONE;
+  }
+
+  double pdf(Vec3 reference, SurfaceHit onShape) {
+    Vec3 toReference = reference.minus(onShape.position());
+    return Placement.solidAnglePdf(toReference, onShape.geometricNormal(), area());
+  }
+}

@@ -1,0 +1,69 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+
+/** What shapes that are defined in a local space have in common. */
+final class Placement {
+  /** Sizes beyond this overflow when squared. */
+  private static final double LARGEST = 1e150;
+
+  private Placement() {}
+
+  /** Returns the transform if it can be undone; throws if it is singular. */
+  static Transform invertible(Transform toWorld) {
+    if (!toWorld.isInvertible()) {
+      throw new IllegalArgumentException("toWorld: expected an invertible map, found a singular");
+    }
+    return toWorld;
+  }
+
+  /** Returns a size if it is in (0, 1e150]; throws otherwise. */
+  static double size(String name, double value) {
+    if (!(value > 0 && value <= LARGEST)) {
+      throw new IllegalArgumentException(
+          name + ": expected a number > 0 and <= 1e150, found " + value);
+    }
+    return value;
+  }
+
+  /** Returns a world box that holds the image of a local box whatever the rounding. */
+  static Bounds3 outward(Transform toWorld, Bounds3 local) {
+    if (local.isEmpty()) {
+      return Bounds3.EMPTY;
+    }
+    return widened(toWorld.bounds(local), toWorld, farthest(local));
+  }
+
+  /** Returns a box widened by the rounding of mapped points of at most the given coordinates. */
+  static Bounds3 widened(Bounds3 world, Transform toWorld, Vec3 farthest) {
+    Vec3 margin =
+        new Vec3(
+            toWorld.pointError(farthest, Vec3.X),
+            toWorld.pointError(farthest, Vec3.Y),
+            toWorld.pointError(farthest, Vec3.Z));
+    return new Bounds3(world.min().minus(margin), world.max().plus(margin));
+  }
+
+  private static Vec3 farthest(Bounds3 box) {
+    return new Vec3(
+        Math.max(Math.abs(box.min().x()), Math.abs(box.max().x())),
+        Math.max(Math.abs(box.min().y()), Math.abs(box.max().y())),
+        Math.max(Math.abs(box.min().z()), Math.abs(box.max().z())));
+  }
+
+  /**
+   * Returns the density per solid angle of a point that was drawn uniformly from an area.
+   *
+   * @param toReference from the point to the reference, not normalised
+   * @param normal the unit normal at the point
+   * @return dist² / (|cos| area); 0 where the surface is seen edge on or from no distance
+   */
+  static double solidAnglePdf(Vec3 toReference, Vec3 normal, double area) {
+    double distance = toReference.length();
+    double cos = Math.abs(toReference.dot(normal)) / distance;
+    double pdf = distance / cos * (distance / area);
+    return cos > 0 && pdf < Double.POSITIVE_INFINITY ? pdf : 0;
+  }
+}

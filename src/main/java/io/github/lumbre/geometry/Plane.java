@@ -1,0 +1,85 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.TexturePoint;
+
+/**
+ * The infinite local xz plane with normal +y; its texture repeats every ten local units. Rays from
+ * behind pass through it unless it is two-sided.
+ */
+public final class Plane implements Shape {
+  private static final double INF = Double.POSITIVE_INFINITY;
+  private static final double TEXTURE_SIZE = 10;
+
+  private final Transform toWorld;
+  private final boolean twoSided;
+  private final Vec3 normal;
+  private final Frame shading;
+
+  /**
+   * @param toWorld invertible
+   */
+  public Plane(Transform toWorld, boolean twoSided) {
+    this.toWorld = Placement.invertible(toWorld);
+    this.twoSided = twoSided;
+    normal = toWorld.normal(Vec3.Y);
+    shading = Frame.around(normal, toWorld.vector(Vec3.X), toWorld.vector(Vec3.Z));
+  }
+
+  @Override
+  public Bounds3 bounds() {
+    return new Bounds3(new Vec3(-INF, -INF, -INF), new Vec3(INF, INF, INF));
+  }
+
+  @Override
+  public boolean intersect(Ray ray, NearestHit nearest) {
+    Vec3 o = ray.origin();
+    Vec3 d = ray.direction();
+    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
+    if (dy >= 0 && !twoSided) {
+      return false;
+    }
+    double t = -toWorld.inversePointY(o.x(), o.y(), o.z()) / dy;
+    if (!(t > 0 && t < nearest.t)) {
+      return false;
+    }
+    nearest.t = t;
+    nearest.element = 0;
+    return true;
+  }
+
+  @Override
+  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
+    Vec3 world = ray.at(hit.t);
+    double x = toWorld.inversePointX(world.x(), world.y(), world.z());
+    double z = toWorld.inversePointZ(world.x(), world.y(), world.z());
+    Vec3 local = new Vec3(x, 0, z);
+    return new SurfaceHit(
+        toWorld.point(local),
+        normal,
+        shading,
+        new TexturePoint(x / TEXTURE_SIZE, z / TEXTURE_SIZE),
+        ray.direction().negated().normalized(),
+        toWorld.pointError(local, normal));
+  }
+
+  @Override
+  public double area() {
+    return INF;
+  }
+
+  @Override
+  public SurfaceSample sample(Vec3 reference, Point2 u) {
+    throw new UnsupportedOperationException("an infinite plane cannot be sampled");
+  }
+
+  @Override
+  public double pdf(Vec3 reference, SurfaceHit onShape) {
+    return 0;
+  }
+}

@@ -1,0 +1,121 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.TexturePoint;
+
+/**
+ * A rectangle around the local origin in the xz plane, with normal +y and its border included. Rays
+ * from behind pass through it unless it is two-sided. Texture: u = (w/2 − x)/w, v = (h/2 − z)/h.
+ */
+public final class Rectangle implements Shape {
+  private final Transform toWorld;
+  private final double width;
+  private final double height;
+  private final boolean twoSided;
+  private final double halfWidth;
+  private final double halfHeight;
+  private final Vec3 normal;
+  private final Frame shading;
+  private final double area;
+
+  /**
+   * @param toWorld invertible
+   * @param width along local x, in (0, 1e150]
+   * @param height along local z, in (0, 1e150]
+   */
+  public Rectangle(Transform toWorld, double width, double height, boolean twoSided) {
+    this.toWorld = Placement.invertible(toWorld);
+    this.width = Placement.size("width", width);
+    this.height = Placement.size("height", height);
+    this.twoSided = twoSided;
+    halfWidth = .5 * width;
+    halfHeight = .5 * height;
+    normal = toWorld.normal(Vec3.Y);
+    Vec3 x = toWorld.vector(Vec3.X);
+    Vec3 z = toWorld.vector(Vec3.Z);
+    shading = Frame.around(normal, x.negated(), z.negated());
+    area = x.cross(z).length() * width * height;
+  }
+
+  @Override
+  public Bounds3 bounds() {
+    Vec3 corner = new Vec3(halfWidth, 0, halfHeight);
+    return Placement.outward(toWorld, new Bounds3(corner.negated(), corner));
+  }
+
+  @Override
+  public boolean intersect(Ray ray, NearestHit nearest) {
+    Vec3 o = ray.origin();
+    Vec3 d = ray.direction();
+    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
+    if (dy >= 0 && !twoSided) {
+      return false;
+    }
+    double t = -toWorld.inversePointY(o.x(), o.y(), o.z()) / dy;
+    if (!(t > 0 && t < nearest.t)) {
+      return false;
+    }
+    double x = toWorld.inversePointX(o.x(), o.y(), o.z());
+    x += t * toWorld.inverseVectorX(d.x(), d.y(), d.z());
+    double z = toWorld.inversePointZ(o.x(), o.y(), o.z());
+    z += t * toWorld.inverseVectorZ(d.x(), d.y(), d.z());
+    if (!(Math.abs(x) <= halfWidth && Math.abs(z) <= halfHeight)) {
+      return false;
+    }
+    nearest.t = t;
+    nearest.element = 0;
+    return true;
+  }
+
+  @Override
+  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
+    Vec3 origin = toWorld.inversePoint(ray.origin());
+    Vec3 direction = toWorld.inverseVector(ray.direction());
+    Vec3 p = origin.plus(hit.t, direction);
+    Vec3 local = new Vec3(p.x(), 0, p.z());
+    return new SurfaceHit(
+        toWorld.point(local),
+        normal,
+        shading,
+        texture(local),
+        ray.direction().negated().normalized(),
+        toWorld.pointError(local, normal));
+  }
+
+  private TexturePoint texture(Vec3 local) {
+    return new TexturePoint((halfWidth - local.x()) / width, (halfHeight - local.z()) / height);
+  }
+
+  @Override
+  public double area() {
+    return area;
+  }
+
+  /** {@inheritDoc} Points are uniform by area; from behind a one-way rectangle there are none. */
+  @Override
+  public SurfaceSample sample(Vec3 reference, Point2 u) {
+    Vec3 local = new Vec3((u.x() - .5) * width, 0, (u.y() - .5) * height);
+    Vec3 position = toWorld.point(local);
+    double pdf = pdf(reference.minus(position));
+    if (!(pdf > 0)) {
+      return SurfaceSample.NONE;
+    }
+    double error = toWorld.pointError(local, normal);
+    return new SurfaceSample(position, normal, texture(local), error, pdf);
+  }
+
+  @Override
+  public double pdf(Vec3 reference, SurfaceHit onShape) {
+    return pdf(reference.minus(onShape.position()));
+  }
+
+  private double pdf(Vec3 toReference) {
+    boolean isVisible = twoSided || toReference.dot(normal) > 0;
+    return isVisible ? Placement.solidAnglePdf(toReference, normal, area) : 0;
+  }
+}

@@ -1,0 +1,26 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Transform;
+import java.util.List;
+
+/**
+ * A mesh with a hierarchy over its triangles in local space, to be placed many times by {@link
+ * MeshInstance}. Immutable.
+ */
+public final class SharedMesh {
+  private final TriangleMesh mesh;
+  private final Bvh bvh;
+
+  public SharedMesh(TriangleMesh mesh) {
+    this.mesh = mesh;
+    bvh = Bvh.over(List.of(Mesh.baked(mesh, Transform.IDENTITY)));
+  }
+
+  public TriangleMesh mesh() {
+    return mesh;
+  }
+
+  Bvh bvh() {
+    return bvh;
+  }
+}

@@ -1,0 +1,206 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Warp;
+import io.github.lumbre.texture.TexturePoint;
+
+/**
+ * A sphere around the local origin; an ellipsoid if its transform scales unevenly. Solid from both
+ * sides.
+ *
+ * <p>Texture coordinates of the local unit normal n: u = ½ + atan2(n.z, n.x) / 2π, v = ½ −
+ * asin(n.y) / π.
+ */
+public final class Sphere implements Shape {
+  /** 1 − cos of the half angle of the cone that holds all directions. */
+  private static final double ALL_DIRECTIONS = 2;
+
+  private final Transform toWorld;
+  private final double radius;
+
+  /**
+   * @param toWorld invertible
+   * @param radius in (0, 1e150]
+   */
+  public Sphere(Transform toWorld, double radius) {
+    this.toWorld = Placement.invertible(toWorld);
+    this.radius = Placement.size("radius", radius);
+  }
+
+  @Override
+  public Bounds3 bounds() {
+    Vec3 x = toWorld.vector(Vec3.X);
+    Vec3 y = toWorld.vector(Vec3.Y);
+    Vec3 z = toWorld.vector(Vec3.Z);
+    Vec3 half =
+        new Vec3(
+                new Vec3(x.x(), y.x(), z.x()).length(),
+                new Vec3(x.y(), y.y(), z.y()).length(),
+                new Vec3(x.z(), y.z(), z.z()).length())
+            .times(radius);
+    Vec3 centre = toWorld.point(Vec3.ZERO);
+    Bounds3 box = new Bounds3(centre.minus(half), centre.plus(half));
+    return Placement.widened(box, toWorld, new Vec3(radius, radius, radius));
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>The quadratic is solved from the ray's point closest to the centre, where its coefficients
+   * keep their digits however far away the ray begins: Haines et al. 2019, "Precision Improvements
+   * for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7.
+   */
+  @Override
+  public boolean intersect(Ray ray, NearestHit nearest) {
+    Vec3 o = ray.origin();
+    Vec3 d = ray.direction();
+    double ox = toWorld.inversePointX(o.x(), o.y(), o.z());
+    double oy = toWorld.inversePointY(o.x(), o.y(), o.z());
+    double oz = toWorld.inversePointZ(o.x(), o.y(), o.z());
+    double dx = toWorld.inverseVectorX(d.x(), d.y(), d.z());
+    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
+    double dz = toWorld.inverseVectorZ(d.x(), d.y(), d.z());
+    double dd = dx * dx + dy * dy + dz * dz;
+    double middle = -(ox * dx + oy * dy + oz * dz) / dd;
+    double cx = ox + middle * dx;
+    double cy = oy + middle * dy;
+    double cz = oz + middle * dz;
+    double off = Math.sqrt(cx * cx + cy * cy + cz * cz);
+    double discriminant = (radius - off) * (radius + off);
+    if (!(discriminant >= 0)) {
+      return false;
+    }
+    double half = Math.sqrt(discriminant / dd);
+    double t = middle - half;
+    if (!(t > 0)) {
+      t = middle + half;
+    }
+    if (!(t > 0 && t < nearest.t)) {
+      return false;
+    }
+    nearest.t = t;
+    nearest.element = 0;
+    return true;
+  }
+
+  @Override
+  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
+    Vec3 origin = toWorld.inversePoint(ray.origin());
+    Vec3 direction = toWorld.inverseVector(ray.direction());
+    Vec3 n = origin.plus(hit.t, direction).normalized();
+    Vec3 local = n.times(radius);
+    Vec3 normal = toWorld.normal(n);
+    double sinSquared = n.x() * n.x() + n.z() * n.z();
+    Vec3 alongU = toWorld.vector(new Vec3(-n.z(), 0, n.x()));
+    Vec3 alongV = toWorld.vector(new Vec3(n.x() * n.y(), -sinSquared, n.z() * n.y()));
+    return new SurfaceHit(
+        toWorld.point(local),
+        normal,
+        Frame.around(normal, alongU, alongV),
+        texture(n),
+        ray.direction().negated().normalized(),
+        toWorld.pointError(local, normal));
+  }
+
+  private static TexturePoint texture(Vec3 n) {
+    return new TexturePoint(
+        .5 + Elementary.atan2(n.z(), n.x()) / Elementary.TWO_PI,
+        .5 - Elementary.asin(n.y()) * Elementary.INV_PI);
+  }
+
+  @Override
+  public double area() {
+    return EllipsoidArea.ofUnitSphere(toWorld) * radius * radius;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>Draws a direction uniformly from those that meet the sphere, in its local space: from
+   * outside a cone, from inside all. PBRT 4e, sec. 6.2.4; under an uneven scale the density follows
+   * from how the map spreads directions.
+   */
+  @Override
+  public SurfaceSample sample(Vec3 reference, Point2 u) {
+    Vec3 from = toWorld.inversePoint(reference).times(1 / radius);
+    double distance = from.length();
+    double oneMinusCosMax = oneMinusCosMax(distance);
+    Frame frame = distance > 0 ? Frame.around(from.times(1 / distance)) : Frame.WORLD;
+    Vec3 n =
+        distance > 1
+            ? frame.toWorld(nearPoint(distance, oneMinusCosMax, u))
+            : exit(from, Warp.uniformSphere(u));
+    n = n.normalized();
+    Vec3 local = n.times(radius);
+    Vec3 position = toWorld.point(local);
+    double pdf = pdf(oneMinusCosMax, position.minus(reference));
+    if (!(pdf > 0)) {
+      return SurfaceSample.NONE;
+    }
+    Vec3 normal = toWorld.normal(n);
+    double error = toWorld.pointError(local, normal);
+    return new SurfaceSample(position, normal, texture(n), error, pdf);
+  }
+
+  @Override
+  public double pdf(Vec3 reference, SurfaceHit onShape) {
+    double distance = toWorld.inversePoint(reference).length() / radius;
+    Vec3 way = onShape.position().minus(reference);
+    if (distance > 1 && way.dot(onShape.geometricNormal()) > 0) {
+      return 0;
+    }
+    return pdf(oneMinusCosMax(distance), way);
+  }
+
+  /**
+   * Returns the point of the unit sphere, around the axis to a reference outside, that the
+   * reference sees first in a uniform direction of the cone.
+   */
+  private static Vec3 nearPoint(double distance, double oneMinusCosMax, Point2 u) {
+    Vec3 w = Warp.uniformCone(u, oneMinusCosMax);
+    double sinTheta = Math.sqrt(w.x() * w.x() + w.y() * w.y());
+    if (sinTheta == 0) {
+      return Vec3.Z;
+    }
+    // By the law of sines: beta lies between the direction and the normal where they meet.
+    double sinBeta = Math.min(1, distance * sinTheta);
+    double cosBeta = Math.sqrt((1 - sinBeta) * (1 + sinBeta));
+    double sinAlpha = sinBeta * w.z() - cosBeta * sinTheta;
+    double cosAlpha = cosBeta * w.z() + sinBeta * sinTheta;
+    return new Vec3(w.x() * (sinAlpha / sinTheta), w.y() * (sinAlpha / sinTheta), cosAlpha);
+  }
+
+  /** Returns where a unit direction from inside the unit sphere leaves it. */
+  private static Vec3 exit(Vec3 from, Vec3 direction) {
+    double b = from.dot(direction);
+    double c = Math.max(0, 1 - from.dot(from));
+    return from.plus(Math.sqrt(b * b + c) - b, direction);
+  }
+
+  /** Returns 1 − cos of the half angle under which the unit sphere is seen from a distance. */
+  private static double oneMinusCosMax(double distance) {
+    if (!(distance > 1)) {
+      return ALL_DIRECTIONS;
+    }
+    double sin = 1 / distance;
+    double cos = Math.sqrt((distance - 1) * (distance + 1)) * sin;
+    return sin * sin / (1 + cos);
+  }
+
+  /**
+   * Returns the density in the world of a uniform direction of a local cone: dω = |det M| / |M w|³
+   * dω' for the unit local direction w.
+   */
+  private double pdf(double oneMinusCosMax, Vec3 way) {
+    double stretch = way.length() / toWorld.inverseVector(way).length();
+    double spread = Math.abs(toWorld.determinant()) / (stretch * stretch * stretch);
+    double pdf = Warp.uniformConePdf(oneMinusCosMax) / spread;
+    return pdf < Double.POSITIVE_INFINITY ? pdf : 0;
+  }
+}

@@ -1,0 +1,233 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.Arrays;
+
+/**
+ * The data of a triangle mesh in its local space. Immutable.
+ *
+ * <p>The geometric normal of a triangle (a, b, c) is (b − a) × (c − a), turned to the side of the
+ * sum of its vertex normals if there are any.
+ */
+public final class TriangleMesh {
+  private final double[] positions;
+  private final double[] normals;
+  private final double[] uvs;
+  private final int[] indices;
+  private final int droppedTriangles;
+
+  /** Whether a triangle's cross product points inward; empty if no triangle's vertices say so. */
+  private final boolean[] turned;
+
+  /** Whether the mesh was baked by a mirroring map, which turns every cross product. */
+  private final boolean mirrored;
+
+  private TriangleMesh(
+      double[] positions, double[] normals, double[] uvs, int[] indices, int droppedTriangles) {
+    this.positions = positions;
+    this.normals = normals;
+    this.uvs = uvs;
+    this.indices = indices;
+    this.droppedTriangles = droppedTriangles;
+    turned = findTurned();
+    mirrored = false;
+  }
+
+  private TriangleMesh(TriangleMesh source, Transform toWorld) {
+    positions = new double[source.positions.length];
+    normals = new double[source.normals.length];
+    uvs = source.uvs;
+    indices = source.indices;
+    droppedTriangles = source.droppedTriangles;
+    turned = source.turned;
+    mirrored = source.mirrored ^ toWorld.isMirroring();
+    for (int i = 0; i < source.vertexCount(); i++) {
+      store(toWorld.point(source.position(i)), positions, i);
+      if (source.hasNormals()) {
+        store(mappedNormal(toWorld, source.normal(i)), normals, i);
+      }
+    }
+  }
+
+  /**
+   * Returns the mesh with copies of the given arrays. Triangles without area are left out.
+   *
+   * @param positions three coordinates a vertex, all finite
+   * @param normals three coordinates a vertex, all finite; or empty
+   * @param uvs two coordinates a vertex, all finite; or empty: then each triangle is mapped by its
+   *     barycentric coordinates, (0,0), (1,0) and (0,1) at its vertices
+   * @param indices three vertices a triangle
+   * @throws IllegalArgumentException if a length, number or index is not as described
+   */
+  public static TriangleMesh of(double[] positions, double[] normals, double[] uvs, int[] indices) {
+    requireMultiple("positions", positions.length, 3);
+    requireMultiple("indices", indices.length, 3);
+    int vertices = positions.length / 3;
+    requireLength("normals", normals.length, 3 * vertices);
+    requireLength("uvs", uvs.length, 2 * vertices);
+    requireFinite("positions", positions);
+    requireFinite("normals", normals);
+    requireFinite("uvs", uvs);
+    for (int i = 0; i < indices.length; i++) {
+      if (indices[i] < 0 || indices[i] >= vertices) {
+        throw new IllegalArgumentException(
+            "indices[" + i + "]: expected 0 to " + (vertices - 1) + ", found " + indices[i]);
+      }
+    }
+    int[] kept = withArea(positions, indices);
+    int dropped = (indices.length - kept.length) / 3;
+    return new TriangleMesh(positions.clone(), normals.clone(), uvs.clone(), kept, dropped);
+  }
+
+  private static void requireMultiple(String name, int length, int of) {
+    if (length % of != 0) {
+      throw new IllegalArgumentException(
+          name + ": expected a length divisible by " + of + ", found " + length);
+    }
+  }
+
+  private static void requireLength(String name, int length, int expected) {
+    if (length != 0 && length != expected) {
+      throw new IllegalArgumentException(
+          name + ": expected a length of 0 or " + expected + ", found " + length);
+    }
+  }
+
+  private static void requireFinite(String name, double[] values) {
+    for (int i = 0; i < values.length; i++) {
+      if (!Double.isFinite(values[i])) {
+        throw new IllegalArgumentException(
+            name + "[" + i + "]: expected a finite number, found " + values[i]);
+      }
+    }
+  }
+
+  private static int[] withArea(double[] positions, int[] indices) {
+    int[] kept = new int[indices.length];
+    int size = 0;
+    for (int i = 0; i < indices.length; i += 3) {
+      Vec3 a = load(positions, indices[i]);
+      Vec3 b = load(positions, indices[i + 1]);
+      Vec3 c = load(positions, indices[i + 2]);
+      if (cross(b.minus(a), c.minus(a)).maxAbs() > 0) {
+        System.arraycopy(indices, i, kept, size, 3);
+        size += 3;
+      }
+    }
+    return Arrays.copyOf(kept, size);
+  }
+
+  private boolean[] findTurned() {
+    if (!hasNormals()) {
+      return new boolean[0];
+    }
+    boolean[] result = new boolean[triangleCount()];
+    for (int i = 0; i < result.length; i++) {
+      Vec3 a = position(vertex(i, 0));
+      Vec3 e1 = position(vertex(i, 1)).minus(a);
+      Vec3 e2 = position(vertex(i, 2)).minus(a);
+      Vec3 sum =
+          normal(vertex(i, 0)).plus(normal(vertex(i, 1))).plus(normal(vertex(i, 2)));
+      result[i] = cross(e1, e2).dot(sum) < 0;
+    }
+    return result;
+  }
+
+  /** Returns the cross product of two edges up to a positive factor; zero only if they are along. */
+  static Vec3 cross(Vec3 e1, Vec3 e2) {
+    Vec3 cross = e1.cross(e2);
+    double size = cross.maxAbs();
+    if (size > 0x1p-500 && size < 0x1p500) {
+      return cross;
+    }
+    return e1.maxAbs() > 0 && e2.maxAbs() > 0 ? e1.normalized().cross(e2.normalized()) : Vec3.ZERO;
+  }
+
+  /** Returns this mesh in world space, each vertex mapped once. */
+  TriangleMesh baked(Transform toWorld) {
+    return new TriangleMesh(this, toWorld);
+  }
+
+  /** Returns the unit image of a vertex normal; of zero, zero. */
+  static Vec3 mappedNormal(Transform toWorld, Vec3 n) {
+    return n.maxAbs() > 0 ? toWorld.normal(n) : n;
+  }
+
+  public int triangleCount() {
+    return indices.length / 3;
+  }
+
+  public int vertexCount() {
+    return positions.length / 3;
+  }
+
+  /** Returns how many triangles were left out because they have no area. */
+  public int droppedTriangles() {
+    return droppedTriangles;
+  }
+
+  /** Returns the smallest box around the triangles; empty if there are none. */
+  public Bounds3 bounds() {
+    double[] min = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+    double[] max = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+    for (int vertex : indices) {
+      for (int axis = 0; axis < 3; axis++) {
+        double x = positions[3 * vertex + axis];
+        min[axis] = Math.min(min[axis], x);
+        max[axis] = Math.max(max[axis], x);
+      }
+    }
+    return new Bounds3(new Vec3(min[0], min[1], min[2]), new Vec3(max[0], max[1], max[2]));
+  }
+
+  /** Returns the vertex at a corner, 0 to 2, of a triangle. */
+  int vertex(int triangle, int corner) {
+    return indices[3 * triangle + corner];
+  }
+
+  Vec3 position(int vertex) {
+    return load(positions, vertex);
+  }
+
+  boolean hasNormals() {
+    return normals.length > 0;
+  }
+
+  Vec3 normal(int vertex) {
+    return load(normals, vertex);
+  }
+
+  /** Returns the texture coordinates at a corner of a triangle. */
+  TexturePoint uv(int triangle, int corner) {
+    if (uvs.length == 0) {
+      return new TexturePoint(corner == 1 ? 1 : 0, corner == 2 ? 1 : 0);
+    }
+    int vertex = vertex(triangle, corner);
+    return new TexturePoint(uvs[2 * vertex], uvs[2 * vertex + 1]);
+  }
+
+  /** Tells whether a triangle's outward normal is against the cross product of its edges. */
+  boolean isTurned(int triangle) {
+    return (turned.length > 0 && turned[triangle]) ^ mirrored;
+  }
+
+  /** Copies the nine coordinates of a triangle. */
+  void copyVertices(int triangle, double[] target, int offset) {
+    for (int corner = 0; corner < 3; corner++) {
+      System.arraycopy(positions, 3 * vertex(triangle, corner), target, offset + 3 * corner, 3);
+    }
+  }
+
+  private static Vec3 load(double[] array, int vertex) {
+    return new Vec3(array[3 * vertex], array[3 * vertex + 1], array[3 * vertex + 2]);
+  }
+
+  private static void store(Vec3 value, double[] array, int vertex) {
+    array[3 * vertex] = value.x();
+    array[3 * vertex + 1] = value.y();
+    array[3 * vertex + 2] = value.z();
+  }
+}
