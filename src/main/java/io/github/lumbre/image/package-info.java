@@ -4,5 +4,13 @@
  * <p>{@link io.github.lumbre.image.Rgb} is a colour or a radiance, {@link
  * io.github.lumbre.image.Image} a raster of them. Inside the program all values are linear light;
  * the sRGB curve exists only at the edge, where files are read and written.
+ *
+ * <p>The way out: {@link io.github.lumbre.image.ImageWriter} brings a picture into an {@link
+ * io.github.lumbre.image.OutputFile}, with {@link io.github.lumbre.image.Exposure} and {@link
+ * io.github.lumbre.image.ToneCurve} if the format is for the screen. The way in: {@link
+ * io.github.lumbre.image.ImageReader} decodes files of unknown origin to {@link
+ * io.github.lumbre.image.Pixels}. Rows are counted from the top, but for the inside of PFM files.
+ *
+ * <p>All types but OutputFile are immutable or without state, and safe for use by any thread.
  */
 package io.github.lumbre.image;

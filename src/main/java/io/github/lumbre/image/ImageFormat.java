@@ -1,0 +1,37 @@
+package io.github.lumbre.image;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** A kind of picture file that can be written. */
+public enum ImageFormat {
+  /** 8 or 16 bits a channel, for the screen: exposure and tone curve are applied. */
+  PNG,
+  /** Portable float map: linear light, no alpha, no metadata. */
+  PFM,
+  /** OpenEXR: linear light, alpha and metadata. */
+  EXR;
+
+  /** Returns the ending of the format's files, with its dot: {@code .png}. */
+  public String ending() {
+    return "." + name().toLowerCase(Locale.ROOT);
+  }
+
+  /** Returns the format that a file's ending names, in any case, or empty if it names none. */
+  public static Optional<ImageFormat> of(Path file) {
+    Path name = file.getFileName();
+    if (name == null) {
+      return Optional.empty();
+    }
+    String lower = name.toString().toLowerCase(Locale.ROOT);
+    return Arrays.stream(values()).filter(format -> lower.endsWith(format.ending())).findFirst();
+  }
+
+  /** Returns all endings, for messages: {@code .png, .pfm, .exr}. */
+  public static String endings() {
+    return Arrays.stream(values()).map(ImageFormat::ending).collect(Collectors.joining(", "));
+  }
+}

@@ -1,0 +1,118 @@
+package io.github.lumbre.image;
+
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+
+/**
+ * Decodes PNG and JPEG files that nobody vouches for.
+ *
+ * <p>The file's own header is read first, and a picture beyond the limits, or larger than the data
+ * can be, is refused before any memory is taken for it. All colour types and depths of PNG are
+ * read, of JPEG those of 8 bits. Values are the file's: colour profiles, gamma and orientation are
+ * ignored.
+ */
+public final class ImageReader {
+  /** The largest number of pixels. */
+  public static final long MAX_PIXELS = 1L << 28;
+
+  /** The largest width and the largest height. */
+  public static final int MAX_SIDE = 65535;
+
+  private ImageReader() {}
+
+  /**
+   * Returns the picture in a file's bytes.
+   *
+   * @throws ImageFormatException if they are no sound PNG or JPEG, or the picture is too large
+   */
+  public static Pixels decode(byte[] file) throws ImageFormatException {
+    Objects.requireNonNull(file, "file");
+    if (PngFile.startsIn(file)) {
+      PngFile png = PngFile.read(file);
+      return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0)));
+    }
+    if (JpegFile.startsIn(file)) {
+      JpegFile jpeg = JpegFile.read(file);
+      return decode(
+          "JPEG",
+          jpeg.content(),
+          reader ->
+              jpeg.components() == 4
+                  ? jpeg.inks(reader.readRaster(0, null))
+                  : Pixels.of(reader.read(0)));
+    }
+    throw malformed("expected a PNG or JPEG picture, found neither");
+  }
+
+  /** Checks the size that a header claims. */
+  static void checkSize(int width, int height) throws ImageFormatException {
+    if (width == 0 || height == 0) {
+      throw malformed("the picture has no pixels");
+    }
+    long w = Integer.toUnsignedLong(width);
+    long h = Integer.toUnsignedLong(height);
+    if (w > MAX_SIDE || h > MAX_SIDE || w * h > MAX_PIXELS) {
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE,
+          "the picture has %dx%d pixels, expected at most %d on a side and %d in all"
+              .formatted(w, h, MAX_SIDE, MAX_PIXELS));
+    }
+  }
+
+  /** One way to take the pixels from a reader that has its input. */
+  @FunctionalInterface
+  private interface Decoding {
+    Pixels from(javax.imageio.ImageReader reader) throws IOException;
+  }
+
+  private static Pixels decode(String format, byte[] content, Decoding decoding)
+      throws ImageFormatException {
+    javax.imageio.ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
+    List<String> complaints = new ArrayList<>();
+    reader.addIIOReadWarningListener((source, warning) -> complaints.add(warning));
+    try (ImageInputStream in =
+        new MemoryCacheImageInputStream(new ByteArrayInputStream(content))) {
+      reader.setInput(in, true, true);
+      Pixels pixels = decoding.from(reader);
+      for (String complaint : complaints) {
+        if (!isHarmless(complaint)) {
+          throw malformed(format + " is damaged: " + complaint);
+        }
+      }
+      return pixels;
+    } catch (ImageFormatException e) {
+      throw e;
+    } catch (IOException | RuntimeException e) {
+      // Decoders answer damaged files with exceptions of any kind.
+      throw new ImageFormatException(
+          ImageFormatException.Kind.MALFORMED, format + " is damaged: " + innermost(e), e);
+    } catch (OutOfMemoryError e) {
+      // The pixels are one allocation; when it is refused, nothing else is harmed.
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", e);
+    } finally {
+      reader.dispose();
+    }
+  }
+
+  /** Returns whether a warning is about padding between segments, which some cameras write. */
+  private static boolean isHarmless(String warning) {
+    return warning.contains("extraneous bytes before marker");
+  }
+
+  private static String innermost(Throwable thrown) {
+    Throwable cause = thrown;
+    while (cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    return cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+  }
+}

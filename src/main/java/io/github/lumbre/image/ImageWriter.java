@@ -1,0 +1,131 @@
+package io.github.lumbre.image;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.channels.Channels;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * Writes pictures to files, in the {@link ImageFormat} that the file's ending names.
+ *
+ * <p>A PNG is for the screen: exposure and tone curve are applied, alpha stays straight. PFM and
+ * OpenEXR keep linear light as it is, without exposure; values beyond the range of a float are
+ * written as ±{@link Float#MAX_VALUE} and NaN as 0. In OpenEXR colours are multiplied by alpha, as
+ * that format demands; PFM has no alpha.
+ *
+ * <p>A file appears complete or not at all; see {@link OutputFile}.
+ */
+public final class ImageWriter {
+  private static final int BUFFER_BYTES = 1 << 16;
+
+  private ImageWriter() {}
+
+  /**
+   * How to write a picture.
+   *
+   * @param exposure used by PNG only
+   * @param curve used by PNG only
+   * @param pngBits 8 or 16 bits a channel
+   * @param metadata texts by keyword, in the order in which they are written; used by PNG and
+   *     OpenEXR. A keyword is 1 to 79 printable ASCII characters, without spaces at its ends or two
+   *     in a row, and none of the names that OpenEXR reserves
+   */
+  public record Options(
+      Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
+    /** As bright as it is, by the sRGB curve, in 8 bits, without metadata. */
+    public static final Options DEFAULT =
+        new Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of());
+
+    /**
+     * @throws IllegalArgumentException if the number of bits or a keyword is not as described
+     */
+    public Options {
+      Objects.requireNonNull(exposure, "exposure");
+      Objects.requireNonNull(curve, "curve");
+      if (pngBits != 8 && pngBits != 16) {
+        throw new IllegalArgumentException("pngBits: expected 8 or 16, found " + pngBits);
+      }
+      metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
+      metadata.forEach(Options::check);
+    }
+
+    private static void check(String keyword, String text) {
+      Objects.requireNonNull(text, keyword);
+      boolean printable = keyword.chars().allMatch(c -> c >= ' ' && c <= '~');
+      boolean spaced = !keyword.equals(keyword.strip()) || keyword.contains("  ");
+      if (keyword.isEmpty() || keyword.length() > 79 || !printable || spaced) {
+        throw new IllegalArgumentException(
+            "metadata: expected keywords of 1 to 79 printable ASCII characters, found \""
+                + keyword
+                + "\"");
+      }
+      if (ExrWriter.RESERVED.contains(keyword)) {
+        throw new IllegalArgumentException("metadata: OpenEXR reserves the keyword " + keyword);
+      }
+    }
+  }
+
+  /** Writes a picture by {@link Options#DEFAULT}; see {@link #write(Image, Path, Options)}. */
+  public static void write(Image image, Path file) throws IOException {
+    write(image, file, Options.DEFAULT);
+  }
+
+  /**
+   * Writes a picture; an existing file is replaced when the new one is complete.
+   *
+   * @throws IllegalArgumentException if the file's ending names no format
+   * @throws IOException if the file cannot be written; an existing one is then as it was
+   */
+  public static void write(Image image, Path file, Options options) throws IOException {
+    requireFormat(file);
+    try (OutputFile output = OutputFile.open(file)) {
+      write(image, output, options);
+    }
+  }
+
+  /**
+   * Writes a picture into a file reserved before, and commits it.
+   *
+   * @throws IllegalArgumentException if the file's ending names no format
+   * @throws IOException if that fails; the file is then still reserved, and may be tried again
+   */
+  public static void write(Image image, OutputFile output, Options options) throws IOException {
+    ImageFormat format = requireFormat(output.target());
+    encode(image, format, options, output.restart());
+    output.commit();
+  }
+
+  /** Writes a picture to a channel at position 0, which stays open. */
+  static void encode(
+      Image image, ImageFormat format, Options options, SeekableByteChannel channel)
+      throws IOException {
+    Objects.requireNonNull(image, "image");
+    Objects.requireNonNull(options, "options");
+    OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
+    switch (format) {
+      case PNG -> PngWriter.write(image, options, out);
+      case PFM -> PfmWriter.write(image, out);
+      case EXR -> ExrWriter.write(image, options.metadata(), channel);
+    }
+    out.flush();
+  }
+
+  /** Returns a value that every reader of float pictures can bear: infinities and NaN replaced. */
+  static float finite(float v) {
+    return Float.isNaN(v) ? 0 : Math.max(-Float.MAX_VALUE, Math.min(v, Float.MAX_VALUE));
+  }
+
+  private static ImageFormat requireFormat(Path file) {
+    return ImageFormat.of(file)
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    file + ": expected a name that ends in one of " + ImageFormat.endings()));
+  }
+}

@@ -1,0 +1,178 @@
+package io.github.lumbre.image;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Objects;
+
+/**
+ * A file that appears complete or not at all; mutable, for one thread.
+ *
+ * <p>{@link #open} reserves the place early, so that a missing directory is known before hours of
+ * work and not after: it creates and locks a hidden temporary file beside the target. {@link
+ * #commit} forces its bytes to the disk and gives it the target's name in one step, replacing what
+ * was there. Closed without commit, the temporary file is deleted and the target is as it was.
+ *
+ * <p>The temporary file's name is a function of the target's, so that two runs cannot write the
+ * same target at once, and what a killed run left behind is used up by the next.
+ */
+public final class OutputFile implements Closeable {
+  private static final int ATTEMPTS = 10;
+
+  private final Path target;
+  private final Path destination;
+  private final Path temporary;
+  private final FileChannel channel;
+  private boolean done;
+
+  private OutputFile(Path target, Path destination, Path temporary, FileChannel channel) {
+    this.target = target;
+    this.destination = destination;
+    this.temporary = temporary;
+    this.channel = channel;
+  }
+
+  /**
+   * Reserves a place for a file. A target that is a symbolic link stays one; the file it leads to
+   * is replaced.
+   *
+   * @throws IOException with a message for the user, if the directory is missing or cannot be
+   *     written, if the target is not a regular file or is protected, or if another run has
+   *     reserved it
+   */
+  public static OutputFile open(Path target) throws IOException {
+    Path destination = destination(Objects.requireNonNull(target, "target"));
+    Path temporary = destination.resolveSibling("." + destination.getFileName() + ".tmp");
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+      FileChannel channel = openTemporary(target, temporary);
+      if (!lock(channel)) {
+        channel.close();
+        throw new IOException(target + ": another run is writing this file");
+      }
+      // Start over if a run that has just committed had given our file the target's name.
+      if (Files.exists(temporary, LinkOption.NOFOLLOW_LINKS)) {
+        return new OutputFile(target, destination, temporary, channel);
+      }
+      channel.close();
+    }
+    throw new IOException(target + ": other runs keep writing this file");
+  }
+
+  /** Returns the file's path as it was given. */
+  public Path target() {
+    return target;
+  }
+
+  /**
+   * Returns a channel to write the file's content through, at position 0 of an empty file: what was
+   * written before is discarded. The file owns the channel; it is not to be closed.
+   *
+   * @throws IllegalStateException if the file is committed or closed
+   */
+  public SeekableByteChannel restart() throws IOException {
+    requireOpen();
+    return channel.truncate(0).position(0);
+  }
+
+  /**
+   * Makes the file appear under its name, complete and on the disk, when this returns.
+   *
+   * @throws IOException if that fails; the target is then as it was, and content may be written and
+   *     committed again
+   * @throws IllegalStateException if the file is committed or closed
+   */
+  public void commit() throws IOException {
+    requireOpen();
+    channel.force(true);
+    // Rename while the lock is still held, lest another run starts over in our file.
+    try {
+      Files.move(temporary, destination, StandardCopyOption.ATOMIC_MOVE);
+    } catch (AtomicMoveNotSupportedException e) {
+      Files.move(temporary, destination, StandardCopyOption.REPLACE_EXISTING);
+    }
+    done = true;
+    channel.close();
+  }
+
+  /** Deletes the temporary file, unless the file is committed. Does nothing the second time. */
+  @Override
+  public void close() throws IOException {
+    if (done) {
+      return;
+    }
+    done = true;
+    try (channel) {
+      Files.deleteIfExists(temporary);
+    }
+  }
+
+  private void requireOpen() {
+    if (done) {
+      throw new IllegalStateException(target + ": already committed or closed");
+    }
+  }
+
+  private static Path destination(Path target) throws IOException {
+    Path absolute = target.toAbsolutePath();
+    Path directory = absolute.getParent();
+    if (directory == null || absolute.getFileName() == null || Files.isDirectory(target)) {
+      throw new IOException(target + ": is a directory, expected a file");
+    }
+    if (!Files.isDirectory(directory)) {
+      throw new IOException(target + ": the directory " + directory + " does not exist");
+    }
+    try {
+      if (!Files.readAttributes(target, BasicFileAttributes.class).isRegularFile()) {
+        throw new IOException(target + ": is not a regular file");
+      }
+    } catch (NoSuchFileException e) {
+      return absolute;
+    } catch (FileSystemException e) {
+      throw new IOException(target + ": " + reason(e), e);
+    }
+    if (!Files.isWritable(target)) {
+      throw new IOException(target + ": is protected against writing");
+    }
+    return target.toRealPath();
+  }
+
+  private static FileChannel openTemporary(Path target, Path temporary) throws IOException {
+    try {
+      return FileChannel.open(
+          temporary,
+          StandardOpenOption.CREATE,
+          StandardOpenOption.WRITE,
+          LinkOption.NOFOLLOW_LINKS);
+    } catch (FileSystemException e) {
+      throw new IOException(
+          target + ": the directory " + temporary.getParent() + " cannot be written: " + reason(e),
+          e);
+    }
+  }
+
+  private static boolean lock(FileChannel channel) {
+    try {
+      return channel.tryLock() != null;
+    } catch (OverlappingFileLockException e) {
+      return false;
+    } catch (IOException e) {
+      // Some network file systems have no locks; the file can be written all the same.
+      return true;
+    }
+  }
+
+  private static String reason(FileSystemException e) {
+    return e.getReason() == null ? "permission denied" : e.getReason();
+  }
+}

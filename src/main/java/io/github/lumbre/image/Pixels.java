@@ -1,0 +1,149 @@
+package io.github.lumbre.image;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentSampleModel;
+import java.awt.image.DataBufferByte;
+import java.awt.image.DataBufferUShort;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.util.Objects;
+
+/**
+ * A decoded picture file: the encoded channel values as the file has them, 8 or 16 bits each, row 0
+ * at the top. Whether they are sRGB or data is not known here. Alpha is not accessible.
+ *
+ * <p>Immutable and safe for use by any thread, as long as nobody changes the arrays it was made of.
+ * It takes at most 4 bytes a texel for 8 bits and 8 for 16.
+ */
+public final class Pixels {
+  private static final byte[] NO_BYTES = {};
+  private static final short[] NO_SHORTS = {};
+
+  private final int width;
+  private final int height;
+  private final byte[] bytes;
+  private final short[] shorts;
+  private final int pixelStride;
+  private final int rowStride;
+  private final int red;
+  private final int green;
+  private final int blue;
+
+  private Pixels(
+      int width, int height, byte[] bytes, short[] shorts, int pixelStride, int[] bandOffsets) {
+    this.width = width;
+    this.height = height;
+    this.bytes = bytes;
+    this.shorts = shorts;
+    this.pixelStride = pixelStride;
+    this.rowStride = pixelStride * width;
+    boolean grey = bandOffsets.length < 3;
+    red = bandOffsets[0];
+    green = bandOffsets[grey ? 0 : 1];
+    blue = bandOffsets[grey ? 0 : 2];
+  }
+
+  /**
+   * Returns the picture of 8-bit values, which are shared with the caller.
+   *
+   * @param channels 1 for grey or 3 for red, green and blue
+   * @param values row by row from the top, channel after channel in each texel
+   * @throws IllegalArgumentException if the sizes do not fit together
+   */
+  public static Pixels of(int width, int height, int channels, byte[] values) {
+    check(width, height, channels, values.length);
+    return new Pixels(width, height, values, NO_SHORTS, channels, natural(channels));
+  }
+
+  /** Returns the picture of 16-bit values; see {@link #of(int, int, int, byte[])}. */
+  public static Pixels of(int width, int height, int channels, short[] values) {
+    check(width, height, channels, values.length);
+    return new Pixels(width, height, NO_BYTES, values, channels, natural(channels));
+  }
+
+  /** Returns the values of a decoded picture, without copying them where that is possible. */
+  static Pixels of(BufferedImage picture) {
+    Raster raster = picture.getRaster();
+    if (picture.getColorModel() instanceof IndexColorModel palette) {
+      return looked(raster, palette);
+    }
+    ComponentSampleModel model = (ComponentSampleModel) raster.getSampleModel();
+    boolean wide = raster.getDataBuffer() instanceof DataBufferUShort;
+    Pixels pixels =
+        new Pixels(
+            raster.getWidth(),
+            raster.getHeight(),
+            wide ? NO_BYTES : ((DataBufferByte) raster.getDataBuffer()).getData(),
+            wide ? ((DataBufferUShort) raster.getDataBuffer()).getData() : NO_SHORTS,
+            model.getPixelStride(),
+            model.getBandOffsets());
+    if (model.getScanlineStride() != pixels.rowStride) {
+      throw new IllegalArgumentException("picture: expected rows without gaps");
+    }
+    return pixels;
+  }
+
+  private static Pixels looked(Raster raster, IndexColorModel palette) {
+    int width = raster.getWidth();
+    byte[] rgb = new byte[3 * width * raster.getHeight()];
+    int[] row = new int[width];
+    int i = 0;
+    for (int y = 0; y < raster.getHeight(); y++) {
+      raster.getSamples(0, y, width, 1, 0, row);
+      for (int index : row) {
+        Objects.checkIndex(index, palette.getMapSize());
+        rgb[i++] = (byte) palette.getRed(index);
+        rgb[i++] = (byte) palette.getGreen(index);
+        rgb[i++] = (byte) palette.getBlue(index);
+      }
+    }
+    return of(width, raster.getHeight(), 3, rgb);
+  }
+
+  private static void check(int width, int height, int channels, int values) {
+    if (width < 1 || height < 1 || (channels != 1 && channels != 3)) {
+      throw new IllegalArgumentException(
+          "pixels: expected at least 1x1 and 1 or 3 channels, found %dx%d and %d"
+              .formatted(width, height, channels));
+    }
+    if (values != (long) width * height * channels) {
+      throw new IllegalArgumentException(
+          "values: expected %dx%dx%d of them, found %d".formatted(width, height, channels, values));
+    }
+  }
+
+  private static int[] natural(int channels) {
+    return channels == 1 ? new int[] {0} : new int[] {0, 1, 2};
+  }
+
+  public int width() {
+    return width;
+  }
+
+  public int height() {
+    return height;
+  }
+
+  /** Returns the largest encoded value: 255 or 65535. */
+  public int max() {
+    return bytes.length == 0 ? 0xffff : 0xff;
+  }
+
+  /**
+   * Returns an encoded value from 0 to {@link #max}.
+   *
+   * @param x the column, counted from the left
+   * @param y the row, counted from the top
+   * @param channel 0 red, 1 green, 2 blue; in a grey picture all are the same
+   */
+  public int raw(int x, int y, int channel) {
+    int offset = channel == 0 ? red : channel == 1 ? green : blue;
+    int i = y * rowStride + x * pixelStride + offset;
+    return bytes.length == 0 ? shorts[i] & 0xffff : bytes[i] & 0xff;
+  }
+
+  /** Returns {@link #raw} divided by {@link #max}: an encoded value in [0,1]. */
+  public double value(int x, int y, int channel) {
+    return (double) raw(x, y, channel) / max();
+  }
+}

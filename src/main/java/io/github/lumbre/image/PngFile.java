@@ -1,0 +1,107 @@
+package io.github.lumbre.image;
+
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.util.zip.CRC32;
+
+/**
+ * The outline of a PNG file, read without decoding it (PNG specification, third edition).
+ *
+ * @param content the file without the chunks that pixels do not need: no profile or gamma can
+ *     change the values then, and no compressed text can fill the memory
+ */
+record PngFile(int width, int height, byte[] content) {
+  private static final long SIGNATURE = 0x89504e470d0a1a0aL;
+  private static final int IHDR = 0x49484452;
+  private static final int PLTE = 0x504c5445;
+  private static final int IDAT = 0x49444154;
+  private static final int IEND = 0x49454e44;
+  private static final int HEADER_BYTES = 13;
+  private static final int FRAME_BYTES = 12;
+
+  /** No more than this many bytes come from one byte of deflated data (zlib technical notes). */
+  private static final long MAX_INFLATION = 1032;
+
+  static boolean startsIn(byte[] file) {
+    return file.length >= Long.BYTES && ByteBuffer.wrap(file).getLong() == SIGNATURE;
+  }
+
+  /**
+   * Reads the outline of a file that {@link #startsIn} recognises.
+   *
+   * @throws ImageFormatException if the chunks are damaged, or the picture is beyond the limits or
+   *     larger than the data can be
+   */
+  static PngFile read(byte[] file) throws ImageFormatException {
+    ByteBuffer in = ByteBuffer.wrap(file);
+    ByteArrayOutputStream content = new ByteArrayOutputStream(file.length);
+    content.write(file, 0, Long.BYTES);
+    ByteBuffer header = header(file);
+    int width = header.getInt();
+    int height = header.getInt();
+    ImageReader.checkSize(width, height);
+    int bits = bitsPerPixel(header.get(), header.get());
+    long deflated = 0;
+    int type;
+    in.position(Long.BYTES);
+    do {
+      int start = in.position();
+      int length = chunkLength(in);
+      type = in.getInt(start + 4);
+      if (type == IHDR && start != Long.BYTES) {
+        throw malformed("PNG has two headers");
+      }
+      if (type == IHDR || type == PLTE || type == IDAT || type == IEND) {
+        checkSum(file, start, length);
+        content.write(file, start, length + FRAME_BYTES);
+        deflated += type == IDAT ? length : 0;
+      }
+      in.position(start + length + FRAME_BYTES);
+    } while (type != IEND);
+    if ((long) width * height * bits / 8 > MAX_INFLATION * deflated) {
+      throw malformed("PNG data are too short for " + width + "x" + height + " pixels");
+    }
+    return new PngFile(width, height, content.toByteArray());
+  }
+
+  private static ByteBuffer header(byte[] file) throws ImageFormatException {
+    ByteBuffer in = ByteBuffer.wrap(file).position(Long.BYTES);
+    if (chunkLength(in) != HEADER_BYTES || in.getInt(in.position() + 4) != IHDR) {
+      throw malformed("PNG does not begin with its header");
+    }
+    return in.position(Long.BYTES + 8);
+  }
+
+  private static int chunkLength(ByteBuffer in) throws ImageFormatException {
+    if (in.remaining() < FRAME_BYTES) {
+      throw malformed("PNG is truncated");
+    }
+    int length = in.getInt(in.position());
+    if (length < 0 || length > in.remaining() - FRAME_BYTES) {
+      throw malformed("PNG is truncated");
+    }
+    return length;
+  }
+
+  private static void checkSum(byte[] file, int start, int length) throws ImageFormatException {
+    CRC32 crc = new CRC32();
+    crc.update(file, start + 4, length + 4);
+    if ((int) crc.getValue() != ByteBuffer.wrap(file).getInt(start + 8 + length)) {
+      throw malformed("PNG is damaged: wrong checksum at byte " + start);
+    }
+  }
+
+  private static int bitsPerPixel(int depth, int colourType) throws ImageFormatException {
+    int channels =
+        switch (colourType) {
+          case 0, 3 -> 1;
+          case 2 -> 3;
+          case 4 -> 2;
+          case 6 -> 4;
+          default -> throw malformed("PNG has the unknown colour type " + colourType);
+        };
+    return channels * depth;
+  }
+}

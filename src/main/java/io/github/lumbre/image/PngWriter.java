@@ -1,0 +1,145 @@
+package io.github.lumbre.image;
+
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Map;
+import javax.imageio.IIOException;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/**
+ * Writes PNG files: exposure and tone curve, 8 or 16 bits, straight alpha if the picture has any,
+ * metadata as text chunks. A whole quantised picture is in memory meanwhile, 3 to 8 bytes a pixel.
+ */
+final class PngWriter {
+  private static final String METADATA = "javax_imageio_png_1.0";
+
+  private PngWriter() {}
+
+  static void write(Image image, ImageWriter.Options options, OutputStream out)
+      throws IOException {
+    BufferedImage picture = quantised(image, options);
+    javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
+    try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+      writer.setOutput(stream);
+      IIOMetadata metadata =
+          writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
+      metadata.mergeTree(METADATA, chunks(options));
+      writer.write(new IIOImage(picture, null, metadata));
+    } catch (IIOException e) {
+      // Its own message says nothing; the cause's is "No space left on device".
+      throw e.getCause() instanceof IOException cause ? cause : e;
+    } finally {
+      writer.dispose();
+    }
+  }
+
+  private static BufferedImage quantised(Image image, ImageWriter.Options options) {
+    boolean alpha = image.hasAlpha();
+    int type = options.pngBits() == 8 ? DataBuffer.TYPE_BYTE : DataBuffer.TYPE_USHORT;
+    int bands = alpha ? 4 : 3;
+    WritableRaster raster =
+        Raster.createInterleavedRaster(type, image.width(), image.height(), bands, null);
+    fill(raster, image, options);
+    ColorModel model =
+        new ComponentColorModel(
+            ColorSpace.getInstance(ColorSpace.CS_sRGB),
+            alpha,
+            false,
+            alpha ? Transparency.TRANSLUCENT : Transparency.OPAQUE,
+            type);
+    return new BufferedImage(model, raster, false, null);
+  }
+
+  private static void fill(WritableRaster raster, Image image, ImageWriter.Options options) {
+    // Keep products finite: a huge factor must not make NaN of black.
+    double factor = Math.min(options.exposure().factor(image), Double.MAX_VALUE);
+    int max = (1 << options.pngBits()) - 1;
+    int bands = raster.getNumBands();
+    int[] row = new int[bands * image.width()];
+    for (int y = 0; y < image.height(); y++) {
+      for (int x = 0; x < image.width(); x++) {
+        Rgb shown = options.curve().apply(exposed(image.pixel(x, y), factor));
+        int i = bands * x;
+        row[i] = (int) Math.round(max * shown.r());
+        row[i + 1] = (int) Math.round(max * shown.g());
+        row[i + 2] = (int) Math.round(max * shown.b());
+        if (bands == 4) {
+          row[i + 3] = (int) Math.round(max * Srgb.clamp(image.alpha(x, y)));
+        }
+      }
+      raster.setPixels(0, y, image.width(), 1, row);
+    }
+  }
+
+  private static Rgb exposed(Rgb c, double factor) {
+    return new Rgb(
+        exposed(c.r(), factor), exposed(c.g(), factor), exposed(c.b(), factor));
+  }
+
+  private static double exposed(double v, double factor) {
+    return v > 0 ? Math.min(v * factor, Double.MAX_VALUE) : 0;
+  }
+
+  private static IIOMetadataNode chunks(ImageWriter.Options options) {
+    IIOMetadataNode root = new IIOMetadataNode(METADATA);
+    if (options.curve().endsInSrgb()) {
+      root.appendChild(node("sRGB", Map.of("renderingIntent", "Perceptual")));
+    } else {
+      root.appendChild(node("gAMA", Map.of("value", "45455")));
+    }
+    IIOMetadataNode latin = new IIOMetadataNode("tEXt");
+    IIOMetadataNode international = new IIOMetadataNode("iTXt");
+    options
+        .metadata()
+        .forEach(
+            (keyword, text) -> {
+              if (isLatin(text)) {
+                latin.appendChild(node("tEXtEntry", Map.of("keyword", keyword, "value", text)));
+              } else {
+                international.appendChild(internationalEntry(keyword, text));
+              }
+            });
+    root.appendChild(latin);
+    root.appendChild(international);
+    return root;
+  }
+
+  private static IIOMetadataNode internationalEntry(String keyword, String text) {
+    return node(
+        "iTXtEntry",
+        Map.of(
+            "keyword", keyword,
+            "compressionFlag", "FALSE",
+            "compressionMethod", "0",
+            "languageTag", "",
+            "translatedKeyword", "",
+            // A zero byte would end the text.
+            "text", text.replace('\0', '\uFFFD')));
+  }
+
+  private static IIOMetadataNode node(String name, Map<String, String> attributes) {
+    IIOMetadataNode node = new IIOMetadataNode(name);
+    attributes.forEach(node::setAttribute);
+    return node;
+  }
+
+  /** Returns whether a text is printable Latin-1 and line feeds, which is what tEXt can hold. */
+  private static boolean isLatin(String text) {
+    return text.chars()
+        .allMatch(c -> c == '\n' || (c >= 0x20 && c <= 0x7e) || (c >= 0xa1 && c <= 0xff));
+  }
+}
