@@ -78,8 +78,7 @@ public final class ImageReader {
     javax.imageio.ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
     List<String> complaints = new ArrayList<>();
     reader.addIIOReadWarningListener((source, warning) -> complaints.add(warning));
-    try (ImageInputStream in =
-        new MemoryCacheImageInputStream(new ByteArrayInputStream(content))) {
+    try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(content))) {
       reader.setInput(in, true, true);
       Pixels pixels = decoding.from(reader);
       for (String complaint : complaints) {

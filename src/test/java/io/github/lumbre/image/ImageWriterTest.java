@@ -38,9 +38,7 @@ class ImageWriterTest {
   @Test
   void anExistingFileIsKeptWhenWritingFails() throws IOException {
     Path file = Files.writeString(directory.resolve("a.png"), "old");
-    float[] missing = new float[3];
-    Image image = new Image(1, 1, missing, new float[0]);
-    assertThatThrownBy(() -> ImageWriter.write(image, file, null))
+    assertThatThrownBy(() -> ImageWriter.write(Image.black(1, 1), file, null))
         .isInstanceOf(NullPointerException.class);
     assertThat(file).hasContent("old");
     try (Stream<Path> files = Files.list(directory)) {

@@ -146,8 +146,7 @@ class PngWriterTest {
       Raster raster =
           raster(
               ImageFixture.greys(0, 1e-30, 3e38, Float.POSITIVE_INFINITY, Float.NaN),
-              new ImageWriter.Options(
-                  new Exposure(OptionalDouble.of(stops)), curve, 8, Map.of()));
+              new ImageWriter.Options(new Exposure(OptionalDouble.of(stops)), curve, 8, Map.of()));
       int lit = stops > 0 ? 255 : 0;
       assertThat(raster.getSample(0, 0, 0)).isZero();
       assertThat(raster.getSample(1, 0, 0)).isEqualTo(lit);
@@ -166,8 +165,7 @@ class PngWriterTest {
       assertThat(raster.getHeight()).isEqualTo(height);
       int max = (1 << bits) - 1;
       assertThat(raster.getSample(width - 1, height - 1, 2))
-          .isEqualTo(
-              (int) Math.round(max * Srgb.encode(image.pixel(width - 1, height - 1).b())));
+          .isEqualTo((int) Math.round(max * Srgb.encode(image.pixel(width - 1, height - 1).b())));
     }
   }
 

@@ -90,8 +90,22 @@ class ImageTextureTest {
     ImageTexture texture = indices(size, 1);
     ImageTexture tall = indices(1, size);
     double[] extremes = {
-      -0.0, 0, 1, -1, 2, -7, 1e9, -1e-20, -Double.MIN_VALUE, -0x1p-54, 1 - 0x1p-53,
-      Math.nextUp(-1.0), Math.nextDown(-1.0), Double.MIN_VALUE, 1e300, -1e300
+      -0.0,
+      0,
+      1,
+      -1,
+      2,
+      -7,
+      1e9,
+      -1e-20,
+      -Double.MIN_VALUE,
+      -0x1p-54,
+      1 - 0x1p-53,
+      Math.nextUp(-1.0),
+      Math.nextDown(-1.0),
+      Double.MIN_VALUE,
+      1e300,
+      -1e300
     };
     for (double u : extremes) {
       assertThat(column(texture, u)).as("u = %s", u).isEqualTo(exactIndex(u, size));
