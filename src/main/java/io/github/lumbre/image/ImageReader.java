@@ -89,14 +89,9 @@ public final class ImageReader {
       return pixels;
     } catch (ImageFormatException e) {
       throw e;
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException | RuntimeException | OutOfMemoryError e) {
       // Decoders answer damaged files with exceptions of any kind.
-      throw new ImageFormatException(
-          ImageFormatException.Kind.MALFORMED, format + " is damaged: " + innermost(e), e);
-    } catch (OutOfMemoryError e) {
-      // The pixels are one allocation; when it is refused, nothing else is harmed.
-      throw new ImageFormatException(
-          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", e);
+      throw failure(format, e);
     } finally {
       reader.dispose();
     }
@@ -107,11 +102,19 @@ public final class ImageReader {
     return warning.contains("extraneous bytes before marker");
   }
 
-  private static String innermost(Throwable thrown) {
+  private static ImageFormatException failure(String format, Throwable thrown) {
     Throwable cause = thrown;
     while (cause.getCause() != null) {
       cause = cause.getCause();
     }
-    return cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    if (cause instanceof OutOfMemoryError) {
+      // The pixels are one allocation; when it is refused, nothing else is harmed.
+      return new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", thrown);
+    }
+    String reason =
+        cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    return new ImageFormatException(
+        ImageFormatException.Kind.MALFORMED, format + " is damaged: " + reason, thrown);
   }
 }
