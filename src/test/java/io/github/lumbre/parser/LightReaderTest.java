@@ -19,11 +19,9 @@ import io.github.lumbre.light.PointLight;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.scene.Intersection;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.TexturePoint;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -147,9 +145,8 @@ class LightReaderTest {
         .isCloseTo(radiance, within(1e-12 * radiance));
   }
 
-  private static Optional<Intersection> hit(Scene scene, Vec3 origin, Vec3 direction) {
-    NearestHit nearest = new NearestHit();
-    return scene.intersect(new Ray(origin, direction), nearest);
+  private static boolean isHit(Scene scene, Vec3 origin, Vec3 direction) {
+    return scene.intersect(new Ray(origin, direction), new NearestHit());
   }
 
   @Test
@@ -157,13 +154,15 @@ class LightReaderTest {
     Scene scene =
         parse("'lightType': 'Rectangle', 'width': 2, 'height': 6, 'intensity': 1").scene();
     Vec3 back = Vec3.Z.negated();
-    assertThat(hit(scene, new Vec3(.9, 2.9, 5), back)).isPresent();
-    assertThat(hit(scene, new Vec3(1.1, 0, 5), back)).isEmpty();
-    assertThat(hit(scene, new Vec3(0, 3.1, 5), back)).isEmpty();
-    assertThat(hit(scene, new Vec3(0, 0, -5), Vec3.Z)).isEmpty();
-    Intersection found = hit(scene, new Vec3(0, 0, 5), back).orElseThrow();
-    assertNear(found.surface().geometricNormal(), Vec3.Z);
-    assertThat(found.primitive().emission()).isPresent();
+    assertThat(isHit(scene, new Vec3(.9, 2.9, 5), back)).isTrue();
+    assertThat(isHit(scene, new Vec3(1.1, 0, 5), back)).isFalse();
+    assertThat(isHit(scene, new Vec3(0, 3.1, 5), back)).isFalse();
+    assertThat(isHit(scene, new Vec3(0, 0, -5), Vec3.Z)).isFalse();
+    Ray ray = new Ray(new Vec3(0, 0, 5), back);
+    NearestHit hit = new NearestHit();
+    assertThat(scene.intersect(ray, hit)).isTrue();
+    assertNear(scene.surfaceAt(ray, hit).geometricNormal(), Vec3.Z);
+    assertThat(scene.primitiveAt(hit).emission()).isPresent();
   }
 
   @Test
