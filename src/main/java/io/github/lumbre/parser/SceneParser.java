@@ -1,25 +1,60 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 
 /** Reads scene files. Immutable: each method that changes how it reads returns another parser. */
 public final class SceneParser {
+  /** The largest product of width and height. */
+  private static final long MAX_PIXELS = 1L << 28;
+
+  /** Beyond this, an array of Java cannot hold a file. */
+  private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
+
+  private static final Set<String> KEYS =
+      Set.of("mainCameraId", "renderOptions", "assets", "objects", "name");
+
+  private final boolean lenient;
+  private final Optional<RenderSettings.Mode> mode;
+  private final UnaryOperator<RenderSettings> change;
+
+  /** A parser that takes scene files as they are. */
+  public SceneParser() {
+    this(false, Optional.empty(), UnaryOperator.identity());
+  }
+
+  private SceneParser(
+      boolean lenient, Optional<RenderSettings.Mode> mode, UnaryOperator<RenderSettings> change) {
+    this.lenient = lenient;
+    this.mode = mode;
+    this.change = change;
+  }
+
   /** Returns a parser that takes references to missing assets as warnings. */
   public SceneParser lenient() {
-    throw new UnsupportedOperationException();
+    return new SceneParser(true, mode, change);
   }
 
   /** Returns a parser that renders in the given mode, whatever the file says. */
-  public SceneParser inMode(RenderSettings.Mode mode) {
-    throw new UnsupportedOperationException();
+  public SceneParser inMode(RenderSettings.Mode newMode) {
+    return new SceneParser(lenient, Optional.of(newMode), change);
   }
 
   /** Returns a parser that changes the settings that the file gives before it uses them. */
-  public SceneParser overriding(UnaryOperator<RenderSettings> change) {
-    throw new UnsupportedOperationException();
+  public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
+    return new SceneParser(lenient, mode, Objects.requireNonNull(newChange, "newChange"));
   }
 
   /**
@@ -29,6 +64,83 @@ public final class SceneParser {
    * @throws IOException if the file exists but cannot be read
    */
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
-    throw new UnsupportedOperationException();
+    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    try {
+      return parse(file, read(file, problems), problems);
+    } catch (OutOfMemoryError e) {
+      // What was to hold the scene is free again, and nothing else was touched.
+      problems.error(Kind.LIMIT, "$", "expected a scene that fits into memory");
+      throw problems.exception();
+    }
+  }
+
+  private static byte[] read(Path file, Problems problems)
+      throws SceneFormatException, IOException {
+    try {
+      if (Files.size(file) > MAX_BYTES) {
+        problems.error(Kind.LIMIT, "$", "expected at most " + MAX_BYTES + " bytes, found more");
+        throw problems.exception();
+      }
+      return Files.readAllBytes(file);
+    } catch (NoSuchFileException e) {
+      problems.error(Kind.INVALID, "$", "expected a scene file, found none");
+      throw problems.exception();
+    }
+  }
+
+  private SceneFile parse(Path file, byte[] text, Problems problems) throws SceneFormatException {
+    JsonNode root = JsonTree.read(text, problems);
+    if (root.asObject().isEmpty()) {
+      throw problems.exception();
+    }
+    root.warnUnknown(KEYS);
+    Optional<JsonNode> options = root.object("renderOptions");
+    RenderSettings settings = settings(options, problems);
+    Optional<Rgb> background = options.flatMap(SettingsReader::background);
+    MessageDigest digest = sha256();
+    digest.update(text);
+    AssetTable assets = new AssetTable(root, lenient);
+    SceneReader world = new SceneReader(root, assets, new AssetData(file, digest));
+    world.read(settings.aspect(), background);
+    problems.throwIfAny();
+    return new SceneFile(
+        world.scene(),
+        settings,
+        problems.warnings(),
+        HexFormat.of().formatHex(digest.digest()),
+        world.contents());
+  }
+
+  /** Returns the settings; if the file's have errors, without the caller's changes. */
+  private RenderSettings settings(Optional<JsonNode> options, Problems problems) {
+    boolean hadErrors = problems.hasErrors();
+    RenderSettings inFile =
+        options
+            .map(o -> SettingsReader.read(o, mode))
+            .orElseGet(() -> SettingsReader.missing(mode));
+    if (problems.hasErrors() && !hadErrors) {
+      return inFile;
+    }
+    RenderSettings used = change.apply(inFile);
+    if ((long) used.width() * used.height() > MAX_PIXELS) {
+      problems.error(
+          Kind.LIMIT,
+          "$.renderOptions",
+          "expected width x height <= "
+              + MAX_PIXELS
+              + ", found "
+              + used.width()
+              + "x"
+              + used.height());
+    }
+    return used;
+  }
+
+  private static MessageDigest sha256() {
+    try {
+      return MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new AssertionError("every Java has SHA-256", e);
+    }
   }
 }

@@ -1,0 +1,140 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.parser.SceneFormatException.Kind;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/**
+ * The bytes of assets, in base64 inside the scene file or in files in the same folder or below.
+ * Files outside it are out of reach, whatever the scene says.
+ */
+final class AssetData {
+  static final String FILE_KEY = "file";
+
+  private static final Pattern URL = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]*:.*", Pattern.DOTALL);
+
+  /** Beyond this, an array of Java cannot hold a file. */
+  private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
+
+  private final Path sceneFile;
+  private final MessageDigest digest;
+
+  /**
+   * @param digest receives the bytes of all files that are read
+   */
+  AssetData(Path sceneFile, MessageDigest digest) {
+    this.sceneFile = sceneFile;
+    this.digest = digest;
+  }
+
+  /** Bytes, and where to complain about them. */
+  record Content(JsonNode asset, String key, byte[] bytes) {
+    void error(Kind kind, String message) {
+      asset.error(kind, key, message);
+    }
+  }
+
+  /**
+   * Returns the bytes of an asset, or adds an error.
+   *
+   * @param base64Key where the asset carries its bytes, if it does not name a file
+   */
+  Optional<Content> read(JsonNode asset, String base64Key) {
+    if (asset.has(FILE_KEY)) {
+      if (asset.has(base64Key)) {
+        asset.warn(base64Key, "is not read, since there is a file");
+      }
+      return asset.string(FILE_KEY).flatMap(name -> file(asset, name));
+    }
+    if (!asset.has(base64Key)) {
+      asset.error(Kind.ASSET, base64Key, "expected " + base64Key + " or file, found neither");
+      return Optional.empty();
+    }
+    return asset.string(base64Key).flatMap(text -> decoded(asset, base64Key, text));
+  }
+
+  private static Optional<Content> decoded(JsonNode asset, String key, String text) {
+    byte[] letters = withoutLineBreaks(text);
+    try {
+      // Without this, the decoder takes a text that ends early.
+      if (letters.length % 4 != 0) {
+        throw new IllegalArgumentException("it ends early");
+      }
+      byte[] bytes = Base64.getDecoder().decode(letters);
+      if (bytes.length == 0) {
+        throw new IllegalArgumentException("it is empty");
+      }
+      return Optional.of(new Content(asset, key, bytes));
+    } catch (IllegalArgumentException e) {
+      asset.error(Kind.ASSET, key, "expected base64, found what is not: " + Problems.escaped(e.getMessage()));
+      return Optional.empty();
+    }
+  }
+
+  private static byte[] withoutLineBreaks(String text) {
+    byte[] letters = text.getBytes(StandardCharsets.ISO_8859_1);
+    int count = 0;
+    for (byte letter : letters) {
+      if (letter != '\n' && letter != '\r' && letter != ' ' && letter != '\t') {
+        letters[count++] = letter;
+      }
+    }
+    return Arrays.copyOf(letters, count);
+  }
+
+  private Optional<Content> file(JsonNode asset, String name) {
+    try {
+      Optional<Path> path = inFolder(name);
+      if (path.isEmpty()) {
+        asset.error(
+            FILE_KEY,
+            "expected a relative path inside the scene's folder, found " + Problems.quoted(name));
+        return Optional.empty();
+      }
+      if (!Files.isRegularFile(path.get())) {
+        asset.error(Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
+        return Optional.empty();
+      }
+      if (Files.size(path.get()) > MAX_BYTES) {
+        asset.error(Kind.LIMIT, FILE_KEY, "expected at most " + MAX_BYTES + " bytes, found more");
+        return Optional.empty();
+      }
+      byte[] bytes = Files.readAllBytes(path.get());
+      digest.update(bytes);
+      return Optional.of(new Content(asset, FILE_KEY, bytes));
+    } catch (IOException e) {
+      asset.error(Kind.ASSET, FILE_KEY, "expected a readable file, found " + Problems.quoted(name));
+      return Optional.empty();
+    }
+  }
+
+  /** Returns the path of a file, or empty if it is not inside the scene's folder. */
+  private Optional<Path> inFolder(String name) throws IOException {
+    if (name.isEmpty() || URL.matcher(name).matches() || name.startsWith("\\")) {
+      return Optional.empty();
+    }
+    Path folder = sceneFile.toAbsolutePath().getParent().toRealPath();
+    Path relative;
+    try {
+      relative = Path.of(name);
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
+    Path path = folder.resolve(relative).normalize();
+    if (relative.isAbsolute() || !path.startsWith(folder)) {
+      return Optional.empty();
+    }
+    // A link may lead out again.
+    return Files.exists(path)
+        ? Optional.of(path.toRealPath()).filter(real -> real.startsWith(folder))
+        : Optional.of(path);
+  }
+}

@@ -1,0 +1,121 @@
+package io.github.lumbre.parser;
+
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+
+/** The assets of a scene by their ids, not yet decoded. */
+final class AssetTable {
+  /** Keys that every asset has. */
+  static final Set<String> COMMON_KEYS = Set.of("id", "assetType", "name");
+
+  private static final Map<String, Type> TYPES =
+      ordered(Type.MATERIAL, Type.TEXTURE, Type.MESH);
+  private static final int NONE = -1;
+  private static final int MAX_IDS_SHOWN = 20;
+
+  /** What an asset is. */
+  enum Type {
+    MATERIAL("Material"),
+    TEXTURE("Texture"),
+    MESH("Mesh");
+
+    private final String label;
+
+    Type(String label) {
+      this.label = label;
+    }
+  }
+
+  private final boolean lenient;
+  private final Map<Type, Map<Integer, JsonNode>> assets = new EnumMap<>(Type.class);
+
+  /**
+   * @param lenient whether a reference to nothing is a warning instead of an error
+   */
+  AssetTable(JsonNode root, boolean lenient) {
+    this.lenient = lenient;
+    for (Type type : Type.values()) {
+      assets.put(type, new TreeMap<>());
+    }
+    Map<Integer, JsonNode> all = new HashMap<>();
+    for (JsonNode asset : root.objects("assets")) {
+      add(asset, all);
+    }
+  }
+
+  private static Map<String, Type> ordered(Type... types) {
+    Map<String, Type> map = new LinkedHashMap<>();
+    for (Type type : types) {
+      map.put(type.label, type);
+    }
+    return map;
+  }
+
+  private void add(JsonNode asset, Map<Integer, JsonNode> all) {
+    Optional<Type> type = asset.choice("assetType", TYPES);
+    if (!asset.has("assetType")) {
+      asset.error(
+          "assetType",
+          "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
+    }
+    if (!asset.has("id")) {
+      asset.error("id", "expected an integer, found nothing");
+    }
+    Optional<Integer> id = asset.id("id");
+    if (id.isEmpty() || type.isEmpty()) {
+      return;
+    }
+    JsonNode first = all.putIfAbsent(id.get(), asset);
+    if (first != null) {
+      asset.error("id", "expected each id once, found " + id.get() + ", also at " + first.path() + ".id");
+      return;
+    }
+    assets.get(type.get()).put(id.get(), asset);
+  }
+
+  /** Returns all assets of a type, used or not. */
+  List<JsonNode> all(Type type) {
+    return List.copyOf(assets.get(type).values());
+  }
+
+  /** Returns the asset that a key names, or empty if it names none. Dangling ids are reported. */
+  Optional<JsonNode> find(JsonNode from, String key, Type type) {
+    Optional<Integer> id = from.id(key).filter(i -> i != NONE);
+    Optional<JsonNode> asset = id.map(assets.get(type)::get);
+    if (id.isPresent() && asset.isEmpty()) {
+      reportDangling(from, key, id.get(), type);
+    }
+    return asset;
+  }
+
+  /** Tells whether a key names an asset that exists. */
+  boolean has(JsonNode from, String key, Type type) {
+    return from.idSilently(key).map(assets.get(type)::containsKey).orElse(false);
+  }
+
+  private void reportDangling(JsonNode from, String key, int id, Type type) {
+    String message =
+        "expected the id of a " + type.label + ", found " + id + "; " + shown(assets.get(type).keySet());
+    if (lenient) {
+      from.warn(key, message);
+    } else {
+      from.error(key, message);
+    }
+  }
+
+  /** Returns a list of ids for people. */
+  static String shown(Set<Integer> ids) {
+    if (ids.isEmpty()) {
+      return "there is none";
+    }
+    List<String> first = ids.stream().sorted().limit(MAX_IDS_SHOWN).map(String::valueOf).toList();
+    return "there " + (ids.size() == 1 ? "is " : "are ") + String.join(", ", first)
+        + (ids.size() > MAX_IDS_SHOWN ? ", …" : "");
+  }
+}

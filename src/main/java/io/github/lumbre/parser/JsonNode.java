@@ -1,0 +1,382 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import java.math.BigDecimal;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * A value of a JSON text that knows its path. Immutable once {@link JsonTree} has read the text.
+ *
+ * <p>The queries of an object's keys check type and range, add what is wrong to the {@link
+ * Problems}, and then return the default, so that one run finds many errors. A key whose value is
+ * {@code null} counts as missing.
+ */
+final class JsonNode {
+  private static final Set<String> VECTOR_KEYS = Set.of("x", "y", "z");
+  private static final Set<String> COLOUR_KEYS = Set.of("r", "g", "b", "a");
+
+  /** What JSON writes without quotes and calls a number. */
+  private record Literal(String text, double value) {}
+
+  private enum Null {
+    INSTANCE
+  }
+
+  private final Problems problems;
+  private final JsonNode parent;
+  private final String key;
+  private final int index;
+  private final int position;
+  private final Object value;
+
+  /** Says where a value stands: under which key, or at which index, of which parent. */
+  record Place(Problems problems, JsonNode parent, String key, int index, int position) {
+    /** Returns the place of the value that has no parent. */
+    static Place outermost(Problems problems) {
+      return new Place(problems, null, "", 0, 0);
+    }
+  }
+
+  private JsonNode(Place place, Object value) {
+    this.problems = place.problems;
+    this.parent = place.parent;
+    this.key = place.key;
+    this.index = place.index;
+    this.position = place.position;
+    this.value = value;
+  }
+
+  static JsonNode object(Place place) {
+    return new JsonNode(place, new LinkedHashMap<String, JsonNode>());
+  }
+
+  static JsonNode array(Place place) {
+    return new JsonNode(place, new ArrayList<JsonNode>());
+  }
+
+  static JsonNode string(Place place, String text) {
+    return new JsonNode(place, text);
+  }
+
+  static JsonNode number(Place place, String text) {
+    return new JsonNode(place, new Literal(text, Double.parseDouble(text)));
+  }
+
+  static JsonNode flag(Place place, boolean flag) {
+    return new JsonNode(place, flag);
+  }
+
+  static JsonNode nothing(Place place) {
+    return new JsonNode(place, Null.INSTANCE);
+  }
+
+  /** Returns how many keys the text had up to this value. */
+  int position() {
+    return position;
+  }
+
+  /** Returns the place of this object's value of a key, or of this array's next element. */
+  Place placeFor(String childKey, int childPosition) {
+    return new Place(problems, this, childKey, isArray() ? elements().size() : 0, childPosition);
+  }
+
+  /** Adds to an object or array under construction; returns what stood under the key before. */
+  Optional<JsonNode> add(JsonNode child) {
+    if (isArray()) {
+      elements().add(child);
+      return Optional.empty();
+    }
+    return Optional.ofNullable(members().putIfAbsent(child.key, child));
+  }
+
+  boolean isObject() {
+    return value instanceof Map;
+  }
+
+  boolean isArray() {
+    return value instanceof List;
+  }
+
+  boolean isNumber() {
+    return value instanceof Literal;
+  }
+
+  boolean isInfinite() {
+    return value instanceof Literal literal && !Double.isFinite(literal.value);
+  }
+
+  @SuppressWarnings("unchecked")
+  private Map<String, JsonNode> members() {
+    return (Map<String, JsonNode>) value;
+  }
+
+  @SuppressWarnings("unchecked")
+  private List<JsonNode> elements() {
+    return (List<JsonNode>) value;
+  }
+
+  /** Returns the path as {@code $.objects[3].radius}. */
+  String path() {
+    Deque<JsonNode> way = new ArrayDeque<>();
+    for (JsonNode node = this; node.parent != null; node = node.parent) {
+      way.push(node);
+    }
+    StringBuilder path = new StringBuilder("$");
+    for (JsonNode node : way) {
+      if (node.parent.isArray()) {
+        path.append('[').append(node.index).append(']');
+      } else {
+        path.append('.').append(Problems.shortened(node.key));
+      }
+    }
+    return path.toString();
+  }
+
+  private String path(String childKey) {
+    return path() + "." + childKey;
+  }
+
+  void error(String message) {
+    problems.error(SceneFormatException.Kind.INVALID, path(), message);
+  }
+
+  void error(SceneFormatException.Kind kind, String message) {
+    problems.error(kind, path(), message);
+  }
+
+  /** Adds an error at the value of a key, or where it is missing. */
+  void error(String childKey, String message) {
+    problems.error(SceneFormatException.Kind.INVALID, path(childKey), message);
+  }
+
+  /** Adds an error of some kind at the value of a key, or where it is missing. */
+  void error(SceneFormatException.Kind kind, String childKey, String message) {
+    problems.error(kind, path(childKey), message);
+  }
+
+  void warn(String message) {
+    problems.warn(path(), message);
+  }
+
+  void warn(String childKey, String message) {
+    problems.warn(path(childKey), message);
+  }
+
+  /** Returns the value as an error message shows it. */
+  String found() {
+    if (value instanceof String text) {
+      return Problems.quoted(text);
+    }
+    if (value instanceof Literal literal) {
+      return Problems.shortened(literal.text);
+    }
+    return isObject() ? "an object" : isArray() ? "an array" : value.toString();
+  }
+
+  private void unexpected(String expected) {
+    error("expected " + expected + ", found " + found());
+  }
+
+  /** Returns this, or adds an error if it is not an object. */
+  Optional<JsonNode> asObject() {
+    if (isObject()) {
+      return Optional.of(this);
+    }
+    unexpected("an object");
+    return Optional.empty();
+  }
+
+  /** Returns the value of a key, or empty if it is missing or {@code null}. */
+  Optional<JsonNode> find(String childKey) {
+    return Optional.ofNullable(members().get(childKey)).filter(n -> n.value != Null.INSTANCE);
+  }
+
+  boolean has(String childKey) {
+    return find(childKey).isPresent();
+  }
+
+  Optional<JsonNode> object(String childKey) {
+    return find(childKey).flatMap(JsonNode::asObject);
+  }
+
+  /** Returns the objects of an array, or none if it is missing. */
+  List<JsonNode> objects(String childKey) {
+    Optional<JsonNode> array = find(childKey);
+    if (array.isEmpty()) {
+      return List.of();
+    }
+    if (!array.get().isArray()) {
+      array.get().unexpected("an array");
+      return List.of();
+    }
+    return array.get().elements().stream().flatMap(n -> n.asObject().stream()).toList();
+  }
+
+  double number(String childKey, double missing, Range range) {
+    return find(childKey).map(node -> node.number(missing, range)).orElse(missing);
+  }
+
+  private double number(double instead, Range range) {
+    if (!(value instanceof Literal literal)) {
+      unexpected(range.ifLow());
+      return instead;
+    }
+    // What overflows has been reported when it was read.
+    if (isInfinite()) {
+      return instead;
+    }
+    if (!range.contains(literal.value)) {
+      unexpected(range.expectedFor(literal.value));
+      return instead;
+    }
+    return literal.value;
+  }
+
+  int integer(String childKey, int missing, int low, int high) {
+    return (int) integer(childKey, (long) missing, low, high);
+  }
+
+  long integer(String childKey, long missing, long low, long high) {
+    return find(childKey).map(node -> node.integer(missing, low, high)).orElse(missing);
+  }
+
+  private long integer(long instead, long low, long high) {
+    if (isInfinite()) {
+      return instead;
+    }
+    Optional<Long> found = exactLong().filter(n -> n >= low && n <= high);
+    if (found.isPresent()) {
+      return found.get();
+    }
+    unexpected(
+        low <= Integer.MIN_VALUE && high >= Integer.MAX_VALUE
+            ? "an integer"
+            : high == Integer.MAX_VALUE
+                ? "an integer >= " + low
+                : "an integer from " + low + " to " + high);
+    return instead;
+  }
+
+  /** Returns an integer of 64 bits, if this is one. */
+  private Optional<Long> exactLong() {
+    if (!(value instanceof Literal literal) || isInfinite()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(new BigDecimal(literal.text).longValueExact());
+    } catch (ArithmeticException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Returns an id, or empty if the key is missing or wrong. */
+  Optional<Integer> id(String childKey) {
+    long none = Long.MAX_VALUE;
+    long found = integer(childKey, none, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    return found == none ? Optional.empty() : Optional.of((int) found);
+  }
+
+  /** Returns an id as {@link #id} does, without saying what is wrong with it. */
+  Optional<Integer> idSilently(String childKey) {
+    return find(childKey).flatMap(JsonNode::exactLong).filter(n -> n == n.intValue()).map(Long::intValue);
+  }
+
+  boolean flag(String childKey, boolean missing) {
+    return find(childKey).map(node -> node.flag(missing)).orElse(missing);
+  }
+
+  private boolean flag(boolean instead) {
+    if (value instanceof Boolean flag) {
+      return flag;
+    }
+    unexpected("true or false");
+    return instead;
+  }
+
+  Optional<String> string(String childKey) {
+    return find(childKey).flatMap(JsonNode::asString);
+  }
+
+  private Optional<String> asString() {
+    if (value instanceof String text) {
+      return Optional.of(text);
+    }
+    unexpected("a string");
+    return Optional.empty();
+  }
+
+  /** Tells whether the value is this very text. */
+  boolean isText(String text) {
+    return text.equals(value);
+  }
+
+  /** Returns what a name stands for, or the default if the key is missing or wrong. */
+  <T> T choice(String childKey, Map<String, T> choices, T missing) {
+    return choice(childKey, choices).orElse(missing);
+  }
+
+  /** Returns what a name stands for, or empty if the key is missing or wrong. */
+  <T> Optional<T> choice(String childKey, Map<String, T> choices) {
+    return find(childKey).flatMap(node -> node.choice(choices));
+  }
+
+  private <T> Optional<T> choice(Map<String, T> choices) {
+    if (value instanceof String text && choices.containsKey(text)) {
+      return Optional.of(choices.get(text));
+    }
+    unexpected("one of " + String.join(", ", choices.keySet()));
+    return Optional.empty();
+  }
+
+  /** Returns {x, y, z}; missing components are those of the default. */
+  Vec3 vec3(String childKey, Vec3 missing) {
+    Optional<JsonNode> node = object(childKey);
+    if (node.isEmpty()) {
+      return missing;
+    }
+    node.get().warnUnknown(VECTOR_KEYS);
+    return new Vec3(
+        node.get().number("x", missing.x(), Range.ANY),
+        node.get().number("y", missing.y(), Range.ANY),
+        node.get().number("z", missing.z(), Range.ANY));
+  }
+
+  /** Returns {x, y}; missing components are those of the default. */
+  Point2 vec2(String childKey, Point2 missing) {
+    Vec3 found = vec3(childKey, new Vec3(missing.x(), missing.y(), 0));
+    return new Point2(found.x(), found.y());
+  }
+
+  /** Returns the colour {r, g, b} under a key; white if missing, and in missing components. */
+  Rgb rgb(String childKey) {
+    return object(childKey).map(JsonNode::rgb).orElse(Rgb.WHITE);
+  }
+
+  /** Returns this object as a colour; alpha is read and ignored. */
+  Rgb rgb() {
+    warnUnknown(COLOUR_KEYS);
+    number("a", 1, Range.ANY);
+    return new Rgb(
+        number("r", 1, Range.NOT_NEGATIVE),
+        number("g", 1, Range.NOT_NEGATIVE),
+        number("b", 1, Range.NOT_NEGATIVE));
+  }
+
+  /** Warns of every key that is not among those known. */
+  void warnUnknown(Set<String> known) {
+    for (JsonNode member : members().values()) {
+      if (!known.contains(member.key)) {
+        member.warn("unknown key" + Spelling.suggestion(member.key, known));
+      }
+    }
+  }
+}

@@ -1,0 +1,236 @@
+package io.github.lumbre.parser;
+
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import com.google.gson.stream.JsonToken;
+import com.google.gson.stream.MalformedJsonException;
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Reads a whole JSON text into {@link JsonNode}s, strictly by RFC 8259 and without recursion. Not
+ * reusable.
+ */
+final class JsonTree {
+  /** Arrays and objects within each other. */
+  static final int MAX_LEVELS = 4096;
+
+  static final long MAX_TOKENS = 100_000_000;
+
+  private static final Pattern LOCATION = Pattern.compile("at line (\\d+) column (\\d+)");
+
+  /** Two values of one key. */
+  private record Duplicate(JsonNode first, JsonNode second) {}
+
+  private final byte[] text;
+  private final Problems problems;
+  private final List<Duplicate> duplicates = new ArrayList<>();
+  private Optional<JsonNode> root = Optional.empty();
+  private final Deque<JsonNode> open = new ArrayDeque<>();
+  private String key = "";
+  private int names;
+
+  private JsonTree(byte[] text, Problems problems) {
+    this.text = text;
+    this.problems = problems;
+  }
+
+  /**
+   * Returns the outermost value.
+   *
+   * <p>Duplicate keys and numbers that overflow are added to the problems; the first of two values
+   * counts.
+   *
+   * @param text in UTF-8, with or without a byte order mark
+   * @throws SceneFormatException if the text is not JSON or nested too deeply
+   */
+  static JsonNode read(byte[] text, Problems problems) throws SceneFormatException {
+    return new JsonTree(text, problems).read();
+  }
+
+  private JsonNode read() throws SceneFormatException {
+    JsonReader in = reader();
+    try {
+      readAll(in);
+    } catch (CharacterCodingException e) {
+      throw broken("$", "expected UTF-8, found bytes that are not");
+    } catch (MalformedJsonException e) {
+      throw broken(in.getPath(), "expected JSON (RFC 8259), found a syntax error " + location(in));
+    } catch (EOFException e) {
+      throw root.isEmpty()
+          ? broken("$", "expected an object, found an empty file")
+          : broken(in.getPath(), "expected more JSON, found the end of the file " + location(in));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    reportDuplicates();
+    return root.orElseThrow();
+  }
+
+  private JsonReader reader() {
+    JsonReader in =
+        new JsonReader(
+            new InputStreamReader(
+                new ByteArrayInputStream(text),
+                StandardCharsets.UTF_8
+                    .newDecoder()
+                    .onMalformedInput(CodingErrorAction.REPORT)
+                    .onUnmappableCharacter(CodingErrorAction.REPORT)));
+    in.setStrictness(Strictness.STRICT);
+    in.setNestingLimit(MAX_LEVELS + 1);
+    return in;
+  }
+
+  private SceneFormatException broken(String path, String message) {
+    problems.error(SceneFormatException.Kind.INVALID, path, message);
+    return problems.exception();
+  }
+
+  private SceneFormatException tooLarge(String path, String message) {
+    problems.error(SceneFormatException.Kind.LIMIT, path, message);
+    return problems.exception();
+  }
+
+  private static String location(JsonReader in) {
+    Matcher matcher = LOCATION.matcher(in.toString());
+    return matcher.find()
+        ? "at line " + matcher.group(1) + ", column " + matcher.group(2)
+        : "at an unknown place";
+  }
+
+  private void readAll(JsonReader in) throws IOException, SceneFormatException {
+    long tokens = 0;
+    do {
+      readToken(in, in.peek());
+      if (++tokens > MAX_TOKENS) {
+        throw tooLarge("$", "expected at most " + MAX_TOKENS + " JSON tokens, found more");
+      }
+    } while (!open.isEmpty());
+    // The reader itself refuses a second value.
+    in.peek();
+  }
+
+  private void readToken(JsonReader in, JsonToken token) throws IOException, SceneFormatException {
+    switch (token) {
+      case NAME -> {
+        key = in.nextName();
+        names++;
+      }
+      case END_OBJECT -> {
+        in.endObject();
+        open.pop();
+      }
+      case END_ARRAY -> {
+        in.endArray();
+        open.pop();
+      }
+      default -> add(value(in, token));
+    }
+  }
+
+  private JsonNode value(JsonReader in, JsonToken token) throws IOException {
+    JsonNode.Place place =
+        open.isEmpty()
+            ? JsonNode.Place.outermost(problems)
+            : open.peek().placeFor(key, names);
+    return switch (token) {
+      case BEGIN_OBJECT -> {
+        in.beginObject();
+        yield JsonNode.object(place);
+      }
+      case BEGIN_ARRAY -> {
+        in.beginArray();
+        yield JsonNode.array(place);
+      }
+      case NUMBER -> JsonNode.number(place, in.nextString());
+      case BOOLEAN -> JsonNode.flag(place, in.nextBoolean());
+      case NULL -> {
+        in.nextNull();
+        yield JsonNode.nothing(place);
+      }
+      default -> JsonNode.string(place, in.nextString());
+    };
+  }
+
+  private void add(JsonNode node) throws SceneFormatException {
+    if (open.isEmpty()) {
+      root = Optional.of(node);
+    } else {
+      open.peek().add(node).ifPresent(first -> duplicates.add(new Duplicate(first, node)));
+    }
+    if (node.isInfinite()) {
+      node.error("expected a finite number, found " + node.found());
+    }
+    if (node.isObject() || node.isArray()) {
+      open.push(node);
+      if (open.size() > MAX_LEVELS) {
+        throw tooLarge(
+            node.path(), "expected at most " + MAX_LEVELS + " levels of JSON, found more");
+      }
+    }
+  }
+
+  private void reportDuplicates() {
+    if (duplicates.isEmpty()) {
+      return;
+    }
+    List<Duplicate> shown =
+        duplicates.subList(0, Math.min(duplicates.size(), Problems.MAX_ERRORS));
+    Map<Integer, Integer> lines = new HashMap<>();
+    for (Duplicate duplicate : shown) {
+      lines.put(duplicate.first.position(), 0);
+      lines.put(duplicate.second.position(), 0);
+    }
+    findLines(lines);
+    for (Duplicate duplicate : shown) {
+      duplicate.second.error(
+          "expected each key once, found it in line "
+              + lines.get(duplicate.first.position())
+              + " and in line "
+              + lines.get(duplicate.second.position()));
+    }
+  }
+
+  /** Reads the text, which is known to be right, again, and notes the lines of some keys. */
+  private void findLines(Map<Integer, Integer> lineOfName) {
+    JsonReader in = reader();
+    int count = 0;
+    try {
+      for (JsonToken token = in.peek(); token != JsonToken.END_DOCUMENT; token = in.peek()) {
+        switch (token) {
+          case BEGIN_OBJECT -> in.beginObject();
+          case END_OBJECT -> in.endObject();
+          case BEGIN_ARRAY -> in.beginArray();
+          case END_ARRAY -> in.endArray();
+          case NAME -> {
+            in.nextName();
+            lineOfName.computeIfPresent(++count, (name, line) -> line(in));
+          }
+          default -> in.skipValue();
+        }
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static int line(JsonReader in) {
+    Matcher matcher = LOCATION.matcher(in.toString());
+    return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
+  }
+}

@@ -1,0 +1,204 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.light.SpotLight;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.ObjectTree.Placed;
+import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.texture.Texture;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** Reads lights, and translates what the format calls their intensity. */
+final class LightReader {
+  /** Turns the rectangle, whose normal is +y, into the format's, which shines along +z. */
+  private static final Transform UPRIGHT = Transform.rotationDegrees(new Vec3(90, 0, 0));
+
+  private static final Map<String, Falloff> FALLOFFS = new LinkedHashMap<>();
+  private static final Map<String, Unit> UNITS = new LinkedHashMap<>();
+
+  /** Reads a light of one type, of a given intensity times colour. */
+  private interface Reader {
+    Consumer<SceneBuilder> read(Placed light, Rgb intensity);
+  }
+
+  /** What an area light's intensity is. */
+  private enum Unit {
+    /** The format's own: a power of sorts, of which small lights take a share. */
+    FORMAT {
+      @Override
+      double radiance(double localArea, double worldArea) {
+        return 1 / Math.max(1, localArea);
+      }
+    },
+    RADIANCE {
+      @Override
+      double radiance(double localArea, double worldArea) {
+        return 1;
+      }
+    },
+    POWER {
+      @Override
+      double radiance(double localArea, double worldArea) {
+        return 1 / (Math.PI * worldArea);
+      }
+    };
+
+    /** Returns the radiance of a light of intensity 1. */
+    abstract double radiance(double localArea, double worldArea);
+  }
+
+  static {
+    FALLOFFS.put("none", Falloff.NONE);
+    FALLOFFS.put("inverseSquare", Falloff.INVERSE_SQUARE);
+    UNITS.put("radiance", Unit.RADIANCE);
+    UNITS.put("power", Unit.POWER);
+  }
+
+  private final TextureReader textures;
+  private final boolean hasGlass;
+  private int count;
+  private boolean hasDome;
+  private boolean warnedOfGlass;
+  private final Family<Reader> family =
+      new Family<Reader>("lightType", ObjectTree.COMMON_KEYS)
+          .with("Directional", this::directional, "intensity", "color")
+          .with("Point", this::point, "falloff")
+          .with("Spot", this::spot, "spotAngle", "penumbra", "falloff")
+          .with("Ambient", this::ambient)
+          .with("Rectangle", this::rectangle, "width", "height", "unit")
+          .with("Sphere", this::sphere, "radius", "unit")
+          .with("Dome", this::dome, "textureId");
+
+  /**
+   * @param hasGlass whether anything in the scene is made of glass
+   */
+  LightReader(TextureReader textures, boolean hasGlass) {
+    this.textures = textures;
+    this.hasGlass = hasGlass;
+  }
+
+  /** Returns how many lights have been read. */
+  int count() {
+    return count;
+  }
+
+  /** Tells whether any of the lights read is a dome. */
+  boolean hasDome() {
+    return hasDome;
+  }
+
+  /** Returns what adds a light to a scene. */
+  Optional<Consumer<SceneBuilder>> read(Placed light) {
+    JsonNode node = light.node();
+    node.warnUnknown(family.keys());
+    count++;
+    Rgb intensity = node.rgb("color").times(node.number("intensity", 0, Range.NOT_NEGATIVE));
+    if (intensity.isBlack()) {
+      node.warn("intensity", "the light emits nothing");
+    }
+    if (!intensity.isFinite()) {
+      node.error("intensity", "expected a finite product with the color, found an infinite one");
+      return Optional.empty();
+    }
+    return family.choose(node).map(reader -> reader.read(light, intensity));
+  }
+
+  private Consumer<SceneBuilder> directional(Placed light, Rgb irradiance) {
+    warnOfGlass(light);
+    DirectionalLight made = new DirectionalLight(axis(light), irradiance);
+    return scene -> scene.add(made);
+  }
+
+  private Consumer<SceneBuilder> point(Placed light, Rgb intensity) {
+    warnOfGlass(light);
+    PointLight made = pointLight(light, intensity);
+    return scene -> scene.add(made);
+  }
+
+  private Consumer<SceneBuilder> spot(Placed light, Rgb intensity) {
+    warnOfGlass(light);
+    double angle = spotAngle(light.node());
+    double penumbra = light.node().number("penumbra", 0, Range.closed(0, angle));
+    SpotLight made = new SpotLight(pointLight(light, intensity), axis(light), angle, penumbra);
+    return scene -> scene.add(made);
+  }
+
+  private static double spotAngle(JsonNode light) {
+    double written = light.number("spotAngle", 60, Range.ANY);
+    if (written == 0) {
+      light.error("spotAngle", "expected an angle other than 0, found 0");
+      return 60;
+    }
+    double angle = Math.min(90, Math.abs(written));
+    if (angle != written) {
+      light.warn("spotAngle", Range.text(written) + " acts as " + Range.text(angle));
+    }
+    return angle;
+  }
+
+  private Consumer<SceneBuilder> ambient(Placed light, Rgb irradiance) {
+    return scene -> scene.addAmbient(irradiance);
+  }
+
+  private Consumer<SceneBuilder> rectangle(Placed light, Rgb intensity) {
+    double width = light.node().number("width", 1, Range.SIZE);
+    double height = light.node().number("height", 1, Range.SIZE);
+    Shape shape = new Rectangle(light.toWorld().times(UPRIGHT), width, height, false);
+    return lamp(light, intensity, shape, width * height);
+  }
+
+  private Consumer<SceneBuilder> sphere(Placed light, Rgb intensity) {
+    double radius = light.node().number("radius", 1, Range.SIZE);
+    Shape shape = new Sphere(light.toWorld(), radius);
+    return lamp(light, intensity, shape, 4 * Math.PI * radius * radius);
+  }
+
+  private Consumer<SceneBuilder> lamp(
+      Placed light, Rgb intensity, Shape shape, double localArea) {
+    Unit unit = light.node().choice("unit", UNITS, Unit.FORMAT);
+    Rgb radiance = intensity.times(unit.radiance(localArea, shape.area()));
+    if (!radiance.isFinite()) {
+      light.node().error("intensity", "expected a finite radiance, found an infinite one");
+    }
+    Emission emission = new Emission(Texture.constant(radiance), false);
+    return scene -> scene.addLamp(shape, emission);
+  }
+
+  private Consumer<SceneBuilder> dome(Placed light, Rgb radiance) {
+    hasDome = true;
+    EnvironmentLight made = textures.dome(light.node(), light.axes(), radiance);
+    return scene -> scene.add(made);
+  }
+
+  private static PointLight pointLight(Placed light, Rgb intensity) {
+    Falloff falloff = light.node().choice("falloff", FALLOFFS, Falloff.NONE);
+    return new PointLight(light.position(), intensity, falloff);
+  }
+
+  private static Vec3 axis(Placed light) {
+    return light.toWorld().vector(Vec3.Z).normalized();
+  }
+
+  private void warnOfGlass(Placed light) {
+    if (hasGlass && !warnedOfGlass) {
+      light
+          .node()
+          .warn(
+              "lightType",
+              "the scene has glass, which the light of Directional, Point and Spot does not pass");
+      warnedOfGlass = true;
+    }
+  }
+}

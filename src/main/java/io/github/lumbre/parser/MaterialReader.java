@@ -1,0 +1,146 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.Mirror;
+import io.github.lumbre.texture.Texture;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** Reads materials, each when it is first used. */
+final class MaterialReader {
+  private static final double MAX_IOR = 1e6;
+  private static final Range IOR = Range.above(0, MAX_IOR);
+  private static final Range ROUGHNESS = Range.closed(0, 1);
+
+  /** Reads a material of one type. */
+  private interface Reader {
+    Surface read(JsonNode material);
+  }
+
+  private final AssetTable assets;
+  private final TextureReader textures;
+  private final Map<JsonNode, Surface> surfaces = new HashMap<>();
+  private boolean hasGlass;
+  private final Family<Reader> family =
+      new Family<Reader>("materialType", AssetTable.COMMON_KEYS)
+          .with("Diffuse", this::diffuse, keys("color", "normal"))
+          .with("Color", this::color, keys("color"))
+          .with("Reflective", this::reflective, keys("reflectivityColor", "normal"))
+          .with(
+              "Refractive",
+              this::refractive,
+              keys("refractionColor", "reflectivityColor", "ior", "normal", "roughness"))
+          .with("None", material -> Surface.DEFAULT)
+          .planned("Phong", keys("color", "specularColor", "exponent", "normal"))
+          .planned("CookTorrance", cookTorranceKeys());
+
+  MaterialReader(AssetTable assets, TextureReader textures) {
+    this.assets = assets;
+    this.textures = textures;
+  }
+
+  private static String[] cookTorranceKeys() {
+    List<String> all =
+        new ArrayList<>(List.of(keys("color", "specularColor", "roughness", "normal", "ior")));
+    all.add("distribution");
+    return all.toArray(String[]::new);
+  }
+
+  /** Returns the keys of channels. */
+  private static String[] keys(String... channels) {
+    return Stream.of(channels)
+        .flatMap(
+            c -> Stream.of(c.equals("normal") ? c + "Strength" : c, c + "TextureId", c + "Offset", c + "Scale"))
+        .toArray(String[]::new);
+  }
+
+  /** Warns of keys that no material has. */
+  void checkAll() {
+    assets.all(AssetTable.Type.MATERIAL).forEach(m -> m.warnUnknown(family.keys()));
+  }
+
+  /** Returns the surface of an object by its {@code materialID}. */
+  Surface of(JsonNode object) {
+    Optional<JsonNode> asset = assets.find(object, "materialID", AssetTable.Type.MATERIAL);
+    return asset.map(a -> surfaces.computeIfAbsent(a, this::read)).orElse(Surface.DEFAULT);
+  }
+
+  /** Returns how many materials are in use. */
+  int count() {
+    return surfaces.size();
+  }
+
+  /** Tells whether any material in use is glass. */
+  boolean hasGlass() {
+    return hasGlass;
+  }
+
+  private Surface read(JsonNode material) {
+    return family
+        .choose(material)
+        .map(reader -> reader.read(material))
+        .orElse(Surface.DEFAULT);
+  }
+
+  private Surface diffuse(JsonNode material) {
+    rejectNormalMap(material);
+    return Surface.of(new Matte(reflectances(material, "color").get(0)));
+  }
+
+  private Surface color(JsonNode material) {
+    Emission emission =
+        new Emission(textures.colour(material, "color", material.rgb("color")), true);
+    return (shape, scene) -> scene.addGlowing(shape, emission);
+  }
+
+  private Surface reflective(JsonNode material) {
+    rejectNormalMap(material);
+    return Surface.of(new Mirror(reflectances(material, "reflectivityColor").get(0)));
+  }
+
+  private Surface refractive(JsonNode material) {
+    hasGlass = true;
+    rejectNormalMap(material);
+    rejectRoughness(material);
+    List<Texture<Rgb>> both = reflectances(material, "reflectivityColor", "refractionColor");
+    return Surface.of(
+        new Glass(both.get(0), both.get(1), textures.scalar(material, "ior", 1, IOR, 1, MAX_IOR)));
+  }
+
+  private void rejectNormalMap(JsonNode material) {
+    if (assets.find(material, "normalTextureId", AssetTable.Type.TEXTURE).isPresent()) {
+      material.error("normalTextureId", "normal maps are not supported yet");
+    }
+  }
+
+  private void rejectRoughness(JsonNode material) {
+    boolean rough = material.number("roughness", 0, ROUGHNESS) > 0;
+    if (rough
+        || assets.find(material, "roughnessTextureId", AssetTable.Type.TEXTURE).isPresent()) {
+      material.error(
+          rough ? "roughness" : "roughnessTextureId", "rough glass is not supported yet");
+    }
+  }
+
+  /** Returns channels of which no component may reflect more than it gets, with one warning. */
+  private List<Texture<Rgb>> reflectances(JsonNode material, String... channels) {
+    List<Texture<Rgb>> found = new ArrayList<>();
+    boolean warned = false;
+    for (String channel : channels) {
+      Rgb constant = material.rgb(channel);
+      if (constant.max() > 1 && !warned) {
+        material.warn(channel, "more than 1 is reflected; what exceeds 1 is taken as 1");
+        warned = true;
+      }
+      found.add(textures.reflectance(material, channel, constant));
+    }
+    return found;
+  }
+}

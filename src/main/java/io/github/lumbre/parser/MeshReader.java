@@ -1,0 +1,67 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.parser.AssetTable.Type;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** Reads meshes, each when it is first used. */
+final class MeshReader {
+  private static final String BASE64_KEY = "base64OBJ";
+  private static final Set<String> KEYS = new LinkedHashSet<>(AssetTable.COMMON_KEYS);
+
+  static {
+    KEYS.add(BASE64_KEY);
+    KEYS.add(AssetData.FILE_KEY);
+  }
+
+  private final AssetTable assets;
+  private final AssetData data;
+  private final Map<JsonNode, Optional<TriangleMesh>> meshes = new HashMap<>();
+
+  MeshReader(AssetTable assets, AssetData data) {
+    this.assets = assets;
+    this.data = data;
+  }
+
+  /** Warns of keys that no mesh has. */
+  void checkAll() {
+    assets.all(Type.MESH).forEach(mesh -> mesh.warnUnknown(KEYS));
+  }
+
+  /** Returns how many meshes are in use. */
+  int count() {
+    return meshes.size();
+  }
+
+  /** Returns the asset that an object names. */
+  Optional<JsonNode> asset(JsonNode object) {
+    return assets.find(object, "meshId", Type.MESH);
+  }
+
+  /** Returns a mesh, or empty if it cannot be used; the reason is then among the problems. */
+  Optional<TriangleMesh> read(JsonNode asset) {
+    return meshes.computeIfAbsent(asset, a -> data.read(a, BASE64_KEY).flatMap(this::decoded));
+  }
+
+  private Optional<TriangleMesh> decoded(AssetData.Content content) {
+    ObjMesh obj;
+    try {
+      obj = ObjReader.read(content.bytes());
+    } catch (ObjFormatException e) {
+      content.error(SceneFormatException.Kind.ASSET, e.getMessage());
+      return Optional.empty();
+    }
+    TriangleMesh mesh =
+        TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
+    if (mesh.droppedTriangles() > 0) {
+      content
+          .asset()
+          .warn(content.key(), "dropped " + mesh.droppedTriangles() + " triangles without area");
+    }
+    return mesh.triangleCount() == 0 ? Optional.empty() : Optional.of(mesh);
+  }
+}

@@ -1,0 +1,12 @@
+package io.github.lumbre.parser;
+
+/**
+ * What an OBJ file says, as arrays: corners that agree in position, normal and texture coordinates
+ * are one vertex. The arrays are not copied.
+ *
+ * @param positions three numbers a vertex
+ * @param normals three numbers a vertex, or empty if the file has none
+ * @param uvs two numbers a vertex, or empty if the file has none
+ * @param indices three vertices a triangle
+ */
+record ObjMesh(double[] positions, double[] normals, double[] uvs, int[] indices) {}

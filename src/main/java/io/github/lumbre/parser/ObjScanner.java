@@ -1,0 +1,196 @@
+package io.github.lumbre.parser;
+
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Takes an OBJ text apart: lines, and words within them. Comments are not seen, and a backslash at
+ * the end of a line joins it with the next. Mutable.
+ */
+final class ObjScanner {
+  private final byte[] text;
+  private int at;
+  private int line = 1;
+  private int start;
+  private int end;
+
+  ObjScanner(byte[] text) {
+    this.text = text;
+  }
+
+  /** Tells whether anything is left of the text. */
+  boolean hasMore() {
+    return at < text.length;
+  }
+
+  /** Moves to the next word of this line; returns false if there is none. */
+  boolean nextWord() {
+    skipBlanks();
+    start = at;
+    while (at < text.length && !isSpace(text[at]) && !isJoint()) {
+      at++;
+    }
+    end = at;
+    return end > start;
+  }
+
+  /** Moves to the beginning of the next line, whatever is left of this one. */
+  void endLine() {
+    while (at < text.length && text[at] != '\n') {
+      if (isJoint()) {
+        skipJoint();
+      } else {
+        at++;
+      }
+    }
+    if (at < text.length) {
+      at++;
+      line++;
+    }
+  }
+
+  private void skipBlanks() {
+    while (at < text.length) {
+      if (isJoint()) {
+        skipJoint();
+      } else if (text[at] == '#') {
+        skipComment();
+      } else if (text[at] != '\n' && isSpace(text[at])) {
+        at++;
+      } else {
+        return;
+      }
+    }
+  }
+
+  private void skipComment() {
+    while (at < text.length && text[at] != '\n') {
+      at++;
+    }
+  }
+
+  private boolean isJoint() {
+    if (text[at] != '\\' || at + 1 >= text.length) {
+      return false;
+    }
+    return text[at + 1] == '\n'
+        || text[at + 1] == '\r' && at + 2 < text.length && text[at + 2] == '\n';
+  }
+
+  private void skipJoint() {
+    at += text[at + 1] == '\n' ? 2 : 3;
+    line++;
+  }
+
+  private static boolean isSpace(byte c) {
+    return c == ' ' || c >= '\t' && c <= '\r';
+  }
+
+  boolean wordIs(String expected) {
+    if (end - start != expected.length()) {
+      return false;
+    }
+    for (int i = 0; i < expected.length(); i++) {
+      if (text[start + i] != expected.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private String word() {
+    return new String(text, start, end - start, StandardCharsets.ISO_8859_1);
+  }
+
+  /** Returns the next word of the line as a finite number, with a decimal point. */
+  double nextNumber() throws ObjFormatException {
+    if (!nextWord()) {
+      throw error("expected a number, found the end of the line");
+    }
+    for (int i = start; i < end; i++) {
+      // Java alone would take "NaN", "1f" and "0x1p3".
+      byte c = text[i];
+      if (!isDigit(c) && c != '.' && c != '-' && c != '+' && c != 'e' && c != 'E') {
+        throw notANumber();
+      }
+    }
+    double number;
+    try {
+      number = Double.parseDouble(word());
+    } catch (NumberFormatException e) {
+      throw notANumber();
+    }
+    if (!Double.isFinite(number)) {
+      throw notANumber();
+    }
+    return number;
+  }
+
+  /** Returns the next word of the line as a finite number; 0 if the line ends. */
+  double nextNumberOrZero() throws ObjFormatException {
+    int before = at;
+    if (!nextWord()) {
+      return 0;
+    }
+    at = before;
+    return nextNumber();
+  }
+
+  private ObjFormatException notANumber() {
+    return error("expected a finite number, found " + Problems.quoted(word()));
+  }
+
+  /**
+   * Reads the word as indices with slashes between them, {@code 5}, {@code 5/6}, {@code 5//7} or
+   * {@code 5/6/7}.
+   *
+   * @param indices receives three numbers as written; 0 stands for what is left out
+   */
+  void readIndices(int[] indices) throws ObjFormatException {
+    int i = start;
+    for (int k = 0; k < 3; k++) {
+      int from = i;
+      while (i < end && text[i] != '/') {
+        i++;
+      }
+      indices[k] = i > from ? index(from, i) : 0;
+      if (i < end && k < 2) {
+        i++;
+      }
+    }
+    if (i < end || indices[0] == 0) {
+      throw notIndices();
+    }
+  }
+
+  private int index(int from, int to) throws ObjFormatException {
+    boolean negative = text[from] == '-';
+    int first = negative || text[from] == '+' ? from + 1 : from;
+    long value = 0;
+    for (int i = first; i < to; i++) {
+      if (!isDigit(text[i]) || value > Integer.MAX_VALUE) {
+        throw notIndices();
+      }
+      value = 10 * value + text[i] - '0';
+    }
+    if (first == to || value > Integer.MAX_VALUE) {
+      throw notIndices();
+    }
+    if (value == 0) {
+      throw error("expected indices from 1 on, found 0 in " + Problems.quoted(word()));
+    }
+    return (int) (negative ? -value : value);
+  }
+
+  private ObjFormatException notIndices() {
+    return error("expected indices such as 1/2/3, found " + Problems.quoted(word()));
+  }
+
+  private static boolean isDigit(byte c) {
+    return c >= '0' && c <= '9';
+  }
+
+  /** Returns an exception that names the line. */
+  ObjFormatException error(String message) {
+    return new ObjFormatException(line, message);
+  }
+}

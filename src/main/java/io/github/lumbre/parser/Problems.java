@@ -1,0 +1,121 @@
+package io.github.lumbre.parser;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Collects what is wrong with a scene, a line each: errors up to a limit, and warnings. Mutable.
+ *
+ * <p>Lines read {@code scene.json: $.objects[3].radius: expected …, found …}. Nothing in them can
+ * control a terminal.
+ */
+final class Problems {
+  static final int MAX_ERRORS = 20;
+  static final int MAX_WARNINGS = 1000;
+
+  /** Longer paths are printed without their middle. */
+  private static final int MAX_PATH = 400;
+
+  private static final int MAX_TEXT = 60;
+
+  private final String file;
+  private final List<String> errors = new ArrayList<>();
+  private final List<String> warnings = new ArrayList<>();
+  private Optional<SceneFormatException.Kind> kind = Optional.empty();
+  private int unsaidWarnings;
+
+  /**
+   * @param file name of the scene file, as it is to be printed
+   */
+  Problems(String file) {
+    this.file = escaped(file);
+  }
+
+  /** Adds an error; beyond the limit, only counts it as known. */
+  void error(SceneFormatException.Kind kindOfError, String path, String message) {
+    if (kind.isEmpty()) {
+      kind = Optional.of(kindOfError);
+    }
+    if (errors.size() < MAX_ERRORS) {
+      errors.add(line(path, message));
+    }
+  }
+
+  void warn(String path, String message) {
+    if (warnings.size() < MAX_WARNINGS) {
+      warnings.add(line(path, message));
+    } else {
+      unsaidWarnings++;
+    }
+  }
+
+  boolean hasErrors() {
+    return !errors.isEmpty();
+  }
+
+  /** Returns the warnings; if there were too many, the last line says how many are missing. */
+  List<String> warnings() {
+    List<String> all = new ArrayList<>(warnings);
+    if (unsaidWarnings > 0) {
+      all.add(file + ": and " + unsaidWarnings + " more warnings");
+    }
+    return all;
+  }
+
+  /** Returns the errors as an exception; there must be at least one. */
+  SceneFormatException exception() {
+    return new SceneFormatException(kind.orElseThrow(), errors);
+  }
+
+  /**
+   * @throws SceneFormatException if there is any error
+   */
+  void throwIfAny() throws SceneFormatException {
+    if (hasErrors()) {
+      throw exception();
+    }
+  }
+
+  private String line(String path, String message) {
+    String shown = escaped(path);
+    if (shown.length() > MAX_PATH) {
+      int end = MAX_PATH / 2;
+      shown = shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
+    }
+    return file + ": " + shown + ": " + message;
+  }
+
+  /** Returns a text from a scene as it may be printed: in quotes, escaped and not too long. */
+  static String quoted(String text) {
+    return '"' + shortened(text) + '"';
+  }
+
+  /** Returns a text from a scene as it may be printed: escaped and not too long. */
+  static String shortened(String text) {
+    return text.length() <= MAX_TEXT
+        ? escaped(text)
+        : escaped(text.substring(0, MAX_TEXT)) + "…";
+  }
+
+  /** Returns a text with everything that is not plainly visible written as JSON would escape it. */
+  static String escaped(String text) {
+    StringBuilder out = new StringBuilder(text.length());
+    text.codePoints().forEach(c -> append(out, c));
+    return out.toString();
+  }
+
+  private static void append(StringBuilder out, int codePoint) {
+    switch (Character.getType(codePoint)) {
+      case Character.CONTROL,
+          Character.FORMAT,
+          Character.SURROGATE,
+          Character.LINE_SEPARATOR,
+          Character.PARAGRAPH_SEPARATOR,
+          Character.PRIVATE_USE,
+          Character.UNASSIGNED ->
+          out.append(String.format("\\u%04x", codePoint));
+      default -> out.appendCodePoint(codePoint);
+    }
+  }
+}

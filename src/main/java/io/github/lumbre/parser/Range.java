@@ -1,0 +1,65 @@
+package io.github.lumbre.parser;
+
+/**
+ * The numbers that a key may have, and how to say so.
+ *
+ * @param low the smallest, or what every number must exceed
+ * @param openLow whether {@code low} itself is outside
+ * @param high the largest, or what every number must stay below
+ * @param openHigh whether {@code high} itself is outside
+ * @param ifLow what was expected, said of a number that is too small
+ * @param ifHigh what was expected, said of a number that is too large
+ */
+record Range(
+    double low, boolean openLow, double high, boolean openHigh, String ifLow, String ifHigh) {
+  static final Range ANY =
+      closed(-Double.MAX_VALUE, Double.MAX_VALUE, "a finite number");
+  static final Range NOT_NEGATIVE = closed(0, Double.MAX_VALUE, "a finite number >= 0");
+  static final Range POSITIVE =
+      new Range(
+          0,
+          true,
+          Double.MAX_VALUE,
+          false,
+          "a finite number > 0",
+          "a finite number > 0");
+
+  /** Extents of shapes: squares of them must not overflow. */
+  static final Range SIZE =
+      new Range(0, true, 1e150, false, "a finite number > 0", "a number <= 1e150");
+
+  /** Returns the range of all numbers from one to another. */
+  static Range closed(double low, double high) {
+    return closed(low, high, "a number from " + text(low) + " to " + text(high));
+  }
+
+  private static Range closed(double low, double high, String expected) {
+    return new Range(low, false, high, false, expected, expected);
+  }
+
+  /** Returns the range of the numbers between two others. */
+  static Range open(double low, double high) {
+    String expected = "a number in (" + text(low) + ", " + text(high) + ")";
+    return new Range(low, true, high, true, expected, expected);
+  }
+
+  /** Returns the range of the numbers above one and up to another. */
+  static Range above(double low, double high) {
+    String expected = "a number in (" + text(low) + ", " + text(high) + "]";
+    return new Range(low, true, high, false, expected, expected);
+  }
+
+  boolean contains(double x) {
+    return (openLow ? x > low : x >= low) && (openHigh ? x < high : x <= high);
+  }
+
+  /** Returns what is expected in place of a number that is outside. */
+  String expectedFor(double x) {
+    return x > high || openHigh && x == high ? ifHigh : ifLow;
+  }
+
+  /** Returns a number as people write it. */
+  static String text(double x) {
+    return x == Math.rint(x) && Math.abs(x) < 1e15 ? Long.toString((long) x) : Double.toString(x);
+  }
+}

@@ -1,0 +1,132 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.parser.ObjectTree.Placed;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.SceneBuilder;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+
+/** Reads the world: objects with the assets they use, seen by the main camera. Not reusable. */
+final class SceneReader {
+  private static final String MAIN_CAMERA = "mainCameraId";
+
+  private final JsonNode root;
+  private final ObjectTree tree;
+  private final TextureReader textures;
+  private final MeshReader meshes;
+  private final MaterialReader materials;
+  private final ShapeReader shapes;
+  private final CameraReader cameras;
+  private final List<Consumer<SceneBuilder>> additions = new ArrayList<>();
+  private Optional<Camera> camera = Optional.empty();
+  private String cameraType = "";
+  private int lightCount;
+
+  SceneReader(JsonNode root, AssetTable assets, AssetData data) {
+    this.root = root;
+    tree = ObjectTree.of(root);
+    textures = new TextureReader(assets, data);
+    meshes = new MeshReader(assets, data);
+    materials = new MaterialReader(assets, textures);
+    shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE));
+    cameras = new CameraReader(textures);
+  }
+
+  private List<Placed> objects(ObjectTree.Type type) {
+    return tree.objects().stream().filter(object -> object.type() == type).toList();
+  }
+
+  /**
+   * Reads everything; what is wrong goes to the problems.
+   *
+   * @param aspect width of the film over its height
+   * @param background that the settings ask for
+   */
+  void read(double aspect, Optional<Rgb> background) {
+    textures.checkAll();
+    meshes.checkAll();
+    materials.checkAll();
+    objects(ObjectTree.Type.NONE).forEach(o -> o.node().warnUnknown(ObjectTree.COMMON_KEYS));
+    readCamera(aspect);
+    objects(ObjectTree.Type.SHAPE).forEach(this::readShape);
+    readLights(background);
+  }
+
+  private void readCamera(double aspect) {
+    List<Placed> all = objects(ObjectTree.Type.CAMERA);
+    all.forEach(cameras::check);
+    Optional<Integer> wanted = root.id(MAIN_CAMERA);
+    Optional<Placed> main =
+        all.stream().filter(c -> wanted.isPresent() && wanted.equals(c.node().idSilently("id"))).findFirst();
+    if (main.isEmpty()) {
+      reportNoCamera(all);
+      return;
+    }
+    tree.repetition(wanted.get())
+        .ifPresent(
+            second ->
+                second.error(
+                    "id", "expected the main camera's id once, found " + wanted.get() + " again"));
+    camera = cameras.read(main.get(), aspect);
+    cameraType = main.get().node().string("cameraType").orElse(CameraReader.DEFAULT_TYPE);
+  }
+
+  private void reportNoCamera(List<Placed> cameras) {
+    if (root.has(MAIN_CAMERA) && root.idSilently(MAIN_CAMERA).isEmpty()) {
+      return;
+    }
+    TreeSet<Integer> ids = new TreeSet<>();
+    cameras.forEach(c -> c.node().idSilently("id").ifPresent(ids::add));
+    root.error(
+        MAIN_CAMERA,
+        "expected the id of a camera, found "
+            + root.find(MAIN_CAMERA).map(JsonNode::found).orElse("nothing")
+            + "; "
+            + AssetTable.shown(ids));
+  }
+
+  private void readShape(Placed object) {
+    Surface surface = materials.of(object.node());
+    Optional<Shape> shape = shapes.read(object);
+    shape.ifPresent(made -> additions.add(scene -> surface.add(made, scene)));
+  }
+
+  private void readLights(Optional<Rgb> background) {
+    LightReader lights = new LightReader(textures, materials.hasGlass());
+    for (Placed light : objects(ObjectTree.Type.LIGHT)) {
+      lights.read(light).ifPresent(additions::add);
+    }
+    lightCount = lights.count();
+    if (background.isPresent() && lights.hasDome()) {
+      root.object("renderOptions")
+          .ifPresent(o -> o.warn("background", "is ignored, since the scene has a Dome"));
+    } else {
+      background.ifPresent(radiance -> additions.add(scene -> scene.addBackground(radiance)));
+    }
+  }
+
+  /** Returns the world; there must be no errors. */
+  Scene scene() {
+    SceneBuilder scene = Scene.seenBy(camera.orElseThrow());
+    additions.forEach(addition -> addition.accept(scene));
+    return scene.build();
+  }
+
+  /** Returns what there is to know about the world's size. */
+  SceneContents contents() {
+    return new SceneContents(
+        cameraType,
+        shapes.count(),
+        meshes.count(),
+        shapes.triangles(),
+        lightCount,
+        materials.count(),
+        textures.count());
+  }
+}

@@ -1,0 +1,135 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.geometry.Box;
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.geometry.Plane;
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SharedMesh;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.parser.ObjectTree.Placed;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Reads shapes. A mesh that is placed once moves into the world; one placed often is shared. */
+final class ShapeReader {
+  private static final String MESH = "Mesh";
+
+  /** Reads a shape of one type. */
+  private interface Reader {
+    Optional<Shape> read(Placed object);
+  }
+
+  private final MeshReader meshes;
+  private final Map<JsonNode, Integer> placements = new HashMap<>();
+  private final Map<JsonNode, Optional<JsonNode>> meshOfObject = new HashMap<>();
+  private final Map<JsonNode, SharedMesh> shared = new HashMap<>();
+  private int count;
+  private long triangles;
+  private final Family<Reader> family =
+      new Family<Reader>("shapeType", ObjectTree.COMMON_KEYS)
+          .with("Sphere", this::sphere, "materialID", "radius")
+          .with("Plane", this::plane, "finite", "width", "height", "twoSided")
+          .with("Cube", this::cube, "width", "height", "depth")
+          .with(MESH, this::mesh, "meshId");
+
+  /**
+   * @param shapes all that are going to be read
+   */
+  ShapeReader(MeshReader meshes, List<Placed> shapes) {
+    this.meshes = meshes;
+    for (Placed shape : shapes) {
+      countPlacement(shape.node());
+    }
+  }
+
+  private void countPlacement(JsonNode object) {
+    if (object.find("shapeType").filter(type -> type.isText(MESH)).isPresent()) {
+      Optional<JsonNode> asset = meshes.asset(object);
+      meshOfObject.put(object, asset);
+      asset.ifPresent(a -> placements.merge(a, 1, Integer::sum));
+    }
+  }
+
+  /** Returns how many shapes have been read. */
+  int count() {
+    return count;
+  }
+
+  /** Returns how many triangles have been read, each placement of a mesh counted. */
+  long triangles() {
+    return triangles;
+  }
+
+  /** Returns the shape of an object, or empty if there is nothing to show. */
+  Optional<Shape> read(Placed object) {
+    JsonNode node = object.node();
+    node.warnUnknown(family.keys());
+    count++;
+    try {
+      Optional<Shape> shape = family.choose(node).flatMap(reader -> reader.read(object));
+      shape.ifPresent(made -> requireMeasurable(node, made));
+      return shape;
+    } catch (IllegalArgumentException e) {
+      // What no single key says, and only the finished shape knows: it leaves the finite world.
+      node.error(Problems.escaped(e.getMessage()));
+      return Optional.empty();
+    }
+  }
+
+  private static void requireMeasurable(JsonNode node, Shape shape) {
+    Bounds3 bounds = shape.bounds();
+    if (Double.isFinite(shape.area()) && !bounds.isFinite()) {
+      node.error("expected a shape inside the range of finite numbers, found one beyond");
+    }
+  }
+
+  private Optional<Shape> sphere(Placed object) {
+    return Optional.of(new Sphere(object.toWorld(), size(object, "radius")));
+  }
+
+  private Optional<Shape> plane(Placed object) {
+    boolean twoSided = object.node().flag("twoSided", false);
+    if (!object.node().flag("finite", false)) {
+      return Optional.of(new Plane(object.toWorld(), twoSided));
+    }
+    return Optional.of(
+        new Rectangle(object.toWorld(), size(object, "width"), size(object, "height"), twoSided));
+  }
+
+  private Optional<Shape> cube(Placed object) {
+    return Optional.of(
+        new Box(
+            object.toWorld(),
+            size(object, "width"),
+            size(object, "height"),
+            size(object, "depth")));
+  }
+
+  private static double size(Placed object, String key) {
+    return object.node().number(key, 1, Range.SIZE);
+  }
+
+  private Optional<Shape> mesh(Placed object) {
+    Optional<JsonNode> asset = meshOfObject.get(object.node());
+    if (asset.isEmpty()) {
+      object.node().warn("meshId", "names no mesh: there is nothing to show");
+      return Optional.empty();
+    }
+    return meshes.read(asset.get()).map(mesh -> placed(object, asset.get(), mesh));
+  }
+
+  private Shape placed(Placed object, JsonNode asset, TriangleMesh mesh) {
+    triangles += mesh.triangleCount();
+    if (placements.get(asset) == 1) {
+      return Mesh.baked(mesh, object.toWorld());
+    }
+    SharedMesh one = shared.computeIfAbsent(asset, a -> new SharedMesh(mesh));
+    return new MeshInstance(one, object.toWorld());
+  }
+}

@@ -1,0 +1,185 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.camera.Aperture;
+import io.github.lumbre.camera.BokehCache;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.parser.AssetTable.Type;
+import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.texture.ImageTexture;
+import io.github.lumbre.texture.ImageTexture.Filter;
+import io.github.lumbre.texture.ImageTexture.Role;
+import io.github.lumbre.texture.RedChannel;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TintedTexture;
+import io.github.lumbre.texture.UvMapping;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/** Reads textures, each when it is first used, and the channels of materials that use them. */
+final class TextureReader {
+  private static final String BASE64_KEY = "base64PNG";
+  private static final Map<String, Filter> FILTERS = new LinkedHashMap<>();
+  private static final Point2 NO_OFFSET = new Point2(0, 0);
+  private static final Point2 NO_SCALE = new Point2(1, 1);
+
+  static {
+    FILTERS.put("nearest", Filter.NEAREST);
+    FILTERS.put("bilinear", Filter.BILINEAR);
+  }
+
+  /** Reads a texture of one type. */
+  private interface Reader {
+    Optional<Picture> read(JsonNode texture);
+  }
+
+  /** A decoded texture of which it is not yet known what its values mean. */
+  private record Picture(Pixels pixels, Filter filter) {
+    ImageTexture as(Role role) {
+      return new ImageTexture(pixels, role, filter);
+    }
+  }
+
+  private final AssetTable assets;
+  private final AssetData data;
+  private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
+  private final Family<Reader> family =
+      new Family<Reader>("textureType", AssetTable.COMMON_KEYS)
+          .with("Image", this::image, BASE64_KEY, AssetData.FILE_KEY, "filter")
+          .planned("Wood", "width", "height", "rings")
+          .planned("Marble", "width", "height")
+          .planned("Cloud", "width", "height", "density")
+          .planned("Voronoi", "width", "height", "samples", "blackAndWhite");
+
+  TextureReader(AssetTable assets, AssetData data) {
+    this.assets = assets;
+    this.data = data;
+  }
+
+  /** Warns of keys that no texture has. */
+  void checkAll() {
+    assets.all(Type.TEXTURE).forEach(t -> t.warnUnknown(family.keys()));
+  }
+
+  /** Returns how many textures are in use. */
+  int count() {
+    return pictures.size();
+  }
+
+  private Optional<Picture> find(JsonNode from, String key) {
+    return assets
+        .find(from, key, Type.TEXTURE)
+        .flatMap(asset -> pictures.computeIfAbsent(asset, this::read));
+  }
+
+  private Optional<Picture> read(JsonNode texture) {
+    return family.choose(texture, "Image").flatMap(reader -> reader.read(texture));
+  }
+
+  private Optional<Picture> image(JsonNode texture) {
+    Filter filter = texture.choice("filter", FILTERS, Filter.NEAREST);
+    return data.read(texture, BASE64_KEY)
+        .flatMap(TextureReader::decoded)
+        .map(pixels -> new Picture(pixels, filter));
+  }
+
+  private static Optional<Pixels> decoded(AssetData.Content content) {
+    try {
+      return Optional.of(ImageReader.decode(content.bytes()));
+    } catch (ImageFormatException e) {
+      boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
+      content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * Returns a colour channel of a material: a constant times a texture, if there is one.
+   *
+   * @param constant the channel's own colour
+   */
+  Texture<Rgb> colour(JsonNode material, String channel, Rgb constant) {
+    UvMapping mapping = mapping(material, channel);
+    return find(material, channel + "TextureId")
+        .map(picture -> mapping.over(TintedTexture.of(constant, picture.as(Role.COLOUR))))
+        .orElse(Texture.constant(constant));
+  }
+
+  /** Returns a colour channel of which no part may exceed 1; textures limit it where they hit. */
+  Texture<Rgb> reflectance(JsonNode material, String channel, Rgb constant) {
+    boolean textured = assets.has(material, channel + "TextureId", Type.TEXTURE);
+    return colour(material, channel, textured ? constant : constant.clampedToOne());
+  }
+
+  /**
+   * Returns a channel of numbers.
+   *
+   * @param range of the constant
+   * @param low limit of what the texture may make of it
+   * @param high likewise
+   */
+  ScalarTexture scalar(
+      JsonNode material, String channel, double missing, Range range, double low, double high) {
+    double constant = material.number(channel, missing, range);
+    UvMapping mapping = mapping(material, channel);
+    Optional<Picture> picture = find(material, channel + "TextureId");
+    if (picture.isEmpty()) {
+      return ScalarTexture.constant(constant);
+    }
+    return new RedChannel(mapping.over(picture.get().as(Role.DATA)), constant, low, high);
+  }
+
+  private static UvMapping mapping(JsonNode material, String channel) {
+    Point2 offset = material.vec2(channel + "Offset", NO_OFFSET);
+    Point2 scale = material.vec2(channel + "Scale", NO_SCALE);
+    return new UvMapping(offset.x(), offset.y(), scale.x(), scale.y());
+  }
+
+  /** Returns a dome of one radiance, or of an image times it. */
+  EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
+    Optional<Picture> picture = find(light, "textureId");
+    if (picture.isEmpty()) {
+      return EnvironmentLight.uniform(radiance);
+    }
+    ImageTexture image = picture.get().as(Role.COLOUR);
+    return EnvironmentLight.image(
+        axes, TintedTexture.of(radiance, image), image.width(), image.height());
+  }
+
+  /** Returns the form of a lens: white lets light through. Empty if there is no mask. */
+  Optional<Aperture> mask(JsonNode camera, String key) {
+    return find(camera, key).flatMap(picture -> mask(camera, key, picture.pixels));
+  }
+
+  private static Optional<Aperture> mask(JsonNode camera, String key, Pixels pixels) {
+    boolean[][] white = new boolean[pixels.height()][pixels.width()];
+    boolean any = false;
+    boolean grey = false;
+    for (int y = 0; y < pixels.height(); y++) {
+      for (int x = 0; x < pixels.width(); x++) {
+        double value =
+            (pixels.value(x, y, 0) + pixels.value(x, y, 1) + pixels.value(x, y, 2)) / 3;
+        grey |= value > 0 && value < 1;
+        any |= value >= .5;
+        // Pictures have their top row first, lenses their bottom row.
+        white[pixels.height() - 1 - y][x] = value >= .5;
+      }
+    }
+    if (grey) {
+      camera.warn(key, "the mask is not black and white; grey from .5 up counts as white");
+    }
+    if (!any) {
+      camera.error(key, "expected a mask with some white, found none");
+      return Optional.empty();
+    }
+    return Optional.of(new BokehCache(white));
+  }
+}

@@ -1,0 +1,130 @@
+package io.github.lumbre.parser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class JsonTreeTest {
+  private final Problems problems = new Problems("s.json");
+
+  private JsonNode read(String text) throws SceneFormatException {
+    return JsonTree.read(text.getBytes(StandardCharsets.UTF_8), problems);
+  }
+
+  private SceneFormatException refusal(String text) {
+    return catchThrowableOfType(SceneFormatException.class, () -> read(text));
+  }
+
+  @Test
+  void valuesKnowTheirPaths() throws SceneFormatException {
+    JsonNode root = read("{\"objects\": [{}, {\"radius\": {\"x\": 1}}]}");
+    JsonNode second = root.objects("objects").get(1);
+    assertThat(root.path()).isEqualTo("$");
+    assertThat(second.path()).isEqualTo("$.objects[1]");
+    assertThat(second.object("radius").orElseThrow().path()).isEqualTo("$.objects[1].radius");
+  }
+
+  @Test
+  void byteOrderMarkIsTolerated() throws SceneFormatException {
+    assertThat(read("\ufeff{\"a\": 2.5}").number("a", 0, Range.ANY)).isEqualTo(2.5);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{\"a\": 1,}",
+        "{\"a\": [1, 2,]}",
+        "{\"a\": NaN}",
+        "{\"a\": -Infinity}",
+        "{\"a\": 01}",
+        "{\"a\": +1}",
+        "{\"a\": .5}",
+        "{\"a\": 1.}",
+        "{\"a\": 0x10}",
+        "{\"a\": 'b'}",
+        "{a: 1}",
+        "{\"a\": b}",
+        "{\"a\" = 1}",
+        "{\"a\": 1; \"b\": 2}",
+        "{\"a\": True}",
+        "{\"a\": NULL}",
+        "{\"a\": 1} // comment",
+        "{/* comment */}",
+        "# comment\n{}",
+        "{\"a\": \"\\'\"}",
+        "{\"a\": \"\\u12g4\"}",
+        "{\"a\": \"line\nbreak\"}",
+        "{} {}",
+        "{}]",
+        ")]}'\n{}"
+      })
+  void whatIsNotJsonIsRefused(String text) {
+    assertThat(refusal(text).kind()).isEqualTo(SceneFormatException.Kind.INVALID);
+    assertThat(refusal(text)).hasMessageContaining("expected JSON (RFC 8259), found a syntax error");
+  }
+
+  @Test
+  void syntaxErrorsSayWhere() {
+    assertThat(refusal("{\n \"a\": 1,\n \"b\": NaN\n}"))
+        .hasMessage(
+            "s.json: $.b: expected JSON (RFC 8259), found a syntax error at line 3, column 7");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"{\"a\": [1, ", "{\"a\"", "{\"a\": \"b", "[", "{"})
+  void textsThatEndEarlyAreRefused(String text) {
+    assertThat(refusal(text)).hasMessageContaining("s.json: $");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", " \n\t ", "\ufeff"})
+  void emptyFilesAreNamed(String text) {
+    assertThat(refusal(text)).hasMessage("s.json: $: expected an object, found an empty file");
+  }
+
+  @Test
+  void bytesThatAreNotUtf8AreRefused() {
+    byte[] bytes = "{\"a\": \"?\"}".getBytes(StandardCharsets.UTF_8);
+    bytes[7] = (byte) 0xff;
+    assertThat(
+            catchThrowableOfType(
+                SceneFormatException.class, () -> JsonTree.read(bytes, problems)))
+        .hasMessage("s.json: $: expected UTF-8, found bytes that are not");
+  }
+
+  @Test
+  void duplicateKeysNameBothLines() throws SceneFormatException {
+    JsonNode root = read("{\"o\": {\n\"a\": 1,\n\"b\": {\"a\": 2},\n\n\"a\": 3}}");
+    assertThat(problems.exception())
+        .hasMessage("s.json: $.o.a: expected each key once, found it in line 2 and in line 5");
+    assertThat(root.object("o").orElseThrow().number("a", 0, Range.ANY)).isEqualTo(1);
+  }
+
+  @Test
+  void numbersThatOverflowAreErrorsWhereverTheyStand() throws SceneFormatException {
+    read("{\"whatever\": [0, -1e400]}");
+    assertThat(problems.exception())
+        .hasMessage("s.json: $.whatever[1]: expected a finite number, found -1e400");
+  }
+
+  @Test
+  void manyLevelsAreFineAndTooManyAreRefusedAtOnce() throws SceneFormatException {
+    int most = JsonTree.MAX_LEVELS;
+    read("[".repeat(most) + "]".repeat(most));
+    assertThat(problems.hasErrors()).isFalse();
+    SceneFormatException refusal = refusal("[".repeat(1_000_000));
+    assertThat(refusal.kind()).isEqualTo(SceneFormatException.Kind.LIMIT);
+    assertThat(refusal).hasMessageEndingWith("expected at most 4096 levels of JSON, found more");
+    assertThat(refusal.getMessage()).hasSizeLessThan(1000);
+  }
+
+  @Test
+  void longStringsAreRead() throws SceneFormatException {
+    String text = "A".repeat(25_000_000);
+    assertThat(read("{\"a\": \"" + text + "\"}").string("a").orElseThrow()).hasSameSizeAs(text);
+  }
+}
