@@ -73,7 +73,8 @@ final class AssetTable {
     }
     JsonNode first = all.putIfAbsent(id.get(), asset);
     if (first != null) {
-      asset.error("id", "expected each id once, found " + id.get() + ", also at " + first.path() + ".id");
+      asset.error(
+          "id", "expected each id once, found " + id.get() + ", also at " + first.path() + ".id");
       return;
     }
     assets.get(type.get()).put(id.get(), asset);
@@ -101,7 +102,12 @@ final class AssetTable {
 
   private void reportDangling(JsonNode from, String key, int id, Type type) {
     String message =
-        "expected the id of a " + type.label + ", found " + id + "; " + shown(assets.get(type).keySet());
+        "expected the id of a "
+            + type.label
+            + ", found "
+            + id
+            + "; "
+            + shown(assets.get(type).keySet());
     if (lenient) {
       from.warn(key, message);
     } else {
@@ -115,7 +121,8 @@ final class AssetTable {
       return "there is none";
     }
     List<String> first = ids.stream().sorted().limit(MAX_IDS_SHOWN).map(String::valueOf).toList();
-    return "there " + (ids.size() == 1 ? "is " : "are ") + String.join(", ", first)
+    return (ids.size() == 1 ? "there is " : "there are ")
+        + String.join(", ", first)
         + (ids.size() > MAX_IDS_SHOWN ? ", …" : "");
   }
 }

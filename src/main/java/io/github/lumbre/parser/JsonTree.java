@@ -97,12 +97,12 @@ final class JsonTree {
   }
 
   private SceneFormatException broken(String path, String message) {
-    problems.error(SceneFormatException.Kind.INVALID, path, message);
+    problems.error(SceneFormatException.Kind.INVALID, () -> path, message);
     return problems.exception();
   }
 
   private SceneFormatException tooLarge(String path, String message) {
-    problems.error(SceneFormatException.Kind.LIMIT, path, message);
+    problems.error(SceneFormatException.Kind.LIMIT, () -> path, message);
     return problems.exception();
   }
 

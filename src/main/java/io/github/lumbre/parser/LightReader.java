@@ -168,7 +168,11 @@ final class LightReader {
   private Consumer<SceneBuilder> lamp(
       Placed light, Rgb intensity, Shape shape, double localArea) {
     Unit unit = light.node().choice("unit", UNITS, Unit.FORMAT);
-    Rgb radiance = intensity.times(unit.radiance(localArea, shape.area()));
+    boolean measurable = ShapeReader.isMeasurable(light.node(), shape);
+    Rgb radiance =
+        measurable
+            ? intensity.times(unit.radiance(localArea, shape.area()))
+            : Rgb.BLACK;
     if (!radiance.isFinite()) {
       light.node().error("intensity", "expected a finite radiance, found an infinite one");
     }

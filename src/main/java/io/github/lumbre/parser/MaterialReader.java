@@ -57,7 +57,12 @@ final class MaterialReader {
   private static String[] keys(String... channels) {
     return Stream.of(channels)
         .flatMap(
-            c -> Stream.of(c.equals("normal") ? c + "Strength" : c, c + "TextureId", c + "Offset", c + "Scale"))
+            c ->
+                Stream.of(
+                    c.equals("normal") ? "normalStrength" : c,
+                    c + "TextureId",
+                    c + "Offset",
+                    c + "Scale"))
         .toArray(String[]::new);
   }
 

@@ -60,7 +60,7 @@ final class MeshReader {
     if (mesh.droppedTriangles() > 0) {
       content
           .asset()
-          .warn(content.key(), "dropped " + mesh.droppedTriangles() + " triangles without area");
+          .warn(content.key(), "triangles without area, left out: " + mesh.droppedTriangles());
     }
     return mesh.triangleCount() == 0 ? Optional.empty() : Optional.of(mesh);
   }
