@@ -7,6 +7,10 @@
 module io.github.lumbre {
   requires com.google.gson;
   requires java.desktop; // ImageIO
+  // The command line's alone.
+  requires static info.picocli;
+  requires static java.management;
+  requires static me.tongfei.progressbar;
 
   exports io.github.lumbre.math;
   exports io.github.lumbre.image;
@@ -20,4 +24,7 @@ module io.github.lumbre {
   exports io.github.lumbre.integrator;
   exports io.github.lumbre.render;
   exports io.github.lumbre.parser;
+
+  opens io.github.lumbre.cli to
+      info.picocli;
 }

@@ -1,0 +1,72 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.parser.SceneContents;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.RenderSettings;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre check}: reads a scene as a render would, and tells what it holds. */
+@Command(
+    name = "check",
+    header = "Validate a scene and tell what it holds, without rendering it.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {"", "Example:", "  lumbre check --strict scene.json"},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:The scene is valid",
+      "1:There are warnings, and --strict makes them errors",
+      "2:The command line is wrong",
+      "3:The scene is missing, unreadable or invalid",
+      "4:A mesh or picture of the scene cannot be decoded",
+      "5:Something is larger than a limit or than memory",
+      "7:A fault of the program"
+    })
+final class CheckCommand implements Callable<Integer> {
+  @Mixin private SceneOptions options;
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, CommandException {
+    Messages errors = new Messages(spec.commandLine().getErr());
+    SceneFile file = options.load(options.parser(), errors);
+    describe(file, new Messages(spec.commandLine().getOut()));
+    return ExitCodes.OK;
+  }
+
+  private void describe(SceneFile file, Messages out) {
+    RenderSettings settings = file.settings();
+    SceneContents contents = file.contents();
+    out.line("scene      " + options.scene() + " is valid");
+    out.line("camera     " + contents.camera());
+    out.line("size       " + settings.width() + "x" + settings.height() + " pixels");
+    out.line("mode       " + settings.mode().name().toLowerCase(Locale.ROOT) + depths(settings));
+    out.line("samples    " + settings.samples() + " per pixel");
+    out.line("shapes     " + contents.shapes());
+    out.line("meshes     " + contents.meshes());
+    out.line("triangles  " + contents.triangles());
+    out.line("lights     " + contents.lights());
+    out.line("materials  " + contents.materials());
+    out.line("textures   " + contents.textures());
+    out.line("warnings   " + file.warnings().size());
+  }
+
+  private static String depths(RenderSettings settings) {
+    return switch (settings.mode()) {
+      case PATH -> ", depth " + settings.maxTraceDepth();
+      case RAY ->
+          ", reflection depth "
+              + settings.reflectionTraceDepth()
+              + ", refraction depth "
+              + settings.refractionTraceDepth();
+    };
+  }
+}

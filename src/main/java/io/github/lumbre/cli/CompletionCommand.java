@@ -1,0 +1,28 @@
+package io.github.lumbre.cli;
+
+import java.util.concurrent.Callable;
+import picocli.AutoComplete;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre completion}: prints what a shell needs to complete the command line. */
+@Command(
+    name = "completion",
+    header = "Print a completion script for bash and zsh.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    footer = {"", "Example:", "  source <(lumbre completion)"})
+final class CompletionCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    CommandLine root = spec.root().commandLine();
+    spec.commandLine().getOut().print(AutoComplete.bash(root.getCommandName(), root));
+    spec.commandLine().getOut().flush();
+    return ExitCodes.OK;
+  }
+}

@@ -1,0 +1,110 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Values of flags from text; what cannot be read is told together with what was expected. */
+final class FlagConverters {
+  private FlagConverters() {}
+
+  /** Width and height of the full frame. */
+  record Size(int width, int height) {}
+
+  /** {@code 640x480}. */
+  static final class OfSize implements ITypeConverter<Size> {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9})x(\\d{1,9})");
+
+    @Override
+    public Size convert(String text) {
+      Matcher found = FORM.matcher(text);
+      if (!found.matches()) {
+        throw unexpected("WxH, such as 640x480", text);
+      }
+      return new Size(Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)));
+    }
+  }
+
+  /** {@code 100,50,64,48}. */
+  static final class OfCrop implements ITypeConverter<Crop> {
+    private static final Pattern FORM =
+        Pattern.compile("(\\d{1,9}),(\\d{1,9}),(\\d{1,9}),(\\d{1,9})");
+
+    @Override
+    public Crop convert(String text) {
+      Matcher found = FORM.matcher(text);
+      if (!found.matches()) {
+        throw unexpected("x,y,w,h in pixels, such as 100,50,64,48", text);
+      }
+      try {
+        return new Crop(number(found, 1), number(found, 2), number(found, 3), number(found, 4));
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException(e.getMessage());
+      }
+    }
+
+    private static int number(Matcher found, int group) {
+      return Integer.parseInt(found.group(group));
+    }
+  }
+
+  /** {@code auto}, or a number of stops. */
+  static final class OfExposure implements ITypeConverter<Exposure> {
+    @Override
+    public Exposure convert(String text) {
+      if (text.equals("auto")) {
+        return Exposure.AUTO;
+      }
+      try {
+        return Exposure.of(Double.parseDouble(text));
+      } catch (IllegalArgumentException e) {
+        throw unexpected("auto or a finite number of stops", text);
+      }
+    }
+  }
+
+  /** {@code ray} or {@code path}. */
+  static final class OfMode implements ITypeConverter<Mode> {
+    @Override
+    public Mode convert(String text) {
+      return oneOf(Mode.values(), text);
+    }
+  }
+
+  /** {@code srgb}, {@code gamma22}, {@code reinhard} or {@code aces}. */
+  static final class OfToneCurve implements ITypeConverter<ToneCurve> {
+    @Override
+    public ToneCurve convert(String text) {
+      return oneOf(ToneCurve.values(), text);
+    }
+  }
+
+  private static <E extends Enum<E>> E oneOf(E[] values, String text) {
+    return Arrays.stream(values)
+        .filter(value -> lower(value).equals(text))
+        .findFirst()
+        .orElseThrow(
+            () -> {
+              String names =
+                  Arrays.stream(values).map(FlagConverters::lower).collect(Collectors.joining(", "));
+              return unexpected("one of " + names, text);
+            });
+  }
+
+  /** Returns an enum's value as it is written in scenes and on the command line. */
+  static String lower(Enum<?> value) {
+    return value.name().toLowerCase(Locale.ROOT);
+  }
+
+  private static TypeConversionException unexpected(String expected, String found) {
+    return new TypeConversionException("expected " + expected + ", found '" + found + "'");
+  }
+}

@@ -1,0 +1,70 @@
+package io.github.lumbre.cli;
+
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.Spec;
+
+/** The program: finds the command, runs it, and ends with one of {@link ExitCodes}. */
+@Command(
+    name = "lumbre",
+    header = "Lumbre, a CPU path tracer: turns a JSON scene into a picture.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    synopsisSubcommandLabel = "COMMAND",
+    subcommands = {
+      RenderCommand.class,
+      CheckCommand.class,
+      CompletionCommand.class,
+      HelpCommand.class
+    },
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre render scenes/cornell-box.json",
+      "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
+      "  lumbre check scene.json",
+      "  lumbre help render"
+    })
+public final class Lumbre implements Runnable {
+  @Spec private CommandSpec spec;
+
+  /** Runs the command that the arguments name, and ends the program. */
+  public static void main(String[] args) {
+    Charset charset = Charset.defaultCharset();
+    PrintWriter out = new PrintWriter(System.out, true, charset);
+    PrintWriter err = new PrintWriter(System.err, true, charset);
+    int exitCode = run(args, out, err);
+    out.flush();
+    err.flush();
+    System.exit(exitCode);
+  }
+
+  /** Runs the command that the arguments name and returns its exit code. */
+  static int run(String[] args, PrintWriter out, PrintWriter err) {
+    CommandLine command = new CommandLine(new Lumbre());
+    Failures failures = new Failures();
+    command.setOut(out).setErr(err);
+    command.setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF));
+    command.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
+    command.setOverwrittenOptionsAllowed(false).setAbbreviatedOptionsAllowed(false);
+    try {
+      return command.execute(args);
+    } catch (Error e) {
+      ParseResult parsed = command.getParseResult();
+      return Failures.report(e, command, parsed != null && Failures.isDebug(parsed));
+    }
+  }
+
+  @Override
+  public void run() {
+    throw new ParameterException(spec.commandLine(), "expected a command: render, check");
+  }
+}

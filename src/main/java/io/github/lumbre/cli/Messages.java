@@ -1,0 +1,61 @@
+package io.github.lumbre.cli;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Lines for people, a line each, whatever they contain: characters that could move the cursor,
+ * colour the terminal, or feign another line are written as {@code \\u001b}.
+ */
+final class Messages {
+  private final PrintWriter out;
+
+  Messages(PrintWriter out) {
+    this.out = out;
+  }
+
+  /** Prints a line. */
+  void line(String text) {
+    out.println(printable(text));
+    out.flush();
+  }
+
+  /** Prints a line in the program's name. */
+  void error(String text) {
+    line("lumbre: " + text);
+  }
+
+  /** Prints a line for each warning. */
+  void warnings(List<String> warnings) {
+    warnings.forEach(warning -> line("warning: " + warning));
+  }
+
+  /** Returns a text with its control and formatting characters written as escapes. */
+  static String printable(String text) {
+    StringBuilder safe = new StringBuilder(text.length());
+    text.codePoints()
+        .forEach(
+            c -> {
+              if (isSafe(c)) {
+                safe.appendCodePoint(c);
+              } else {
+                safe.append(String.format(Locale.ROOT, "\\u%04x", c));
+              }
+            });
+    return safe.toString();
+  }
+
+  private static boolean isSafe(int codePoint) {
+    return switch (Character.getType(codePoint)) {
+      case Character.CONTROL,
+              Character.FORMAT,
+              Character.LINE_SEPARATOR,
+              Character.PARAGRAPH_SEPARATOR,
+              Character.SURROGATE,
+              Character.UNASSIGNED ->
+          false;
+      default -> true;
+    };
+  }
+}

@@ -1,0 +1,92 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.OutputFile;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** Where the picture goes: reserved before the work begins, filled when it has ended. Mutable. */
+final class PictureOutput implements AutoCloseable {
+  private final OutputFile file;
+
+  private PictureOutput(OutputFile file) {
+    this.file = file;
+  }
+
+  /**
+   * Returns where a scene's picture goes by default: its name with another ending, in the working
+   * directory.
+   */
+  static Path defaultFor(Path scene) {
+    Path name = scene.getFileName();
+    String text = name == null ? "" : name.toString();
+    int dot = text.lastIndexOf('.');
+    String base = dot > 0 ? text.substring(0, dot) : text;
+    return Path.of((base.isEmpty() ? "picture" : base) + ImageFormat.PNG.ending());
+  }
+
+  /** Tells whether two paths lead to the same file. */
+  static boolean isSame(Path one, Path other) {
+    try {
+      return Files.isSameFile(one, other);
+    } catch (IOException e) {
+      return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
+    }
+  }
+
+  /**
+   * Reserves a place for a picture.
+   *
+   * @throws CommandException if it cannot be written there
+   */
+  static PictureOutput reserve(Path target) throws CommandException {
+    try {
+      return new PictureOutput(OutputFile.open(target));
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+    }
+  }
+
+  Path target() {
+    return file.target();
+  }
+
+  /**
+   * Writes the picture; if that fails, into the directory for temporary files, lest it be lost.
+   *
+   * @throws CommandException if that failed, naming the path where the picture is instead
+   */
+  void write(Image image, ImageWriter.Options options) throws CommandException {
+    try {
+      ImageWriter.write(image, file, options);
+    } catch (IOException e) {
+      String failure = target() + ": cannot be written: " + e.getMessage();
+      throw new CommandException(
+          ExitCodes.OUTPUT, failure + "; " + rescue(image, options), e);
+    }
+  }
+
+  private String rescue(Image image, ImageWriter.Options options) {
+    try {
+      Path other = Files.createTempFile("lumbre-", target().getFileName().toString());
+      ImageWriter.write(image, other, options);
+      return "saved as " + other + " instead";
+    } catch (IOException e) {
+      return "nor could the directory for temporary files: " + e.getMessage();
+    }
+  }
+
+  /** Releases the place if nothing was written. */
+  @Override
+  public void close() {
+    try {
+      file.close();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

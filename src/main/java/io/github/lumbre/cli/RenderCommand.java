@@ -1,0 +1,183 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/**
+ * {@code lumbre render}: reads a scene, renders it and writes the picture.
+ *
+ * <p>What can be known to fail is tried first: flags, then the place of the picture, then the
+ * scene, then memory.
+ */
+@Command(
+    name = "render",
+    header = "Render a scene to a picture.",
+    description =
+        "A flag wins over the scene. The picture is the same, bit for bit, on every machine and"
+            + " with any number of threads.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre render scene.json",
+      "  lumbre render scene.json -s 16 --size 480x270 --exposure auto",
+      "  lumbre render scene.json -o picture.exr --mode ray --stats",
+      "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "1:There are warnings, and --strict makes them errors",
+      "2:The command line is wrong",
+      "3:The scene is missing, unreadable or invalid",
+      "4:A mesh or picture of the scene cannot be decoded",
+      "5:Something is larger than a limit or than memory",
+      "6:The picture cannot be written",
+      "7:A fault of the program, or under --strict a sample that is not a number",
+      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; a render begun saves what it has"
+    })
+final class RenderCommand implements Callable<Integer> {
+  @Mixin private SceneOptions options;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "OUT",
+      description = {
+        "The picture: .png for the screen, .exr or .pfm for linear light.",
+        "Default: the scene's name with .png, in the working directory."
+      })
+  private Optional<Path> output;
+
+  @Mixin private RenderFlags flags;
+
+  @Option(
+      names = "--bits",
+      paramLabel = "8|16",
+      defaultValue = "8",
+      description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
+  private int bits;
+
+  @Option(names = "--quiet", description = "No progress bar, no summary.")
+  private boolean quiet;
+
+  @Option(names = "--stats", description = "Tell rays, rates, threads and memory at the end.")
+  private boolean stats;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, CommandException {
+    flags.validate();
+    require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
+    Path target = target();
+    Messages messages = new Messages(spec.commandLine().getErr());
+    try (PictureOutput picture = PictureOutput.reserve(target);
+        Interruption interruption = Interruption.listen(picture::close)) {
+      SceneFile file = options.load(flags.over(options.parser()), messages);
+      MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+      return interruption.beginRender()
+          ? render(file, picture, interruption, messages)
+          : ExitCodes.INTERRUPTED;
+    }
+  }
+
+  private Path target() {
+    Path scene = options.scene();
+    Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene));
+    require(
+        ImageFormat.of(target).isPresent(),
+        target + ": expected a name that ends in one of " + ImageFormat.endings());
+    require(
+        !PictureOutput.isSame(scene, target),
+        target + ": is the scene itself, which is never overwritten");
+    return target;
+  }
+
+  private void require(boolean condition, String message) {
+    if (!condition) {
+      throw new ParameterException(spec.commandLine(), message);
+    }
+  }
+
+  private int render(
+      SceneFile file, PictureOutput picture, Interruption interruption, Messages messages)
+      throws CommandException {
+    RenderSettings settings = file.settings();
+    long start = System.nanoTime();
+    RenderResult result;
+    try (RenderMonitor monitor =
+        new RenderMonitor(interruption, !quiet && Boolean.getBoolean("lumbre.tty"))) {
+      result = new BucketRenderer(settings).render(file.scene(), monitor);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitCodes.INTERRUPTED;
+    }
+    double seconds = (System.nanoTime() - start) * 1e-9;
+    if (result.statistics().samples() == 0) {
+      messages.error("stopped before anything was rendered; no picture is written");
+      return ExitCodes.INTERRUPTED;
+    }
+    picture.write(result.image(), writing(file, result, seconds));
+    tell(new Summary(settings, result, seconds), picture.target(), messages);
+    boolean rejected = result.statistics().rejected() != 0;
+    return rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK;
+  }
+
+  private void tell(Summary summary, Path target, Messages messages) {
+    summary.printRejected(messages);
+    if (!quiet) {
+      summary.print(target, messages);
+    }
+    if (!quiet && ImageFormat.of(target).equals(Optional.of(ImageFormat.PNG))) {
+      summary.printIfDark(messages);
+    }
+    if (stats) {
+      summary.printStatistics(messages);
+    }
+  }
+
+  private ImageWriter.Options writing(SceneFile file, RenderResult result, double seconds) {
+    RenderSettings settings = file.settings();
+    return new ImageWriter.Options(
+        settings.exposure(), settings.toneCurve(), bits, metadata(file, result, seconds));
+  }
+
+  private Map<String, String> metadata(SceneFile file, RenderResult result, double seconds) {
+    RenderSettings settings = file.settings();
+    Map<String, String> metadata = new LinkedHashMap<>();
+    metadata.put("Software", "Lumbre " + Version.number());
+    metadata.put("Scene", Messages.printable(String.valueOf(options.scene().getFileName())));
+    metadata.put("SceneHash", file.hash());
+    metadata.put("Mode", FlagConverters.lower(settings.mode()));
+    metadata.put("Samples", String.valueOf(settings.samples()));
+    metadata.put("Seed", String.valueOf(settings.seed()));
+    metadata.put("Size", settings.width() + "x" + settings.height());
+    settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
+    metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
+    if (!result.complete()) {
+      metadata.put("Partial", "yes");
+    }
+    return metadata;
+  }
+}

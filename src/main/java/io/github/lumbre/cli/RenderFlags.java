@@ -1,0 +1,154 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.cli.FlagConverters.Size;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The flags that say how to render; each that is given wins over the scene. */
+final class RenderFlags {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = "--mode",
+      paramLabel = "MODE",
+      converter = FlagConverters.OfMode.class,
+      description = "ray (Whitted) or path (all light). Default: the scene's, or else path.")
+  private Optional<Mode> mode;
+
+  @Option(
+      names = {"-s", "--samples"},
+      paramLabel = "N",
+      description = "Samples per pixel, in either mode. Default: the scene's, or else 100.")
+  private OptionalInt samples;
+
+  @Option(
+      names = "--depth",
+      paramLabel = "N",
+      description = {
+        "Path mode: how many vertices of a path may scatter (scene or 5).",
+        "Ray mode: how many mirrors, and how many glass surfaces, a path may meet (scene or 2)."
+      })
+  private OptionalInt depth;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      description = "Threads; 0 means one per processor. Changes no bit of the picture.")
+  private OptionalInt threads;
+
+  @Option(
+      names = "--bucket",
+      paramLabel = "N",
+      description = "Side of the squares that threads render (32). Changes no bit of the picture.")
+  private OptionalInt bucket;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Seed of everything random (scene or 0).")
+  private OptionalLong seed;
+
+  @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      converter = FlagConverters.OfSize.class,
+      description = "Size of the full frame in pixels (scene or 1920x1080).")
+  private Optional<Size> size;
+
+  @Option(
+      names = "--crop",
+      paramLabel = "x,y,w,h",
+      converter = FlagConverters.OfCrop.class,
+      description = "Render this part of the full frame only, with the same pixels.")
+  private Optional<Crop> crop;
+
+  @Option(
+      names = "--exposure",
+      paramLabel = "EV",
+      converter = FlagConverters.OfExposure.class,
+      description = "Stops by which a PNG is brightened, or auto (scene or 0).")
+  private Optional<Exposure> exposure;
+
+  @Option(
+      names = "--tonemap",
+      paramLabel = "NAME",
+      converter = FlagConverters.OfToneCurve.class,
+      description = "Tone curve of a PNG: srgb, gamma22, reinhard or aces (scene or srgb).")
+  private Optional<ToneCurve> toneCurve;
+
+  /**
+   * Complains about values out of range before anything is read.
+   *
+   * @throws ParameterException naming the flag
+   */
+  void validate() {
+    samples.ifPresent(n -> require("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
+    threads.ifPresent(n -> require("--threads", 0, RenderSettings.MAX_THREADS, n));
+    bucket.ifPresent(n -> require("--bucket", 1, Integer.MAX_VALUE, n));
+    size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
+    size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
+    size.ifPresent(s -> requireCropIn(s.width(), s.height()));
+  }
+
+  private void require(String flag, int low, int high, int found) {
+    if (found < low || found > high) {
+      throw new ParameterException(
+          spec.commandLine(),
+          flag + ": expected " + low + " to " + high + ", found " + found);
+    }
+  }
+
+  private void requireCropIn(int width, int height) {
+    Crop window = crop.orElse(new Crop(0, 0, 1, 1));
+    boolean inside =
+        (long) window.x() + window.width() <= width
+            && (long) window.y() + window.height() <= height;
+    if (!inside) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--crop: expected a part of " + width + "x" + height + ", found " + window);
+    }
+  }
+
+  /** Returns a parser that lets the flags win over the scene. */
+  SceneParser over(SceneParser parser) {
+    return mode.map(parser::inMode).orElse(parser).overriding(this::override);
+  }
+
+  private RenderSettings override(RenderSettings inScene) {
+    RenderSettings.Builder builder = inScene.toBuilder();
+    samples.ifPresent(builder::samples);
+    threads.ifPresent(builder::threads);
+    bucket.ifPresent(builder::bucketSize);
+    seed.ifPresent(builder::seed);
+    size.ifPresent(s -> builder.size(s.width(), s.height()));
+    exposure.ifPresent(builder::exposure);
+    toneCurve.ifPresent(builder::toneCurve);
+    depth.ifPresent(n -> setDepth(builder, inScene.mode(), n));
+    if (size.isEmpty()) {
+      requireCropIn(inScene.width(), inScene.height());
+    }
+    crop.ifPresent(builder::crop);
+    return builder.build();
+  }
+
+  private static void setDepth(RenderSettings.Builder builder, Mode mode, int depth) {
+    switch (mode) {
+      case PATH -> builder.maxTraceDepth(depth);
+      case RAY -> builder.rayDepths(depth, depth);
+    }
+  }
+}

@@ -1,0 +1,123 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.management.MemoryType;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/** What is told after a render, a line each. */
+final class Summary {
+  /** A luminance, after exposure, below which a pixel counts as dark. */
+  private static final double DARK = .1;
+
+  private final RenderSettings settings;
+  private final RenderResult result;
+  private final double seconds;
+
+  /**
+   * @param seconds that rendering took
+   */
+  Summary(RenderSettings settings, RenderResult result, double seconds) {
+    this.settings = settings;
+    this.result = result;
+    this.seconds = seconds;
+  }
+
+  /** Prints what was made, where it is, and how long it took. */
+  void print(Path output, Messages messages) {
+    Image image = result.image();
+    RenderStatistics statistics = result.statistics();
+    messages.line(
+        String.format(
+            Locale.ROOT,
+            "%s%s: %dx%d pixels, %d samples per pixel, %.2f s, %s samples/s",
+            result.complete() ? "" : "stopped early, saved a partial picture: ",
+            output,
+            image.width(),
+            image.height(),
+            settings.samples(),
+            seconds,
+            rate(statistics.samples(), seconds)));
+  }
+
+  /** Prints what the render did. */
+  void printStatistics(Messages messages) {
+    RenderStatistics statistics = result.statistics();
+    long rays = statistics.rays() + statistics.shadowRays();
+    messages.line("samples      " + statistics.samples());
+    messages.line("rays         " + statistics.rays());
+    messages.line("shadow rays  " + statistics.shadowRays());
+    messages.line("rays/s       " + rate(rays, seconds));
+    messages.line("rejected     " + statistics.rejected() + " samples");
+    messages.line("saturated    " + statistics.saturated() + " sample values");
+    messages.line("threads      " + threads());
+    messages.line("peak heap    " + MemoryEstimate.mebibytes(peakHeapBytes()));
+  }
+
+  /** Prints which samples were rejected, if any were. */
+  void printRejected(Messages messages) {
+    RenderStatistics statistics = result.statistics();
+    if (statistics.rejected() == 0) {
+      return;
+    }
+    messages.line(
+        "warning: "
+            + statistics.rejected()
+            + " samples were negative or not finite, and count as black; with seed "
+            + settings.seed()
+            + " the first are:");
+    statistics
+        .firstRejected()
+        .forEach(
+            s -> messages.line("warning: pixel " + s.x() + "," + s.y() + " sample " + s.sample()));
+  }
+
+  /** Prints a suggestion if the picture will look dark on a screen. */
+  void printIfDark(Messages messages) {
+    if (settings.exposure().stops().isPresent() && isDark()) {
+      messages.line(
+          "hint: 99 % of the picture is darker than " + DARK + "; try --exposure auto");
+    }
+  }
+
+  private boolean isDark() {
+    Image image = result.image();
+    double threshold = DARK / settings.exposure().factor(image);
+    long bright = 0;
+    for (int y = 0; y < image.height(); y++) {
+      for (int x = 0; x < image.width(); x++) {
+        bright += image.pixel(x, y).luminance() >= threshold ? 1 : 0;
+      }
+    }
+    return 100 * bright < (long) image.width() * image.height();
+  }
+
+  private int threads() {
+    return settings.threads() == 0
+        ? Runtime.getRuntime().availableProcessors()
+        : settings.threads();
+  }
+
+  /** Returns the sum over the heap's parts of each one's highest use: at least the true peak. */
+  private static long peakHeapBytes() {
+    return ManagementFactory.getMemoryPoolMXBeans().stream()
+        .filter(pool -> pool.getType() == MemoryType.HEAP)
+        .map(MemoryPoolMXBean::getPeakUsage)
+        .mapToLong(usage -> usage.getUsed())
+        .sum();
+  }
+
+  /** Returns a number per second with three digits: {@code 1.52 M}. */
+  static String rate(long count, double seconds) {
+    double rate = seconds > 0 ? count / seconds : 0;
+    if (rate >= 1e6) {
+      return String.format(Locale.ROOT, "%.3g M", rate / 1e6);
+    }
+    return String.format(Locale.ROOT, "%.0f", rate);
+  }
+}
