@@ -68,7 +68,7 @@ public final class GenerateScenes {
     private static Scene rectangleLight() {
       Scene s = box("cornell-box", true);
       s.add(
-          s.rectangleLight("lamp", 1.3, 1.05, rgb(18, 13, 7.5))
+          s.rectangleLight("lamp", 1.3, 1.05, rgb(36, 28, 18))
               .at(0, HEIGHT - .01, 2.8)
               .turn(90, 0, 0));
       return s;
@@ -78,13 +78,13 @@ public final class GenerateScenes {
       Scene s = box("cornell-box-sphere-light", true);
       int white = s.diffuse("cord", .3, .3, .3);
       s.add(s.cube("cord", white, .03, .9, .03).at(0, HEIGHT - .45, 2.8));
-      s.add(s.sphereLight("lamp", .45, rgb(9, 6.5, 4)).at(0, HEIGHT - 1.35, 2.8));
+      s.add(s.sphereLight("lamp", .45, rgb(18, 14, 9)).at(0, HEIGHT - 1.35, 2.8));
       return s;
     }
 
     private static Scene dome() {
       Scene s = box("cornell-box-dome", false);
-      s.add(s.dome("sky", s.smoothImage("sky", "textures/sky.png"), 9).turn(0, 150, 0));
+      s.add(s.dome("sky", s.smoothImage("sky", "textures/sky.png"), 15).turn(0, 150, 0));
       return s;
     }
 
@@ -114,7 +114,7 @@ public final class GenerateScenes {
 
   /** Mirrors and glass on a floor of tiles one metre wide, lit by a panel and a globe. */
   private static Scene glassAndMirror() {
-    Scene s = new Scene("glass-and-mirror", 720, 480, 256).set("maxTraceDepth", 12);
+    Scene s = new Scene("glass-and-mirror", 720, 480, 144).set("maxTraceDepth", 12);
     s.set("background", rgb(.16, .22, .32));
     int tiles = s.textured("tiles", s.image("checker", "textures/checker.png"), 5, 5);
     int mirror = s.mirror("mirror", .95, .95, .95);
@@ -138,7 +138,7 @@ public final class GenerateScenes {
 
   /** A trefoil of 26,000 triangles on a plinth. */
   private static Scene torusKnot() {
-    Scene s = new Scene("torus-knot", 600, 600, 128).set("background", rgb(.12, .14, .18));
+    Scene s = new Scene("torus-knot", 600, 600, 100).set("background", rgb(.12, .14, .18));
     int knot =
         s.textured("knot", s.image("gold and ivory", "textures/gold.png"), 24, 2);
     int stone = s.diffuse("stone", .5, .48, .45);
@@ -146,7 +146,7 @@ public final class GenerateScenes {
     s.camera("Pinhole", "fieldOfView", 36).at(0, 2.6, -6).turn(11, 0, 0);
     s.add(s.plane("floor", s.diffuse("floor", .42, .45, .5), 40, 40));
     s.add(s.cube("plinth", stone, 1.8, .5, 1.8).at(0, .25, 0).turn(0, 20, 0));
-    s.add(s.meshShape("knot", knot, mesh).at(0, 1.72, 0).turn(-68, 0, 0).scale(.38));
+    s.add(s.meshShape("knot", knot, mesh).at(0, 1.66, 0).turn(-68, 0, 0).scale(.38));
     s.add(s.rectangleLight("key", 2, 2, rgb(14, 13, 11)).at(-3, 4.8, -3).turn(45, 45, 0));
     s.add(s.rectangleLight("fill", 2, 2, rgb(1.5, 2, 3)).at(4, 2.5, -1.5).turn(15, -70, 0));
     return s;
@@ -169,8 +169,8 @@ public final class GenerateScenes {
     }
 
     private static Scene thinLens() {
-      Scene s = new Scene("camera-thin-lens", 720, 480, 256);
-      s.camera("ThinLens", "fieldOfView", 50, "focusDistance", 4.5, "aperture", .12)
+      Scene s = new Scene("camera-thin-lens", 720, 480, 128);
+      s.camera("ThinLens", "fieldOfView", 50, "focusDistance", 2.6, "aperture", .06)
           .at(-1, 1.7, -4.7)
           .turn(4, -6, 0);
       return byDay(s);
@@ -189,14 +189,14 @@ public final class GenerateScenes {
     }
 
     private static Scene spherical() {
-      Scene s = new Scene("camera-spherical", 960, 480, 100);
+      Scene s = new Scene("camera-spherical", 960, 480, 80);
       s.camera("Spherical").at(0, 1.6, 0);
       return byDay(s);
     }
 
     /** By night, small lamps behind the plane of focus become hearts; before it, turned hearts. */
     private static Scene bokeh() {
-      Scene s = new Scene("camera-bokeh", 480, 320, 1024).set("maxTraceDepth", 3);
+      Scene s = new Scene("camera-bokeh", 480, 320, 256).set("maxTraceDepth", 2);
       s.set("background", rgb(.006, .009, .02));
       int heart = s.image("heart", "textures/heart.png");
       s.camera(
@@ -211,35 +211,35 @@ public final class GenerateScenes {
               heart)
           .at(.6, 1.55, -4.85);
       furnish(s);
-      s.add(s.rectangleLight("lamp", .8, .8, rgb(4, 3.2, 2.2)).at(2.5, 3.9, -4.6).turn(60, -45, 0));
-      lampsInARow(s);
+      s.add(s.rectangleLight("lamp", .8, .8, rgb(10, 8, 6)).at(2.5, 3.9, -4.6).turn(60, -45, 0));
+      garland(s);
       Node near = s.add(s.group("lamps before the focus").at(.6, 1.55, -4.05));
-      int green = s.emitter("near lamp", 14, 34, 16);
-      near.child(s.sphere("lamp", green, .008).at(.33, -.21, 0));
-      near.child(s.sphere("lamp", green, .008).at(.12, -.27, 0));
-      near.child(s.sphere("lamp", green, .008).at(-.42, .24, 0));
+      int green = s.emitter("near lamp", 4, 60, 10);
+      near.child(s.sphere("lamp", green, .01).at(.33, -.21, 0));
+      near.child(s.sphere("lamp", green, .01).at(.12, -.27, 0));
+      near.child(s.sphere("lamp", green, .01).at(.44, -.03, 0));
       return s;
     }
 
-    private static void lampsInARow(Scene s) {
+    private static void garland(Scene s) {
       int[] colours = {
-        s.emitter("red lamp", 40, 6, 8),
-        s.emitter("warm lamp", 34, 20, 6),
-        s.emitter("pink lamp", 36, 9, 24),
-        s.emitter("blue lamp", 10, 16, 40)
+        s.emitter("red lamp", 60, 5, 8),
+        s.emitter("golden lamp", 55, 24, 2),
+        s.emitter("pink lamp", 50, 6, 26),
+        s.emitter("blue lamp", 3, 10, 60)
       };
       Node garland = s.add(s.group("garland").at(0, 0, 4.6));
-      for (int i = 0; i < 14; i++) {
-        double x = -4.6 + i * .72;
-        double sag = (i % 7 - 3) * (i % 7 - 3) * .08;
-        garland.child(s.sphere("lamp", colours[i % 4], .07).at(x, 2.6 + sag, 0));
-        garland.child(s.sphere("lamp", colours[(i + 2) % 4], .07).at(x + .3, 4.3 - sag, 0));
+      for (int i = 0; i < 6; i++) {
+        double sag = i % 2 * .35;
+        garland.child(s.sphere("lamp", colours[i % 4], .09).at(-3.2 + i * 1.5, 2.7 - sag, 0));
+        garland.child(
+            s.sphere("lamp", colours[(i + 2) % 4], .09).at(-3.9 + i * 1.5, 4.4 - sag, 0));
       }
     }
 
     private static Scene byDay(Scene s) {
       furnish(s);
-      s.add(s.dome("sky", s.smoothImage("sky", "textures/sky.png"), 6).turn(0, 135, 0));
+      s.add(s.dome("sky", s.smoothImage("sky", "textures/sky.png"), 14).turn(0, 135, 0));
       return s;
     }
 
@@ -256,9 +256,9 @@ public final class GenerateScenes {
       onPlinth(s, stone, 90, ball(s, s.diffuse("orange", .85, .35, .05)));
       onPlinth(s, stone, 135, ball(s, s.glass("glass", 1.5)));
       onPlinth(s, stone, 180, ball(s, s.diffuse("white", .8, .8, .8)));
-      onPlinth(s, stone, 225, ball(s, s.diffuse("cyan", .1, .6, .65)));
       int banner = s.image("banner", "textures/banner.png");
-      onPlinth(s, stone, 270, ball(s, s.textured("banner", banner, 2, -1)).turn(0, -45, 0));
+      onPlinth(s, stone, 225, ball(s, s.textured("banner", banner, 2, -1)).turn(0, -27, 0));
+      onPlinth(s, stone, 270, ball(s, s.diffuse("cyan", .1, .6, .65)));
       int up = s.image("up", "textures/arrow.png");
       Node crate = s.cube("crate", s.textured("crate", up, 1, -1), .7, .7, .7);
       onPlinth(s, stone, 315, crate.at(0, 1.15, 0).turn(0, -35, 0));
@@ -270,7 +270,7 @@ public final class GenerateScenes {
       s.add(s.plane("floor", s.textured("tiles", checker, 5, 5), SIZE, SIZE));
       s.add(
           s.plane("arrow to the north", s.textured("arrow", arrow, 1, 1), 1.6, 1.6)
-              .at(0, .01, 0)
+              .at(0, .01, 1.2)
               .turn(0, 180, 0));
     }
 
@@ -617,6 +617,10 @@ public final class GenerateScenes {
     private static final int PAPER = 0xF2EEE2;
     private static final int RED = 0xB03020;
 
+    private static final int[][] BAYER = {
+      {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}
+    };
+
     /** Letters five pixels wide and seven high, row by row. */
     private static final Map<Character, String> FONT =
         Map.ofEntries(
@@ -736,35 +740,41 @@ public final class GenerateScenes {
               StrictMath.cos(latitude) * StrictMath.cos(sunHeight) * StrictMath.cos(longitude)
                   + StrictMath.sin(latitude) * StrictMath.sin(sunHeight);
           double fromSun = StrictMath.toDegrees(StrictMath.acos(Math.min(1, cosine)));
-          pixels[row][column] = skyColour(StrictMath.sin(latitude), fromSun);
+          pixels[row][column] =
+              dithered(skyColour(StrictMath.sin(latitude), fromSun), row, column);
         }
       }
       return pixels;
     }
 
-    private static int skyColour(double sine, double degreesFromSun) {
+    private static double[] skyColour(double sine, double degreesFromSun) {
       if (sine < 0) {
-        return srgb(.03, .027, .024);
+        return rgb(.02, .018, .016);
       }
       double up = StrictMath.sqrt(sine);
-      double glow = .12 * StrictMath.exp(-degreesFromSun / 12);
-      double sun = Math.max(0, Math.min(1, 10 - degreesFromSun));
-      return srgb(
-          .07 + (.014 - .07) * up + glow + sun,
-          .078 + (.028 - .078) * up + .9 * glow + .93 * sun,
-          .085 + (.07 - .085) * up + .75 * glow + .8 * sun);
+      double glow = .06 * StrictMath.exp(-degreesFromSun / 12);
+      double sun = Math.max(0, Math.min(1, 9 - degreesFromSun));
+      return new double[] {
+        .04 - .032 * up + glow + sun,
+        .045 - .029 * up + .9 * glow + .93 * sun,
+        .05 - .01 * up + .75 * glow + .8 * sun
+      };
     }
 
-    private static int srgb(double r, double g, double b) {
-      return srgb(r) << 16 | srgb(g) << 8 | srgb(b);
+    /** Pixels by the sRGB curve, dithered so that slow gradients show no steps. */
+    private static int dithered(double[] linear, int row, int column) {
+      double threshold = (BAYER[row % 4][column % 4] + .5) / 16;
+      int pixel = 0;
+      for (double c : linear) {
+        pixel = pixel << 8 | (int) StrictMath.floor(srgb(c) * 255 + threshold);
+      }
+      return pixel;
     }
 
     /** The sRGB curve, IEC 61966-2-1. */
-    private static int srgb(double linear) {
+    private static double srgb(double linear) {
       double c = Math.min(1, linear);
-      double encoded =
-          c <= .0031308 ? 12.92 * c : 1.055 * StrictMath.pow(c, 1 / 2.4) - .055;
-      return (int) StrictMath.floor(encoded * 255 + .5);
+      return c <= .0031308 ? 12.92 * c : 1.055 * StrictMath.pow(c, 1 / 2.4) - .055;
     }
 
     private static int[][] filled(int width, int height, int colour) {
@@ -852,14 +862,11 @@ public final class GenerateScenes {
       double t = 2 * Math.PI * u;
       double angle = 2 * Math.PI * v;
       double[] here = knot(t);
-      double[] before = knot(t - 1e-4);
-      double[] after = knot(t + 1e-4);
-      // Take the Frenet frame: the knot is curved everywhere, so it exists and closes.
-      double[] tangent = unit(sum(after, 1, before, -1));
-      double[] bend = sum(sum(after, 1, before, 1), 1, here, -2);
-      double[] binormal = unit(cross(tangent, bend));
-      double[] inward = cross(binormal, tangent);
-      double[] normal = sum(inward, StrictMath.cos(angle), binormal, StrictMath.sin(angle));
+      double[] tangent = unit(sum(knot(t + 1e-4), 1, knot(t - 1e-4), -1));
+      // The knot lies on a torus, whose normal turns with it more evenly than the curve's own.
+      double[] outward = torusNormal(t);
+      double[] sideways = unit(cross(tangent, outward));
+      double[] normal = sum(outward, StrictMath.cos(angle), sideways, StrictMath.sin(angle));
       line(out, "v", sum(here, 1, normal, RADIUS));
       line(out, "vt", new double[] {u, v});
       line(out, "vn", normal);
@@ -869,6 +876,13 @@ public final class GenerateScenes {
       double ring = 2 + StrictMath.cos(3 * t);
       return new double[] {
         ring * StrictMath.cos(2 * t), StrictMath.sin(3 * t), ring * StrictMath.sin(2 * t)
+      };
+    }
+
+    private static double[] torusNormal(double t) {
+      double c = StrictMath.cos(3 * t);
+      return new double[] {
+        c * StrictMath.cos(2 * t), StrictMath.sin(3 * t), c * StrictMath.sin(2 * t)
       };
     }
 
