@@ -31,7 +31,8 @@ public record Exposure(OptionalDouble stops) {
 
   /**
    * Returns the factor for a picture. Automatic: .18 / exp(mean of ln max(Y, 1e-6)) over the pixels
-   * with luminance Y &gt; 0, and 1 for a black picture.
+   * with luminance Y &gt; 0, and 1 for a black picture. An infinite luminance counts as {@link
+   * Float#MAX_VALUE}.
    */
   public double factor(Image image) {
     return stops.isPresent() ? StrictMath.pow(2, stops.getAsDouble()) : automatic(image);
@@ -44,7 +45,7 @@ public record Exposure(OptionalDouble stops) {
       for (int x = 0; x < image.width(); x++) {
         double luminance = image.pixel(x, y).luminance();
         if (luminance > 0) {
-          sum += StrictMath.log(Math.max(luminance, 1e-6));
+          sum += StrictMath.log(Math.max(Math.min(luminance, Float.MAX_VALUE), 1e-6));
           count++;
         }
       }

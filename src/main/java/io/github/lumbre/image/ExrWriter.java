@@ -16,17 +16,24 @@ import java.util.zip.Deflater;
  * ("OpenEXR File Layout" and "Technical Introduction to OpenEXR", openexr.com).
  */
 final class ExrWriter {
-  /** The attributes that every file has; metadata cannot bear their names. */
+  /**
+   * Names that metadata cannot bear: the attributes that every file has, and those that files of
+   * several parts or tiles have and readers believe in any file.
+   */
   static final Set<String> RESERVED =
       Set.of(
           "channels",
+          "chunkCount",
           "compression",
           "dataWindow",
           "displayWindow",
           "lineOrder",
           "pixelAspectRatio",
           "screenWindowCenter",
-          "screenWindowWidth");
+          "screenWindowWidth",
+          "tiles",
+          "type",
+          "version");
 
   private static final int MAGIC = 20000630;
   private static final int VERSION = 2;
@@ -161,12 +168,12 @@ final class ExrWriter {
     deflater.finish();
     byte[] packed = new byte[raw.length];
     int length = deflater.deflate(packed);
-    return deflater.finished() && length < raw.length
-        ? Arrays.copyOf(packed, length)
-        : raw;
+    return deflater.finished() && length < raw.length ? Arrays.copyOf(packed, length) : raw;
   }
 
-  /** Returns the even bytes, then the odd ones, each as its difference from the one before + 128. */
+  /**
+   * Returns the even bytes, then the odd ones, each as its difference from the one before + 128.
+   */
   private static byte[] predicted(byte[] raw) {
     byte[] split = new byte[raw.length];
     int half = (raw.length + 1) / 2;

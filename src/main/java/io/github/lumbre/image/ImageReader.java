@@ -78,8 +78,7 @@ public final class ImageReader {
     javax.imageio.ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
     List<String> complaints = new ArrayList<>();
     reader.addIIOReadWarningListener((source, warning) -> complaints.add(warning));
-    try (ImageInputStream in =
-        new MemoryCacheImageInputStream(new ByteArrayInputStream(content))) {
+    try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(content))) {
       reader.setInput(in, true, true);
       Pixels pixels = decoding.from(reader);
       for (String complaint : complaints) {
@@ -90,14 +89,9 @@ public final class ImageReader {
       return pixels;
     } catch (ImageFormatException e) {
       throw e;
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException | RuntimeException | OutOfMemoryError e) {
       // Decoders answer damaged files with exceptions of any kind.
-      throw new ImageFormatException(
-          ImageFormatException.Kind.MALFORMED, format + " is damaged: " + innermost(e), e);
-    } catch (OutOfMemoryError e) {
-      // The pixels are one allocation; when it is refused, nothing else is harmed.
-      throw new ImageFormatException(
-          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", e);
+      throw failure(format, e);
     } finally {
       reader.dispose();
     }
@@ -108,11 +102,19 @@ public final class ImageReader {
     return warning.contains("extraneous bytes before marker");
   }
 
-  private static String innermost(Throwable thrown) {
+  private static ImageFormatException failure(String format, Throwable thrown) {
     Throwable cause = thrown;
     while (cause.getCause() != null) {
       cause = cause.getCause();
     }
-    return cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    if (cause instanceof OutOfMemoryError) {
+      // The pixels are one allocation; when it is refused, nothing else is harmed.
+      return new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", thrown);
+    }
+    String reason =
+        cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    return new ImageFormatException(
+        ImageFormatException.Kind.MALFORMED, format + " is damaged: " + reason, thrown);
   }
 }

@@ -39,8 +39,7 @@ public final class ImageWriter {
   public record Options(
       Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
     /** As bright as it is, by the sRGB curve, in 8 bits, without metadata. */
-    public static final Options DEFAULT =
-        new Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of());
+    public static final Options DEFAULT = new Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of());
 
     /**
      * @throws IllegalArgumentException if the number of bits or a keyword is not as described
@@ -102,8 +101,7 @@ public final class ImageWriter {
   }
 
   /** Writes a picture to a channel at position 0, which stays open. */
-  static void encode(
-      Image image, ImageFormat format, Options options, SeekableByteChannel channel)
+  static void encode(Image image, ImageFormat format, Options options, SeekableByteChannel channel)
       throws IOException {
     Objects.requireNonNull(image, "image");
     Objects.requireNonNull(options, "options");

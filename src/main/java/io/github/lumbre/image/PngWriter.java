@@ -29,14 +29,12 @@ final class PngWriter {
 
   private PngWriter() {}
 
-  static void write(Image image, ImageWriter.Options options, OutputStream out)
-      throws IOException {
+  static void write(Image image, ImageWriter.Options options, OutputStream out) throws IOException {
     BufferedImage picture = quantised(image, options);
     javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
     try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);
-      IIOMetadata metadata =
-          writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
+      IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
       metadata.mergeTree(METADATA, chunks(options));
       writer.write(new IIOImage(picture, null, metadata));
     } catch (IIOException e) {
@@ -86,8 +84,7 @@ final class PngWriter {
   }
 
   private static Rgb exposed(Rgb c, double factor) {
-    return new Rgb(
-        exposed(c.r(), factor), exposed(c.g(), factor), exposed(c.b(), factor));
+    return new Rgb(exposed(c.r(), factor), exposed(c.g(), factor), exposed(c.b(), factor));
   }
 
   private static double exposed(double v, double factor) {

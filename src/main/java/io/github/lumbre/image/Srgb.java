@@ -25,7 +25,11 @@ public final class Srgb {
   /** Returns the encoded value in [0,1] of linear light, which is clamped to [0,1]; of NaN, 0. */
   public static double encode(double linear) {
     double v = clamp(linear);
-    return v <= .0031308 ? 12.92 * v : Math.min(1, 1.055 * StrictMath.pow(v, 1 / 2.4) - .055);
+    if (v <= .0031308) {
+      return 12.92 * v;
+    }
+    // At 1 the formula in doubles falls short of 1 by an ulp.
+    return v == 1 ? 1 : 1.055 * StrictMath.pow(v, 1 / 2.4) - .055;
   }
 
   /**

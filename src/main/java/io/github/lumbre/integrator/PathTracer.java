@@ -29,6 +29,50 @@ import java.util.Optional;
  * an emitter as well. Multiple importance sampling weighs the two.
  */
 public final class PathTracer implements Integrator {
+  /** Which of the two ways to find an emitter counts. All have the same mean. */
+  enum Strategy {
+    /** Both, by multiple importance sampling. */
+    BOTH {
+      @Override
+      double lightWeight(double lightPdf, double bsdfPdf) {
+        return Mis.power(lightPdf, bsdfPdf);
+      }
+
+      @Override
+      double bsdfWeight(double bsdfPdf, double lightPdf) {
+        return Mis.power(bsdfPdf, lightPdf);
+      }
+    },
+    /** Light sampling alone, where it is possible. */
+    LIGHT {
+      @Override
+      double lightWeight(double lightPdf, double bsdfPdf) {
+        return 1;
+      }
+
+      @Override
+      double bsdfWeight(double bsdfPdf, double lightPdf) {
+        return lightPdf > 0 ? 0 : 1;
+      }
+    },
+    /** Scattered rays that meet an emitter alone; lights of no size are sampled all the same. */
+    BSDF {
+      @Override
+      double lightWeight(double lightPdf, double bsdfPdf) {
+        return 0;
+      }
+
+      @Override
+      double bsdfWeight(double bsdfPdf, double lightPdf) {
+        return 1;
+      }
+    };
+
+    abstract double lightWeight(double lightPdf, double bsdfPdf);
+
+    abstract double bsdfWeight(double bsdfPdf, double lightPdf);
+  }
+
   /** The first vertex at which a path may end at random. */
   private static final int FIRST_ROULETTE = 3;
 
@@ -36,14 +80,20 @@ public final class PathTracer implements Integrator {
   private final int maxDepth;
   private final List<Light> emitters;
   private final LightSelector selector;
+  private final Strategy strategy;
 
   /**
    * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
    *     seen, with 1 direct light
    */
   public PathTracer(Scene scene, int maxDepth) {
+    this(scene, maxDepth, Strategy.BOTH);
+  }
+
+  PathTracer(Scene scene, int maxDepth, Strategy strategy) {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.maxDepth = maxDepth;
+    this.strategy = strategy;
     emitters = scene.emitters();
     selector = LightSelector.uniform(Math.max(1, emitters.size()));
   }
@@ -137,7 +187,8 @@ public final class PathTracer implements Integrator {
       return scattered.times(1 / probability);
     }
     double lightPdf = probability * light.pdf();
-    return scattered.times(Mis.power(lightPdf, vertex.pdf(light.wi())) / lightPdf);
+    return scattered.times(
+        strategy.lightWeight(lightPdf, vertex.pdf(light.wi())) / lightPdf);
   }
 
   private static Rgb emitted(Emission emission, SurfaceHit surface) {
@@ -150,7 +201,8 @@ public final class PathTracer implements Integrator {
       return 1;
     }
     AreaLight light = (AreaLight) emitters.get(emitter);
-    return Mis.power(pdf, selector.probability(emitter) * light.shape().pdf(from, surface));
+    return strategy.bsdfWeight(
+        pdf, selector.probability(emitter) * light.shape().pdf(from, surface));
   }
 
   /** Returns the light from beyond everything, each dome with its own share. */
@@ -162,7 +214,7 @@ public final class PathTracer implements Integrator {
     for (int i = 0; i < emitters.size(); i++) {
       if (emitters.get(i) instanceof EnvironmentLight dome) {
         double lightPdf = selector.probability(i) * dome.pdf(direction);
-        sum = sum.plus(dome.from(direction).times(Mis.power(pdf, lightPdf)));
+        sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
       }
     }
     return sum;

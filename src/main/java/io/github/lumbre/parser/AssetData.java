@@ -63,18 +63,15 @@ final class AssetData {
 
   private static Optional<Content> decoded(JsonNode asset, String key, String text) {
     byte[] letters = withoutLineBreaks(text);
+    // The decoder itself takes a text that ends early.
+    if (letters.length == 0 || letters.length % 4 != 0) {
+      asset.error(Kind.ASSET, key, "expected base64, found a text that ends early");
+      return Optional.empty();
+    }
     try {
-      // Without this, the decoder takes a text that ends early.
-      if (letters.length % 4 != 0) {
-        throw new IllegalArgumentException("it ends early");
-      }
-      byte[] bytes = Base64.getDecoder().decode(letters);
-      if (bytes.length == 0) {
-        throw new IllegalArgumentException("it is empty");
-      }
-      return Optional.of(new Content(asset, key, bytes));
+      return Optional.of(new Content(asset, key, Base64.getDecoder().decode(letters)));
     } catch (IllegalArgumentException e) {
-      asset.error(Kind.ASSET, key, "expected base64, found what is not: " + Problems.escaped(e.getMessage()));
+      asset.error(Kind.ASSET, key, "expected base64, found characters that are not");
       return Optional.empty();
     }
   }
@@ -100,7 +97,8 @@ final class AssetData {
         return Optional.empty();
       }
       if (!Files.isRegularFile(path.get())) {
-        asset.error(Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
+        asset.error(
+            Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
         return Optional.empty();
       }
       if (Files.size(path.get()) > MAX_BYTES) {

@@ -14,8 +14,7 @@ final class AssetTable {
   /** Keys that every asset has. */
   static final Set<String> COMMON_KEYS = Set.of("id", "assetType", "name");
 
-  private static final Map<String, Type> TYPES =
-      ordered(Type.MATERIAL, Type.TEXTURE, Type.MESH);
+  private static final Map<String, Type> TYPES = ordered(Type.MATERIAL, Type.TEXTURE, Type.MESH);
   private static final int NONE = -1;
   private static final int MAX_IDS_SHOWN = 20;
 
@@ -61,8 +60,7 @@ final class AssetTable {
     Optional<Type> type = asset.choice("assetType", TYPES);
     if (!asset.has("assetType")) {
       asset.error(
-          "assetType",
-          "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
+          "assetType", "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
     }
     if (!asset.has("id")) {
       asset.error("id", "expected an integer, found nothing");
@@ -73,7 +71,8 @@ final class AssetTable {
     }
     JsonNode first = all.putIfAbsent(id.get(), asset);
     if (first != null) {
-      asset.error("id", "expected each id once, found " + id.get() + ", also at " + first.path() + ".id");
+      asset.error(
+          "id", "expected each id once, found " + id.get() + ", also at " + first.path() + ".id");
       return;
     }
     assets.get(type.get()).put(id.get(), asset);
@@ -96,12 +95,19 @@ final class AssetTable {
 
   /** Tells whether a key names an asset that exists. */
   boolean has(JsonNode from, String key, Type type) {
-    return from.idSilently(key).map(assets.get(type)::containsKey).orElse(false);
+    return from.idSilently(key)
+        .filter(id -> id != NONE && assets.get(type).containsKey(id))
+        .isPresent();
   }
 
   private void reportDangling(JsonNode from, String key, int id, Type type) {
     String message =
-        "expected the id of a " + type.label + ", found " + id + "; " + shown(assets.get(type).keySet());
+        "expected the id of a "
+            + type.label
+            + ", found "
+            + id
+            + "; "
+            + shown(assets.get(type).keySet());
     if (lenient) {
       from.warn(key, message);
     } else {
@@ -115,7 +121,8 @@ final class AssetTable {
       return "there is none";
     }
     List<String> first = ids.stream().sorted().limit(MAX_IDS_SHOWN).map(String::valueOf).toList();
-    return "there " + (ids.size() == 1 ? "is " : "are ") + String.join(", ", first)
+    return (ids.size() == 1 ? "there is " : "there are ")
+        + String.join(", ", first)
         + (ids.size() > MAX_IDS_SHOWN ? ", …" : "");
   }
 }

@@ -146,29 +146,29 @@ final class JsonNode {
   }
 
   void error(String message) {
-    problems.error(SceneFormatException.Kind.INVALID, path(), message);
+    problems.error(SceneFormatException.Kind.INVALID, this::path, message);
   }
 
   void error(SceneFormatException.Kind kind, String message) {
-    problems.error(kind, path(), message);
+    problems.error(kind, this::path, message);
   }
 
   /** Adds an error at the value of a key, or where it is missing. */
   void error(String childKey, String message) {
-    problems.error(SceneFormatException.Kind.INVALID, path(childKey), message);
+    error(SceneFormatException.Kind.INVALID, childKey, message);
   }
 
   /** Adds an error of some kind at the value of a key, or where it is missing. */
   void error(SceneFormatException.Kind kind, String childKey, String message) {
-    problems.error(kind, path(childKey), message);
+    problems.error(kind, () -> path(childKey), message);
   }
 
   void warn(String message) {
-    problems.warn(path(), message);
+    problems.warn(this::path, () -> message);
   }
 
   void warn(String childKey, String message) {
-    problems.warn(path(childKey), message);
+    problems.warn(() -> path(childKey), () -> message);
   }
 
   /** Returns the value as an error message shows it. */
@@ -287,7 +287,10 @@ final class JsonNode {
 
   /** Returns an id as {@link #id} does, without saying what is wrong with it. */
   Optional<Integer> idSilently(String childKey) {
-    return find(childKey).flatMap(JsonNode::exactLong).filter(n -> n == n.intValue()).map(Long::intValue);
+    return find(childKey)
+        .flatMap(JsonNode::exactLong)
+        .filter(n -> n == n.intValue())
+        .map(Long::intValue);
   }
 
   boolean flag(String childKey, boolean missing) {
@@ -375,7 +378,7 @@ final class JsonNode {
   void warnUnknown(Set<String> known) {
     for (JsonNode member : members().values()) {
       if (!known.contains(member.key)) {
-        member.warn("unknown key" + Spelling.suggestion(member.key, known));
+        problems.warn(member::path, () -> "unknown key" + Spelling.suggestion(member.key, known));
       }
     }
   }

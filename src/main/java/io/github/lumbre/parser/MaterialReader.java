@@ -57,7 +57,12 @@ final class MaterialReader {
   private static String[] keys(String... channels) {
     return Stream.of(channels)
         .flatMap(
-            c -> Stream.of(c.equals("normal") ? c + "Strength" : c, c + "TextureId", c + "Offset", c + "Scale"))
+            c ->
+                Stream.of(
+                    c.equals("normal") ? "normalStrength" : c,
+                    c + "TextureId",
+                    c + "Offset",
+                    c + "Scale"))
         .toArray(String[]::new);
   }
 
@@ -83,10 +88,7 @@ final class MaterialReader {
   }
 
   private Surface read(JsonNode material) {
-    return family
-        .choose(material)
-        .map(reader -> reader.read(material))
-        .orElse(Surface.DEFAULT);
+    return family.choose(material).map(reader -> reader.read(material)).orElse(Surface.DEFAULT);
   }
 
   private Surface diffuse(JsonNode material) {
@@ -122,8 +124,7 @@ final class MaterialReader {
 
   private void rejectRoughness(JsonNode material) {
     boolean rough = material.number("roughness", 0, ROUGHNESS) > 0;
-    if (rough
-        || assets.find(material, "roughnessTextureId", AssetTable.Type.TEXTURE).isPresent()) {
+    if (rough || assets.find(material, "roughnessTextureId", AssetTable.Type.TEXTURE).isPresent()) {
       material.error(
           rough ? "roughness" : "roughnessTextureId", "rough glass is not supported yet");
     }

@@ -55,12 +55,11 @@ final class MeshReader {
       content.error(SceneFormatException.Kind.ASSET, e.getMessage());
       return Optional.empty();
     }
-    TriangleMesh mesh =
-        TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
+    TriangleMesh mesh = TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
     if (mesh.droppedTriangles() > 0) {
       content
           .asset()
-          .warn(content.key(), "dropped " + mesh.droppedTriangles() + " triangles without area");
+          .warn(content.key(), "triangles without area, left out: " + mesh.droppedTriangles());
     }
     return mesh.triangleCount() == 0 ? Optional.empty() : Optional.of(mesh);
   }

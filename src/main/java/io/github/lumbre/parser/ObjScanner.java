@@ -7,6 +7,9 @@ import java.nio.charset.StandardCharsets;
  * the end of a line joins it with the next. Mutable.
  */
 final class ObjScanner {
+  /** Products of two numbers must not overflow. */
+  private static final double MAX_NUMBER = 1e150;
+
   private final byte[] text;
   private int at;
   private int line = 1;
@@ -119,8 +122,11 @@ final class ObjScanner {
     } catch (NumberFormatException e) {
       throw notANumber();
     }
-    if (!Double.isFinite(number)) {
+    if (Double.isInfinite(number)) {
       throw notANumber();
+    }
+    if (Math.abs(number) > MAX_NUMBER) {
+      throw error("expected a number of at most 1e150, found " + Problems.quoted(word()));
     }
     return number;
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * Collects what is wrong with a scene, a line each: errors up to a limit, and warnings. Mutable.
@@ -32,19 +33,20 @@ final class Problems {
     this.file = escaped(file);
   }
 
-  /** Adds an error; beyond the limit, only counts it as known. */
-  void error(SceneFormatException.Kind kindOfError, String path, String message) {
+  /** Adds an error, of which no more than a few are told. */
+  void error(SceneFormatException.Kind kindOfError, Supplier<String> path, String message) {
     if (kind.isEmpty()) {
       kind = Optional.of(kindOfError);
     }
     if (errors.size() < MAX_ERRORS) {
-      errors.add(line(path, message));
+      errors.add(line(path.get(), message));
     }
   }
 
-  void warn(String path, String message) {
+  /** Adds a warning; beyond the limit, only counts it, without asking what it says. */
+  void warn(Supplier<String> path, Supplier<String> message) {
     if (warnings.size() < MAX_WARNINGS) {
-      warnings.add(line(path, message));
+      warnings.add(line(path.get(), message.get()));
     } else {
       unsaidWarnings++;
     }
@@ -93,9 +95,7 @@ final class Problems {
 
   /** Returns a text from a scene as it may be printed: escaped and not too long. */
   static String shortened(String text) {
-    return text.length() <= MAX_TEXT
-        ? escaped(text)
-        : escaped(text.substring(0, MAX_TEXT)) + "…";
+    return text.length() <= MAX_TEXT ? escaped(text) : escaped(text.substring(0, MAX_TEXT)) + "…";
   }
 
   /** Returns a text with everything that is not plainly visible written as JSON would escape it. */

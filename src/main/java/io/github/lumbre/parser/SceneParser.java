@@ -69,7 +69,7 @@ public final class SceneParser {
       return parse(file, read(file, problems), problems);
     } catch (OutOfMemoryError e) {
       // What was to hold the scene is free again, and nothing else was touched.
-      problems.error(Kind.LIMIT, "$", "expected a scene that fits into memory");
+      problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
       throw problems.exception();
     }
   }
@@ -78,12 +78,13 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     try {
       if (Files.size(file) > MAX_BYTES) {
-        problems.error(Kind.LIMIT, "$", "expected at most " + MAX_BYTES + " bytes, found more");
+        problems.error(
+            Kind.LIMIT, () -> "$", "expected at most " + MAX_BYTES + " bytes, found more");
         throw problems.exception();
       }
       return Files.readAllBytes(file);
     } catch (NoSuchFileException e) {
-      problems.error(Kind.INVALID, "$", "expected a scene file, found none");
+      problems.error(Kind.INVALID, () -> "$", "expected a scene file, found none");
       throw problems.exception();
     }
   }
@@ -125,7 +126,7 @@ public final class SceneParser {
     if ((long) used.width() * used.height() > MAX_PIXELS) {
       problems.error(
           Kind.LIMIT,
-          "$.renderOptions",
+          () -> "$.renderOptions",
           "expected width x height <= "
               + MAX_PIXELS
               + ", found "

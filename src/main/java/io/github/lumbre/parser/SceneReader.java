@@ -63,7 +63,9 @@ final class SceneReader {
     all.forEach(cameras::check);
     Optional<Integer> wanted = root.id(MAIN_CAMERA);
     Optional<Placed> main =
-        all.stream().filter(c -> wanted.isPresent() && wanted.equals(c.node().idSilently("id"))).findFirst();
+        all.stream()
+            .filter(c -> wanted.isPresent() && wanted.equals(c.node().idSilently("id")))
+            .findFirst();
     if (main.isEmpty()) {
       reportNoCamera(all);
       return;

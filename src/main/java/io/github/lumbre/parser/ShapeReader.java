@@ -20,6 +20,9 @@ import java.util.Optional;
 final class ShapeReader {
   private static final String MESH = "Mesh";
 
+  /** Squares of coordinates must not overflow. */
+  private static final double MAX_REACH = 1e150;
+
   /** Reads a shape of one type. */
   private interface Reader {
     Optional<Shape> read(Placed object);
@@ -71,22 +74,24 @@ final class ShapeReader {
     JsonNode node = object.node();
     node.warnUnknown(family.keys());
     count++;
-    try {
-      Optional<Shape> shape = family.choose(node).flatMap(reader -> reader.read(object));
-      shape.ifPresent(made -> requireMeasurable(node, made));
-      return shape;
-    } catch (IllegalArgumentException e) {
-      // What no single key says, and only the finished shape knows: it leaves the finite world.
-      node.error(Problems.escaped(e.getMessage()));
-      return Optional.empty();
-    }
+    return family
+        .choose(node)
+        .flatMap(reader -> reader.read(object))
+        .filter(shape -> shape instanceof Plane || isMeasurable(node, shape));
   }
 
-  private static void requireMeasurable(JsonNode node, Shape shape) {
+  /**
+   * Tells whether a shape is not too far out, nor too large, to be measured; if it is, adds an
+   * error.
+   */
+  static boolean isMeasurable(JsonNode node, Shape shape) {
     Bounds3 bounds = shape.bounds();
-    if (Double.isFinite(shape.area()) && !bounds.isFinite()) {
-      node.error("expected a shape inside the range of finite numbers, found one beyond");
+    double reach = Math.max(bounds.min().maxAbs(), bounds.max().maxAbs());
+    if (reach <= MAX_REACH) {
+      return true;
     }
+    node.error("expected a shape within 1e150 of the origin, found one that reaches beyond");
+    return false;
   }
 
   private Optional<Shape> sphere(Placed object) {

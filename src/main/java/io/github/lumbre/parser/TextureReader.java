@@ -165,8 +165,7 @@ final class TextureReader {
     boolean grey = false;
     for (int y = 0; y < pixels.height(); y++) {
       for (int x = 0; x < pixels.width(); x++) {
-        double value =
-            (pixels.value(x, y, 0) + pixels.value(x, y, 1) + pixels.value(x, y, 2)) / 3;
+        double value = (pixels.value(x, y, 0) + pixels.value(x, y, 1) + pixels.value(x, y, 2)) / 3;
         grey |= value > 0 && value < 1;
         any |= value >= .5;
         // Pictures have their top row first, lenses their bottom row.

@@ -13,8 +13,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Renders scenes: divides the film into buckets, which threads take from a queue. Immutable and
@@ -92,13 +90,14 @@ public final class BucketRenderer {
 
   private static void run(List<BucketWorker> workers, RenderQueue queue)
       throws InterruptedException {
-    AtomicInteger number = new AtomicInteger();
+    List<Thread> threads = new ArrayList<>();
     ExecutorService pool =
         Executors.newFixedThreadPool(
             workers.size(),
             task -> {
-              Thread thread = new Thread(task, "lumbre-render-" + number.incrementAndGet());
+              Thread thread = new Thread(task, "lumbre-render-" + (threads.size() + 1));
               thread.setDaemon(true);
+              threads.add(thread);
               return thread;
             });
     try {
@@ -112,18 +111,20 @@ public final class BucketRenderer {
     } finally {
       queue.stop();
       pool.shutdown();
-      awaitEnd(pool);
+      awaitEnd(threads);
     }
   }
 
-  /** Waits for the workers, which end within a moment, and keeps an interruption for later. */
-  private static void awaitEnd(ExecutorService pool) {
+  /** Waits for the threads, which end within a moment, and keeps an interruption for later. */
+  private static void awaitEnd(List<Thread> threads) {
     boolean interrupted = Thread.interrupted();
-    while (!pool.isTerminated()) {
-      try {
-        pool.awaitTermination(1, TimeUnit.SECONDS);
-      } catch (InterruptedException e) {
-        interrupted = true;
+    for (Thread thread : threads) {
+      while (thread.isAlive()) {
+        try {
+          thread.join();
+        } catch (InterruptedException e) {
+          interrupted = true;
+        }
       }
     }
     if (interrupted) {

@@ -33,7 +33,7 @@ public final class SobolSampler implements Sampler {
     int reversed = scramble(reversedIndex, (int) key);
     // The base-2 radical inverse of the shuffled index is its reversed bits, which we have.
     int value = scrambleReversed(reversed, (int) (key >>> 32));
-    return (value & 0xffffffffL) * ULP32;
+    return unit(value);
   }
 
   @Override
@@ -43,7 +43,12 @@ public final class SobolSampler implements Sampler {
     int high = (int) (key >>> 32);
     int x = scrambleReversed(reversed, high);
     int y = scrambleReversed(secondSobolDimension(Integer.reverse(reversed)), mix32(high));
-    return new Point2((x & 0xffffffffL) * ULP32, (y & 0xffffffffL) * ULP32);
+    return new Point2(unit(x), unit(y));
+  }
+
+  /** Returns the middle of the 2^-32 that 32 random bits stand for, so that means are exact. */
+  private static double unit(int bits) {
+    return ((bits & 0xffffffffL) + .5) * ULP32;
   }
 
   /**

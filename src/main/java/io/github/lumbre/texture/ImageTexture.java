@@ -8,8 +8,8 @@ import java.util.Objects;
 /**
  * A picture as a texture, repeated in both directions without end.
  *
- * <p>u = 0 is the left edge of the left column and v = 0 the lower edge of the <b>bottom</b> row.
- * A coordinate that is not finite, as degenerate surfaces have, is read as (0, 0).
+ * <p>u = 0 is the left edge of the left column and v = 0 the lower edge of the <b>bottom</b> row. A
+ * coordinate that is not finite, as degenerate surfaces have, is read as (0, 0).
  */
 public final class ImageTexture implements Texture<Rgb> {
   /** What the values of the file mean. */

@@ -1,0 +1,57 @@
+package io.github.lumbre;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The same scene, seed and samples give the same bits, however the work is divided. */
+class ReproducibilityTest {
+  private static final int[] THREADS = {1, 2, 3, 8};
+  private static final int[] BUCKETS = {1, 7, 32, 10_000};
+
+  static List<Path> scenes() throws IOException {
+    try (Stream<Path> files = Files.list(Path.of("scenes"))) {
+      return files.filter(file -> file.toString().endsWith(".json")).sorted().toList();
+    }
+  }
+
+  @Test
+  void thereAreAtLeastTenScenes() throws IOException {
+    assertThat(scenes()).hasSizeGreaterThanOrEqualTo(10);
+  }
+
+  @ParameterizedTest
+  @MethodSource("scenes")
+  void threadsAndBucketsDoNotChangeABit(Path path)
+      throws SceneFormatException, IOException, InterruptedException {
+    for (RenderSettings.Mode mode : RenderSettings.Mode.values()) {
+      SceneFile file =
+          new SceneParser()
+              .inMode(mode)
+              .overriding(s -> s.toBuilder().size(40, 29).samples(2).build())
+              .parse(path);
+      float[] expected = null;
+      for (int threads : THREADS) {
+        for (int bucket : BUCKETS) {
+          RenderSettings settings =
+              file.settings().toBuilder().threads(threads).bucketSize(bucket).build();
+          float[] rgb = new BucketRenderer(settings).render(file.scene()).rgb();
+          expected = expected == null ? rgb : expected;
+          assertThat(rgb).as("%s %d threads, bucket %d", mode, threads, bucket).isEqualTo(expected);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,45 @@
+package io.github.lumbre.image;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.SplittableRandom;
+
+/** Pictures to write, and shortcuts to write them. */
+final class ImageFixture {
+  private ImageFixture() {}
+
+  /** Returns a picture of random values in [0,2), with random alpha if wanted. */
+  static Image random(int width, int height, boolean withAlpha) {
+    SplittableRandom random = new SplittableRandom(width * 31L + height);
+    float[] rgb = new float[3 * width * height];
+    for (int i = 0; i < rgb.length; i++) {
+      rgb[i] = (float) random.nextDouble(2);
+    }
+    float[] alpha = new float[withAlpha ? width * height : 0];
+    for (int i = 0; i < alpha.length; i++) {
+      alpha[i] = (float) random.nextDouble();
+    }
+    return new Image(width, height, rgb, alpha);
+  }
+
+  /** Returns the picture of one row of greys. */
+  static Image greys(double... values) {
+    float[] rgb = new float[3 * values.length];
+    for (int i = 0; i < rgb.length; i++) {
+      rgb[i] = (float) values[i / 3];
+    }
+    return new Image(values.length, 1, rgb, new float[0]);
+  }
+
+  static ImageWriter.Options options(ToneCurve curve, int bits) {
+    return new ImageWriter.Options(Exposure.NONE, curve, bits, Map.of());
+  }
+
+  /** Returns the bytes of the file that a picture is written to. */
+  static byte[] written(Image image, Path file, ImageWriter.Options options) throws IOException {
+    ImageWriter.write(image, file, options);
+    return Files.readAllBytes(file);
+  }
+}

@@ -1,0 +1,29 @@
+package io.github.lumbre.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+class ImageFormatTest {
+  @Test
+  void theEndingDecidesInAnyCase() {
+    assertThat(ImageFormat.of(Path.of("a.png"))).contains(ImageFormat.PNG);
+    assertThat(ImageFormat.of(Path.of("dir.exr", "A.PnG"))).contains(ImageFormat.PNG);
+    assertThat(ImageFormat.of(Path.of("a.b.PFM"))).contains(ImageFormat.PFM);
+    assertThat(ImageFormat.of(Path.of("a.exr"))).contains(ImageFormat.EXR);
+  }
+
+  @Test
+  void otherEndingsNameNone() {
+    assertThat(ImageFormat.of(Path.of("png"))).isEmpty();
+    assertThat(ImageFormat.of(Path.of("a.png.bak"))).isEmpty();
+    assertThat(ImageFormat.of(Path.of("a.jpg"))).isEmpty();
+    assertThat(ImageFormat.of(Path.of("/"))).isEmpty();
+  }
+
+  @Test
+  void endingsAreListed() {
+    assertThat(ImageFormat.endings()).isEqualTo(".png, .pfm, .exr");
+  }
+}

@@ -1,0 +1,406 @@
+package io.github.lumbre.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.color.ColorSpace;
+import java.awt.color.ICC_Profile;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.SplittableRandom;
+import java.util.function.IntBinaryOperator;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ImageReaderTest {
+  /** 8×8 texels of the inks (0, 128, 255, 64), inverted as Adobe does. */
+  private static final String FOUR_INKS =
+      "/9j/7gAOQWRvYmUAZAAAAAAA/9sAQwADAgIDAgIDAwMDBAMDBAUIBQUEBAUKBwcGCAwKDAwLCgsLDQ4SEA0OEQ4LCxAW"
+          + "EBETFBUVFQwPFxgWFBgSFBUU/8AAFAgACAAIBEMRAE0RAFkRAEsRAP/EABYAAQEBAAAAAAAAAAAAAAAAAAkC"
+          + "CP/EABQQAQAAAAAAAAAAAAAAAAAAAAD/2gAOBEMATQBZAEsAAD8AVNAqmqH/2Q==";
+
+  private static void assertMalformed(byte[] file, String message) {
+    assertRefused(file, ImageFormatException.Kind.MALFORMED, message);
+  }
+
+  private static void assertRefused(byte[] file, ImageFormatException.Kind kind, String message) {
+    assertThatThrownBy(() -> ImageReader.decode(file))
+        .isInstanceOfSatisfying(
+            ImageFormatException.class, e -> assertThat(e.kind()).isEqualTo(kind))
+        .hasMessageStartingWith(message);
+  }
+
+  private static IntBinaryOperator noise(int depth) {
+    return (x, y) -> (x * 7919 + y * 104729 + (x ^ y) * 31) & ((1 << depth) - 1);
+  }
+
+  private static byte[] png(int width, int height, int depth, int colourType, boolean interlaced) {
+    return new PngFixture()
+        .header(width, height, depth, colourType, interlaced)
+        .data(width, height, depth, colourType, interlaced, noise(depth))
+        .end();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0, 1", "0, 2", "0, 4", "0, 8", "0, 16", "2, 8", "2, 16", "4, 8", "4, 16", "6, 8", "6, 16"
+  })
+  void everyKindOfPngIsReadExactly(int colourType, int depth) throws IOException {
+    int channels = PngFixture.channels(colourType);
+    int max = (1 << depth) - 1;
+    for (boolean interlaced : new boolean[] {false, true}) {
+      Pixels pixels = ImageReader.decode(png(21, 13, depth, colourType, interlaced));
+      assertThat(pixels.width()).isEqualTo(21);
+      assertThat(pixels.height()).isEqualTo(13);
+      assertThat(pixels.max()).isEqualTo(depth == 16 ? 65535 : 255);
+      for (int y = 0; y < 13; y++) {
+        for (int x = 0; x < 21; x++) {
+          for (int c = 0; c < 3; c++) {
+            int at = channels * x + (channels < 3 ? 0 : c);
+            int expected = noise(depth).applyAsInt(at, y) * (pixels.max() / max);
+            assertThat(pixels.raw(x, y, c)).isEqualTo(expected);
+            assertThat(pixels.value(x, y, c)).isEqualTo((double) expected / pixels.max());
+          }
+        }
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 4, 8})
+  void palettesAreLookedUp(int depth) throws IOException {
+    byte[] palette = new byte[3 << depth];
+    new SplittableRandom(depth).nextBytes(palette);
+    for (boolean interlaced : new boolean[] {false, true}) {
+      byte[] file =
+          new PngFixture()
+              .header(19, 11, depth, PngFixture.PALETTE, interlaced)
+              .chunk("PLTE", palette)
+              .chunk("tRNS", new byte[] {0, 100})
+              .data(19, 11, depth, PngFixture.PALETTE, interlaced, noise(depth))
+              .end();
+      Pixels pixels = ImageReader.decode(file);
+      for (int y = 0; y < 11; y++) {
+        for (int x = 0; x < 19; x++) {
+          for (int c = 0; c < 3; c++) {
+            int entry = palette[3 * noise(depth).applyAsInt(x, y) + c] & 0xff;
+            assertThat(pixels.raw(x, y, c)).isEqualTo(entry);
+          }
+        }
+      }
+    }
+  }
+
+  @Test
+  void gammaAndProfilesAreIgnored() throws IOException {
+    byte[] profile = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
+    ByteArrayOutputStream named = new ByteArrayOutputStream();
+    named.writeBytes("linear\0\0".getBytes(StandardCharsets.US_ASCII));
+    named.writeBytes(PngFixture.deflated(profile));
+    for (int colourType : new int[] {PngFixture.GREY, PngFixture.RGB}) {
+      Pixels plain = ImageReader.decode(png(9, 9, 8, colourType, false));
+      for (byte[] file :
+          new byte[][] {
+            new PngFixture()
+                .header(9, 9, 8, colourType, false)
+                .chunk("gAMA", new byte[] {0, 1, (byte) 0x86, (byte) 0xa0})
+                .data(9, 9, 8, colourType, false, noise(8))
+                .end(),
+            new PngFixture()
+                .header(9, 9, 8, colourType, false)
+                .chunk("iCCP", named.toByteArray())
+                .data(9, 9, 8, colourType, false, noise(8))
+                .end()
+          }) {
+        assertSame(ImageReader.decode(file), plain);
+      }
+    }
+  }
+
+  private static void assertSame(Pixels actual, Pixels expected) {
+    assertThat(actual.width()).isEqualTo(expected.width());
+    assertThat(actual.height()).isEqualTo(expected.height());
+    for (int y = 0; y < expected.height(); y++) {
+      for (int x = 0; x < expected.width(); x++) {
+        for (int c = 0; c < 3; c++) {
+          assertThat(actual.raw(x, y, c)).isEqualTo(expected.raw(x, y, c));
+        }
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 1", "65500, 1", "1, 65500"})
+  void extremeSizesAreRead(int width, int height) throws IOException {
+    Pixels pixels = ImageReader.decode(png(width, height, 8, PngFixture.RGB, false));
+    assertThat(pixels.raw(width - 1, height - 1, 2))
+        .isEqualTo(noise(8).applyAsInt(3 * width - 1, height - 1));
+  }
+
+  private static byte[] jpeg(int imageType) throws IOException {
+    BufferedImage picture = new BufferedImage(40, 24, imageType);
+    for (int y = 0; y < 24; y++) {
+      for (int x = 0; x < 40; x++) {
+        picture.setRGB(x, y, x < 20 ? 0xc06020 : 0x2060c0);
+      }
+    }
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    assertThat(ImageIO.write(picture, "jpeg", out)).isTrue();
+    return out.toByteArray();
+  }
+
+  @Test
+  void jpegColoursAreRead() throws IOException {
+    Pixels pixels = ImageReader.decode(jpeg(BufferedImage.TYPE_INT_RGB));
+    assertThat(pixels.width()).isEqualTo(40);
+    assertThat(pixels.height()).isEqualTo(24);
+    assertThat(pixels.max()).isEqualTo(255);
+    int[] left = {0xc0, 0x60, 0x20};
+    for (int c = 0; c < 3; c++) {
+      assertThat(pixels.raw(3, 3, c)).isCloseTo(left[c], within(3));
+      assertThat(pixels.raw(36, 20, c)).isCloseTo(left[2 - c], within(3));
+    }
+  }
+
+  @Test
+  void jpegGreysAreReadAsTheyAre() throws IOException {
+    BufferedImage picture = new BufferedImage(16, 16, BufferedImage.TYPE_BYTE_GRAY);
+    int[] hundred = new int[256];
+    Arrays.fill(hundred, 100);
+    picture.getRaster().setPixels(0, 0, 16, 16, hundred);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ImageIO.write(picture, "jpeg", out);
+    Pixels pixels = ImageReader.decode(out.toByteArray());
+    for (int c = 0; c < 3; c++) {
+      assertThat(pixels.raw(7, 9, c)).isCloseTo(100, within(1));
+    }
+  }
+
+  @Test
+  void jpegInksAreTurnedIntoColours() throws IOException {
+    Pixels pixels = ImageReader.decode(Base64.getDecoder().decode(FOUR_INKS));
+    assertThat(pixels.raw(3, 3, 0)).isCloseTo(191, within(1));
+    assertThat(pixels.raw(3, 3, 1)).isCloseTo(95, within(1));
+    assertThat(pixels.raw(3, 3, 2)).isCloseTo(0, within(1));
+  }
+
+  @Test
+  void jpegProfilesAreIgnored() throws IOException {
+    byte[] plain = jpeg(BufferedImage.TYPE_INT_RGB);
+    byte[] profile = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    // Insert the segment after the JFIF marker, which follows the two bytes of the start.
+    int jfif = 4 + (plain[4] << 8 | plain[5]);
+    out.write(plain, 0, jfif);
+    int length = 16 + profile.length;
+    out.writeBytes(new byte[] {(byte) 0xff, (byte) 0xe2, (byte) (length >> 8), (byte) length});
+    out.writeBytes("ICC_PROFILE\0\1\1".getBytes(StandardCharsets.US_ASCII));
+    out.writeBytes(profile);
+    out.write(plain, jfif, plain.length - jfif);
+    assertSame(ImageReader.decode(out.toByteArray()), ImageReader.decode(plain));
+  }
+
+  @Test
+  void jpegWithoutAnyMarkerIsReadAsIfItHadOne() throws IOException {
+    byte[] plain = jpeg(BufferedImage.TYPE_INT_RGB);
+    int jfif = 4 + (plain[4] << 8 | plain[5]);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    out.write(plain, 0, 2);
+    out.write(plain, jfif, plain.length - jfif);
+    assertSame(ImageReader.decode(out.toByteArray()), ImageReader.decode(plain));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"60000, 60000", "16385, 16384", "65536, 1", "1, 65536", "-1, -1", "2147483647, 1"})
+  void aPictureBeyondTheLimitsIsRefusedByItsHeaderAlone(int width, int height) {
+    byte[] file =
+        new PngFixture()
+            .header(width, height, 8, PngFixture.RGB, false)
+            .chunk("IDAT", PngFixture.deflated(new byte[100]))
+            .end();
+    assertRefused(file, ImageFormatException.Kind.TOO_LARGE, "the picture has ");
+  }
+
+  @Test
+  void aLargeClaimOverLittleDataTakesNoMemory() {
+    byte[] png =
+        new PngFixture()
+            .header(16384, 16384, 16, PngFixture.RGBA, false)
+            .chunk("IDAT", PngFixture.deflated(new byte[1 << 16]))
+            .end();
+    assertMalformed(png, "PNG data are too short for 16384x16384 pixels");
+  }
+
+  @Test
+  void aJpegThatClaimsTooMuchIsRefused() throws IOException {
+    byte[] file = jpeg(BufferedImage.TYPE_INT_RGB);
+    int frame = frameOf(file);
+    Arrays.fill(file, frame + 5, frame + 9, (byte) 0xf0);
+    assertRefused(file, ImageFormatException.Kind.TOO_LARGE, "the picture has 61680x61680 pixels");
+    Arrays.fill(file, frame + 5, frame + 9, (byte) 0x30);
+    assertMalformed(file, "JPEG data are too short for 12336x12336 pixels");
+    Arrays.fill(file, frame + 5, frame + 7, (byte) 0);
+    assertMalformed(file, "the picture has no pixels");
+  }
+
+  private static int frameOf(byte[] jpeg) {
+    int at = 2;
+    while ((jpeg[at + 1] & 0xff) != 0xc0) {
+      at += 2 + ((jpeg[at + 2] & 0xff) << 8 | jpeg[at + 3] & 0xff);
+    }
+    return at;
+  }
+
+  @Test
+  void compressedTextIsNeverInflated() throws IOException {
+    ByteArrayOutputStream text = new ByteArrayOutputStream();
+    text.writeBytes("Comment\0\0".getBytes(StandardCharsets.US_ASCII));
+    text.writeBytes(PngFixture.deflated(new byte[1 << 24]));
+    byte[] file =
+        new PngFixture()
+            .header(2, 2, 8, PngFixture.GREY, false)
+            .chunk("zTXt", text.toByteArray())
+            .data(2, 2, 8, PngFixture.GREY, false, noise(8))
+            .end();
+    assertThat(PngFile.read(file).content()).hasSizeLessThan(100);
+    assertThat(ImageReader.decode(file).width()).isEqualTo(2);
+  }
+
+  @Test
+  void aHeaderThatClaimsMoreRowsThanThereAreIsMalformed() {
+    byte[] file =
+        new PngFixture()
+            .header(50, 60, 8, PngFixture.RGB, false)
+            .data(50, 50, 8, PngFixture.RGB, false, noise(8))
+            .end();
+    assertMalformed(file, "PNG is damaged: ");
+  }
+
+  @Test
+  void everyTruncationIsMalformed() throws IOException {
+    for (byte[] file :
+        new byte[][] {png(9, 9, 8, PngFixture.RGB, true), jpeg(BufferedImage.TYPE_INT_RGB)}) {
+      for (int length = 0; length < file.length; length++) {
+        byte[] part = Arrays.copyOf(file, length);
+        assertRefused(part, ImageFormatException.Kind.MALFORMED, "");
+      }
+    }
+  }
+
+  @Test
+  void jpegDataThatStopEarlyAreMalformedDespiteAnEndMarker() throws IOException {
+    BufferedImage picture = new BufferedImage(100, 100, BufferedImage.TYPE_INT_RGB);
+    SplittableRandom random = new SplittableRandom(3);
+    for (int i = 0; i < 10_000; i++) {
+      picture.setRGB(i % 100, i / 100, random.nextInt());
+    }
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ImageIO.write(picture, "jpeg", out);
+    byte[] half = Arrays.copyOf(out.toByteArray(), out.size() / 2);
+    half[half.length - 2] = (byte) 0xff;
+    half[half.length - 1] = (byte) 0xd9;
+    assertMalformed(half, "JPEG is damaged: ");
+  }
+
+  @Test
+  void everyFlippedByteOfAPngIsNoticedOrHarmless() throws IOException {
+    byte[] file = png(9, 9, 8, PngFixture.RGB, false);
+    Pixels sound = ImageReader.decode(file);
+    for (int i = 0; i < file.length; i++) {
+      byte[] flipped = file.clone();
+      flipped[i] ^= 0x55;
+      Throwable thrown = catchThrowable(() -> assertSame(ImageReader.decode(flipped), sound));
+      assertThat(thrown).isInstanceOf(ImageFormatException.class);
+    }
+  }
+
+  @Test
+  void damagedFilesNeverCauseAnotherException() throws IOException {
+    SplittableRandom random = new SplittableRandom(11);
+    byte[][] files = {
+      jpeg(BufferedImage.TYPE_INT_RGB),
+      jpeg(BufferedImage.TYPE_BYTE_GRAY),
+      Base64.getDecoder().decode(FOUR_INKS)
+    };
+    for (int run = 0; run < 1500; run++) {
+      byte[] file = files[run % files.length].clone();
+      for (int flips = 1 + random.nextInt(3); flips > 0; flips--) {
+        file[2 + random.nextInt(file.length - 2)] = (byte) random.nextInt();
+      }
+      Throwable thrown = catchThrowable(() -> ImageReader.decode(file));
+      if (thrown != null) {
+        assertThat(thrown).isInstanceOf(ImageFormatException.class);
+      }
+    }
+  }
+
+  @Test
+  void pngWithContradictoryChunksNeverCausesAnotherException() {
+    for (int colourType = 0; colourType < 8; colourType++) {
+      for (int depth : new int[] {0, 1, 3, 8, 16, 32, 255}) {
+        byte[] file =
+            new PngFixture()
+                .header(4, 4, depth, colourType, false)
+                .chunk("PLTE", new byte[] {1, 2})
+                .chunk("IDAT", PngFixture.deflated(new byte[200]))
+                .end();
+        Throwable thrown = catchThrowable(() -> ImageReader.decode(file));
+        if (thrown != null) {
+          assertThat(thrown).isInstanceOf(ImageFormatException.class);
+        }
+      }
+    }
+  }
+
+  @Test
+  void anIndexBeyondThePaletteDoesNotEscape() throws IOException {
+    byte[] file =
+        new PngFixture()
+            .header(4, 4, 8, PngFixture.PALETTE, false)
+            .chunk("PLTE", new byte[] {9, 9, 9})
+            .data(4, 4, 8, PngFixture.PALETTE, false, (x, y) -> 200)
+            .end();
+    assertThat(ImageReader.decode(file).raw(0, 0, 0)).as("black").isZero();
+  }
+
+  @Test
+  void aSecondHeaderIsMalformed() {
+    byte[] file =
+        new PngFixture()
+            .header(1, 1, 8, PngFixture.RGB, false)
+            .header(60000, 60000, 8, PngFixture.RGB, false)
+            .data(1, 1, 8, PngFixture.RGB, false, noise(8))
+            .end();
+    assertMalformed(file, "PNG has two headers");
+  }
+
+  @Test
+  void aFileWithoutEndIsMalformed() {
+    byte[] file =
+        new PngFixture()
+            .header(1, 1, 8, PngFixture.RGB, false)
+            .data(1, 1, 8, PngFixture.RGB, false, noise(8))
+            .unfinished();
+    assertMalformed(file, "PNG is truncated");
+  }
+
+  @Test
+  void otherFormatsAreNotEvenTried() throws IOException {
+    ByteArrayOutputStream gif = new ByteArrayOutputStream();
+    ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "gif", gif);
+    byte[] garbage = new byte[1000];
+    new SplittableRandom(1).nextBytes(garbage);
+    for (byte[] file : new byte[][] {gif.toByteArray(), garbage, {}, {(byte) 0xff}}) {
+      assertMalformed(file, "expected a PNG or JPEG picture, found neither");
+    }
+  }
+}

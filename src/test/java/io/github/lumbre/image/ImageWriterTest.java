@@ -1,0 +1,172 @@
+package io.github.lumbre.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ImageWriterTest {
+  @TempDir Path directory;
+
+  @ParameterizedTest
+  @EnumSource
+  void aFullDiskIsReportedWhereverItStrikes(ImageFormat format) throws IOException {
+    Image image = ImageFixture.random(40, 40, true);
+    Path file = directory.resolve("a" + format.ending());
+    int size = ImageFixture.written(image, file, ImageWriter.Options.DEFAULT).length;
+    for (int room = 0; room < size; room += Math.max(1, size / 50)) {
+      FullChannel channel = new FullChannel(room);
+      assertThatThrownBy(
+              () -> ImageWriter.encode(image, format, ImageWriter.Options.DEFAULT, channel))
+          .isInstanceOf(IOException.class)
+          .hasMessage("No space left on device");
+    }
+  }
+
+  @Test
+  void anExistingFileIsKeptWhenWritingFails() throws IOException {
+    Path file = Files.writeString(directory.resolve("a.png"), "old");
+    assertThatThrownBy(() -> ImageWriter.write(Image.black(1, 1), file, null))
+        .isInstanceOf(NullPointerException.class);
+    assertThat(file).hasContent("old");
+    try (Stream<Path> files = Files.list(directory)) {
+      assertThat(files).containsExactly(file);
+    }
+  }
+
+  @Test
+  void aReservedFileIsWrittenAndCommitted() throws IOException {
+    Path file = directory.resolve("a.pfm");
+    try (OutputFile output = OutputFile.open(file)) {
+      ImageWriter.write(Image.black(1, 1), output, ImageWriter.Options.DEFAULT);
+      assertThat(file).hasSize("PF\n1 1\n-1.0\n".length() + 12);
+    }
+  }
+
+  @Test
+  void anUnknownEndingIsRefusedBeforeAnythingIsCreated() throws IOException {
+    Path file = directory.resolve("a.jpg");
+    assertThatThrownBy(() -> ImageWriter.write(Image.black(1, 1), file))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage(file + ": expected a name that ends in one of .png, .pfm, .exr");
+    assertThat(directory).isEmptyDirectory();
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void theSamePictureGivesTheSameBytes(ImageFormat format) throws IOException {
+    Image image = ImageFixture.random(17, 33, true);
+    Path file = directory.resolve("a" + format.ending());
+    byte[] first = ImageFixture.written(image, file, ImageWriter.Options.DEFAULT);
+    assertThat(ImageFixture.written(image, file, ImageWriter.Options.DEFAULT)).isEqualTo(first);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", " a", "a ", "a  b", "a\nb", "ü", "channels", "dataWindow"})
+  void aKeywordThatSomeFormatCannotHoldIsRefused(String keyword) {
+    assertRefused(Map.of(keyword, "text"));
+  }
+
+  @Test
+  void aKeywordHasAtMost79Characters() {
+    assertRefused(Map.of("k".repeat(80), "text"));
+    assertThat(
+            new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of("k".repeat(79), ""))
+                .metadata())
+        .hasSize(1);
+  }
+
+  private static void assertRefused(Map<String, String> metadata) {
+    assertThatThrownBy(() -> new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, metadata))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("metadata: ");
+  }
+
+  @Test
+  void optionsAreImmutable() {
+    Map<String, String> metadata = new HashMap<>(Map.of("Seed", "1"));
+    ImageWriter.Options options =
+        new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, metadata);
+    metadata.put("Seed", "2");
+    assertThat(options.metadata()).containsExactly(Map.entry("Seed", "1"));
+    assertThatThrownBy(() -> options.metadata().clear())
+        .isInstanceOf(UnsupportedOperationException.class);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 7, 12, 32})
+  void bitsAreEightOrSixteen(int bits) {
+    assertThatThrownBy(() -> ImageFixture.options(ToneCurve.SRGB, bits))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("pngBits: expected 8 or 16, found " + bits);
+  }
+
+  /** A channel on a device with little room. */
+  private static final class FullChannel implements SeekableByteChannel {
+    private final int room;
+    private long position;
+
+    FullChannel(int room) {
+      this.room = room;
+    }
+
+    @Override
+    public int write(ByteBuffer source) throws IOException {
+      if (position + source.remaining() > room) {
+        throw new IOException("No space left on device");
+      }
+      int count = source.remaining();
+      source.position(source.limit());
+      position += count;
+      return count;
+    }
+
+    @Override
+    public int read(ByteBuffer destination) {
+      throw new AssertionError("never read");
+    }
+
+    @Override
+    public long position() {
+      return position;
+    }
+
+    @Override
+    public SeekableByteChannel position(long next) {
+      position = next;
+      return this;
+    }
+
+    @Override
+    public long size() {
+      return position;
+    }
+
+    @Override
+    public SeekableByteChannel truncate(long size) {
+      throw new AssertionError("never truncated");
+    }
+
+    @Override
+    public boolean isOpen() {
+      return true;
+    }
+
+    @Override
+    public void close() {
+      throw new AssertionError("the caller's to close");
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import java.util.Arrays;
+
+/**
+ * The mean radiance along one ray, from independent replicates. Samples of one pixel are
+ * stratified and so not independent; the pixels are, and each is one replicate.
+ *
+ * @param mean of the red component
+ * @param error standard error of the mean
+ */
+record Estimate(double mean, double error) {
+  /** Two-sided 1e-6, as for every statistical test. */
+  static final double CRITICAL = 4.8916;
+
+  static final int REPLICATES = 256;
+
+  static Estimate of(Integrator integrator, Ray ray, int samplesEach) {
+    return of(integrator, ray, samplesEach, 0);
+  }
+
+  static Estimate of(Integrator integrator, Ray ray, int samplesEach, long seed) {
+    Sampler sampler = new SobolSampler(seed);
+    Scratch scratch = new Scratch();
+    double[] values = new double[REPLICATES];
+    for (int replicate = 0; replicate < REPLICATES; replicate++) {
+      for (int sample = 0; sample < samplesEach; sample++) {
+        sampler.startSample(replicate, 7, sample);
+        Rgb radiance = integrator.radiance(ray, sampler, scratch);
+        if (!(radiance.r() >= 0) || !radiance.isFinite()) {
+          throw new AssertionError("replicate " + replicate + ", sample " + sample + ": " + radiance);
+        }
+        values[replicate] += radiance.r() / samplesEach;
+      }
+    }
+    double mean = Arrays.stream(values).average().orElseThrow();
+    double squares = Arrays.stream(values).map(value -> (value - mean) * (value - mean)).sum();
+    return new Estimate(mean, Math.sqrt(squares / REPLICATES / (REPLICATES - 1)));
+  }
+
+  /** Returns the distance to a reference in standard errors; 1e-11 of it, which rounding and events
+   * too rare for any sample explain, counts as none. */
+  double z(double reference) {
+    double distance = Math.abs(mean - reference);
+    return distance <= 1e-11 * Math.abs(reference) ? 0 : distance / error;
+  }
+
+  /** Returns the distance to another, independent estimate in standard errors. */
+  double z(Estimate other) {
+    double distance = Math.abs(mean - other.mean);
+    return distance <= 1e-12 * Math.abs(mean)
+        ? 0
+        : distance / Math.sqrt(error * error + other.error * other.error);
+  }
+}

@@ -1,0 +1,254 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.FishEyeCamera;
+import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.Scene;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(value = 60, unit = TimeUnit.SECONDS)
+class BucketRendererTest {
+  private static final Scene SCENE = sceneSeenBy(pinhole());
+
+  private static Camera pinhole() {
+    return new PinholeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 50);
+  }
+
+  private static Scene sceneSeenBy(Camera camera) {
+    return Scene.seenBy(camera)
+        .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
+        .addBackground(Rgb.WHITE)
+        .build();
+  }
+
+  private static RenderSettings.Builder small() {
+    return new RenderSettings.Builder().size(30, 20).samples(4).bucketSize(8).threads(2);
+  }
+
+  @Test
+  void everyPixelIsRendered() throws InterruptedException {
+    Image image = new BucketRenderer(small().build()).render(SCENE);
+
+    assertThat(image.width()).isEqualTo(30);
+    assertThat(image.height()).isEqualTo(20);
+    for (int y = 0; y < 20; y++) {
+      for (int x = 0; x < 30; x++) {
+        assertThat(image.pixel(x, y).luminance()).as("pixel %d,%d", x, y).isPositive();
+      }
+    }
+    assertThat(image.pixel(0, 0)).isEqualTo(Rgb.WHITE);
+    assertThat(image.pixel(15, 10).r()).isBetween(.4, .6);
+  }
+
+  @Test
+  void cropHasTheBitsOfTheFullFrame() throws InterruptedException {
+    Image full = new BucketRenderer(small().build()).render(SCENE);
+    Image crop =
+        new BucketRenderer(small().crop(new Crop(7, 5, 11, 9)).bucketSize(3).build())
+            .render(SCENE);
+
+    for (int y = 0; y < 9; y++) {
+      for (int x = 0; x < 11; x++) {
+        assertThat(crop.pixel(x, y)).isEqualTo(full.pixel(7 + x, 5 + y));
+      }
+    }
+  }
+
+  @Test
+  void seedsGiveDifferentPictures() throws InterruptedException {
+    float[] one = new BucketRenderer(small().seed(1).build()).render(SCENE).rgb();
+    float[] two = new BucketRenderer(small().seed(2).build()).render(SCENE).rgb();
+
+    assertThat(one).isNotEqualTo(two);
+  }
+
+  @Test
+  void listenerHearsOfEverySampleAndBucketOnce() throws InterruptedException {
+    AtomicLong total = new AtomicLong();
+    AtomicLong advanced = new AtomicLong();
+    Set<Bucket> buckets = ConcurrentHashMap.newKeySet();
+    RenderResult result =
+        new BucketRenderer(small().build())
+            .render(
+                SCENE,
+                new Progress() {
+                  @Override
+                  public void started(long totalSamples) {
+                    total.addAndGet(totalSamples);
+                  }
+
+                  @Override
+                  public void advanced(long samples) {
+                    advanced.addAndGet(samples);
+                  }
+
+                  @Override
+                  public void finished(Bucket bucket) {
+                    buckets.add(bucket);
+                  }
+                });
+
+    assertThat(total).hasValue(30 * 20 * 4);
+    assertThat(advanced).hasValue(30 * 20 * 4);
+    assertThat(buckets).hasSize(4 * 3);
+    assertThat(buckets.stream().mapToInt(b -> b.width() * b.height()).sum()).isEqualTo(600);
+    assertThat(result.complete()).isTrue();
+    assertThat(result.statistics().samples()).isEqualTo(2400);
+    assertThat(result.statistics().rays()).isGreaterThan(2400);
+  }
+
+  @Test
+  void cancelledRenderReturnsWhatItHas() throws InterruptedException {
+    Set<Bucket> done = ConcurrentHashMap.newKeySet();
+    Progress afterTwo =
+        new Progress() {
+          @Override
+          public void finished(Bucket bucket) {
+            done.add(bucket);
+          }
+
+          @Override
+          public boolean isCancelled() {
+            return done.size() >= 2;
+          }
+        };
+    RenderResult result =
+        new BucketRenderer(small().samples(64).threads(1).build()).render(SCENE, afterTwo);
+
+    assertThat(result.complete()).isFalse();
+    assertThat(result.image().pixel(0, 0)).isEqualTo(Rgb.WHITE);
+    assertThat(result.image().pixel(29, 19)).isEqualTo(Rgb.BLACK);
+  }
+
+  @Test
+  void workersExceptionEndsTheRenderWithItsCause() {
+    IllegalStateException fault = new IllegalStateException("planted");
+    Integrator failing =
+        (ray, sampler, scratch) -> {
+          if (sampler.get1d(0) > .9) {
+            throw fault;
+          }
+          return Rgb.WHITE;
+        };
+
+    assertThatThrownBy(
+            () ->
+                new BucketRenderer(small().samples(1 << 30).build())
+                    .render(SCENE, failing, Progress.NONE))
+        .isInstanceOf(RenderException.class)
+        .hasCause(fault);
+    assertThat(liveWorkers()).isEmpty();
+  }
+
+  @Test
+  void interruptionEndsAllWorkers() throws InterruptedException {
+    Thread caller =
+        new Thread(
+            () -> {
+              try {
+                new BucketRenderer(small().samples(1 << 30).build()).render(SCENE);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+    caller.start();
+    Thread.sleep(100);
+    assertThat(liveWorkers()).isNotEmpty();
+    caller.interrupt();
+    caller.join(10_000);
+
+    assertThat(caller.isAlive()).isFalse();
+    assertThat(liveWorkers()).isEmpty();
+  }
+
+  private static List<String> liveWorkers() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .map(Thread::getName)
+        .filter(name -> name.startsWith("lumbre-render"))
+        .toList();
+  }
+
+  @Test
+  void samplesThatAreNoRadianceCountAsBlackAndAreReported() throws InterruptedException {
+    double[] bad = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, -1};
+    AtomicLong calls = new AtomicLong();
+    Integrator faulty =
+        (ray, sampler, scratch) -> {
+          int call = (int) calls.getAndIncrement();
+          return call < 4 ? new Rgb(1, bad[call], 1) : Rgb.WHITE;
+        };
+    RenderResult result =
+        new BucketRenderer(small().samples(8).threads(1).build())
+            .render(SCENE, faulty, Progress.NONE);
+
+    assertThat(result.image().pixel(0, 0)).isEqualTo(Rgb.grey(.5));
+    assertThat(result.image().pixel(1, 0)).isEqualTo(Rgb.WHITE);
+    assertThat(result.statistics().rejected()).isEqualTo(4);
+    assertThat(result.statistics().firstRejected())
+        .containsExactly(
+            new RenderStatistics.RejectedSample(0, 0, 0),
+            new RenderStatistics.RejectedSample(0, 0, 1),
+            new RenderStatistics.RejectedSample(0, 0, 2),
+            new RenderStatistics.RejectedSample(0, 0, 3));
+  }
+
+  @Test
+  void transparencyIsTheShareOfSamplesThatMissed() throws InterruptedException {
+    Scene glowing =
+        Scene.seenBy(pinhole())
+            .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
+            .addAmbient(Rgb.grey(Math.PI))
+            .build();
+    RenderSettings settings = small().samples(64).transparent(true).build();
+    Image image = new BucketRenderer(settings).render(glowing);
+
+    assertThat(image.alpha(0, 0)).isZero();
+    assertThat(image.alpha(15, 10)).isEqualTo(1);
+    boolean partial = false;
+    for (int x = 0; x < 30; x++) {
+      float alpha = image.alpha(x, 10);
+      partial |= alpha > 0 && alpha < 1;
+      // Straight alpha: the edge has the sphere's own brightness.
+      assertThat(image.pixel(x, 10).r()).isEqualTo(alpha == 0 ? 0 : .5);
+    }
+    assertThat(partial).isTrue();
+  }
+
+  @Test
+  void fishEyeIsTransparentOutsideItsCircleOnly() throws InterruptedException {
+    Scene scene = sceneSeenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1.5, 180));
+    Image image = new BucketRenderer(small().samples(16).build()).render(scene);
+
+    assertThat(image.hasAlpha()).isTrue();
+    assertThat(image.alpha(0, 0)).isZero();
+    assertThat(image.alpha(0, 10)).isZero();
+    assertThat(image.alpha(15, 10)).isEqualTo(1);
+    assertThat(image.alpha(15, 1)).isEqualTo(1);
+  }
+
+  @Test
+  void rendererIsReusable() throws InterruptedException {
+    BucketRenderer renderer = new BucketRenderer(small().build());
+
+    assertThat(renderer.render(SCENE).rgb()).isEqualTo(renderer.render(SCENE).rgb());
+  }
+}
