@@ -104,8 +104,7 @@ class BoxTest {
         SphereTest.assertOrthonormal(frame);
         assertThat(hit.geometricNormal().dot(from)).isPositive();
         // Moving a little along a tangent must raise its texture coordinate.
-        assertThat(moved(box, ray, frame.tangent()).texture().u())
-            .isGreaterThan(hit.texture().u());
+        assertThat(moved(box, ray, frame.tangent()).texture().u()).isGreaterThan(hit.texture().u());
         assertThat(moved(box, ray, frame.bitangent()).texture().v())
             .isGreaterThan(hit.texture().v());
       }

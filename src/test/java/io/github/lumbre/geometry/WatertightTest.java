@@ -41,7 +41,7 @@ class WatertightTest {
     assertThat(leaks).isZero();
   }
 
-  /** Returns a random direction's point, a point of an edge as near as rounding allows, a vertex. */
+  /** Returns a point of a triangle, of an edge as nearly as rounding allows, or a vertex. */
   private static Vec3 target(TriangleMesh mesh, Random random, int kind) {
     int triangle = random.nextInt(mesh.triangleCount());
     Vec3 a = mesh.position(mesh.vertex(triangle, 0));
