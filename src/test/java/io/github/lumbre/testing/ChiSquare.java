@@ -80,7 +80,8 @@ public record ChiSquare(double statistic, int degrees, long impossible) {
       }
     }
     if (cells < 2) {
-      throw new IllegalArgumentException("cells: expected at least 2 after pooling, found " + cells);
+      throw new IllegalArgumentException(
+          "cells: expected at least 2 after pooling, found " + cells);
     }
     return new ChiSquare(statistic, cells - 1, impossible);
   }

@@ -66,8 +66,8 @@ public final class Statistics {
   }
 
   /**
-   * Returns the slope of the straight line through points, by least squares: of log errors over
-   * log counts, the order of convergence.
+   * Returns the slope of the straight line through points, by least squares: of log errors over log
+   * counts, the order of convergence.
    */
   public static double slope(double[] x, double[] y) {
     double meanX = mean(x);
