@@ -10,6 +10,7 @@ package io.github.lumbre.math;
 public final class Elementary {
   public static final double TWO_PI = 2 * Math.PI;
   public static final double INV_PI = 1 / Math.PI;
+  private static final double RADIANS_PER_DEGREE = Math.PI / 180;
 
   /**
    * Chebyshev coefficients in 2t − 1 of ln(erfc(x) exp(x²) / t), t = 2 / (2 + x), computed with 40
@@ -45,7 +46,9 @@ public final class Elementary {
     return x + x * (s * p);
   }
 
-  /** Returns the cosine of an angle of at most a quarter of π in size (series to the 18th power). */
+  /**
+   * Returns the cosine of an angle of at most a quarter of π in size (series to the 18th power).
+   */
   public static double cosSmall(double x) {
     double s = x * x;
     double p = -1.0 / 6402373705728000.0;
@@ -66,36 +69,40 @@ public final class Elementary {
    * @param turns any finite number; 1 is 360°
    */
   public static double sinTurns(double turns) {
-    double quarters = Math.rint(4 * turns);
-    double rest = (turns - .25 * quarters) * TWO_PI;
-    return switch ((int) ((long) quarters & 3)) {
+    double part = turns - Math.rint(turns);
+    double quarters = Math.rint(4 * part);
+    return sin((int) quarters, (part - .25 * quarters) * TWO_PI);
+  }
+
+  /** Returns the cosine of a number of full turns; see {@link #sinTurns}. */
+  public static double cosTurns(double turns) {
+    double part = turns - Math.rint(turns);
+    double quarters = Math.rint(4 * part);
+    return sin((int) quarters + 1, (part - .25 * quarters) * TWO_PI);
+  }
+
+  /** Returns the sine of an angle in degrees: exact at multiples of 90. */
+  public static double sinDegrees(double degrees) {
+    double part = Math.IEEEremainder(degrees, 360);
+    double quarters = Math.rint(part / 90);
+    return sin((int) quarters, (part - 90 * quarters) * RADIANS_PER_DEGREE);
+  }
+
+  /** Returns the cosine of an angle in degrees: exact at multiples of 90. */
+  public static double cosDegrees(double degrees) {
+    double part = Math.IEEEremainder(degrees, 360);
+    double quarters = Math.rint(part / 90);
+    return sin((int) quarters + 1, (part - 90 * quarters) * RADIANS_PER_DEGREE);
+  }
+
+  /** Returns the sine of some quarter turns and a rest of at most an eighth of a turn. */
+  private static double sin(int quarters, double rest) {
+    return switch (quarters & 3) {
       case 0 -> sinSmall(rest);
       case 1 -> cosSmall(rest);
       case 2 -> -sinSmall(rest);
       default -> -cosSmall(rest);
     };
-  }
-
-  /** Returns the cosine of a number of full turns; see {@link #sinTurns}. */
-  public static double cosTurns(double turns) {
-    double quarters = Math.rint(4 * turns);
-    double rest = (turns - .25 * quarters) * TWO_PI;
-    return switch ((int) ((long) quarters & 3)) {
-      case 0 -> cosSmall(rest);
-      case 1 -> -sinSmall(rest);
-      case 2 -> -cosSmall(rest);
-      default -> sinSmall(rest);
-    };
-  }
-
-  /** Returns the sine of an angle in degrees: exact at multiples of 90. */
-  public static double sinDegrees(double degrees) {
-    return sinTurns(Math.IEEEremainder(degrees, 360) / 360);
-  }
-
-  /** Returns the cosine of an angle in degrees: exact at multiples of 90. */
-  public static double cosDegrees(double degrees) {
-    return cosTurns(Math.IEEEremainder(degrees, 360) / 360);
   }
 
   /** Returns the tangent of an angle in degrees. */
