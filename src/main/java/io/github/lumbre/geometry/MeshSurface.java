@@ -126,7 +126,7 @@ final class MeshSurface {
   }
 
   double area() {
-    return mesh.triangleCount() == 0 ? 0 : areas().sum();
+    return mesh.triangleCount() == 0 ? 0 : areas().mean() * mesh.triangleCount();
   }
 
   private Distribution1d areas() {

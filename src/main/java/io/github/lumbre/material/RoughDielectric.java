@@ -83,7 +83,7 @@ public record RoughDielectric(
     Vec3 i =
         reflects
             ? m.times(2 * cosO).minus(o).normalized()
-            : m.times(cosO / eta - Fresnel.cosTransmitted(cosO, eta))
+            : m.times(cosO / eta - Fresnel.cosTransmitted(cosO, (1 - cosO) * (1 + cosO), eta))
                 .plus(-1 / eta, o)
                 .normalized();
     if (reflects ? !(i.z() > 0) : !(i.z() < 0)) {

@@ -459,19 +459,17 @@ class SceneParserTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "'materialType': 'CookTorrance'"
-            + "|.materialType: CookTorrance is not supported yet; supported: Diffuse, Color,"
-            + " Reflective, Refractive, None",
-        "'materialType': 'Phong'"
-            + "|.materialType: Phong is not supported yet; supported: Diffuse, Color, Reflective,"
-            + " Refractive, None",
         "'materialType': 'Velvet'"
-            + "|.materialType: expected one of Diffuse, Color, Reflective, Refractive, None,"
-            + " found 'Velvet'",
-        "'materialType': 'Diffuse', 'normalTextureId': 3"
-            + "|.normalTextureId: normal maps are not supported yet",
-        "'materialType': 'Refractive', 'roughness': 0.5"
-            + "|.roughness: rough glass is not supported yet",
+            + "|.materialType: expected one of Diffuse, Color, Reflective, Refractive, None, Phong,"
+            + " CookTorrance, found 'Velvet'",
+        "'materialType': 'Phong', 'exponent': -1"
+            + "|.exponent: expected a finite number >= 0, found -1",
+        "'materialType': 'CookTorrance', 'roughness': 1.5"
+            + "|.roughness: expected a number from 0 to 1, found 1.5",
+        "'materialType': 'CookTorrance', 'distribution': 'phong'"
+            + "|.distribution: expected one of beckmann, ggx, found 'phong'",
+        "'materialType': 'Diffuse', 'normalTextureId': 7"
+            + "|.normalTextureId: expected the id of a Texture, found 7; there is 3",
         "'materialType': 'Refractive', 'ior': 0"
             + "|.ior: expected a number in (0, 1000000], found 0",
         "'materialType': 'Refractive', 'ior': -1.5"
