@@ -150,25 +150,29 @@ public final class Bvh {
         // Test both children. A NaN needs an origin on the widened border: any answer is right.
         int at = node * SIZE;
         int near0 =
-            Math.max(
-                Math.max(rank((boxes[at + nearX] - inX) * ix), rank((boxes[at + nearY] - inY) * iy)),
-                Math.max(rank((boxes[at + nearZ] - inZ) * iz), 0));
+            nearRank(
+                (boxes[at + nearX] - inX) * ix,
+                (boxes[at + nearY] - inY) * iy,
+                (boxes[at + nearZ] - inZ) * iz);
         int far0 =
-            Math.min(
-                Math.min(rank((boxes[at + farX] - outX) * ix), rank((boxes[at + farY] - outY) * iy)),
-                Math.min(rank((boxes[at + farZ] - outZ) * iz), best));
+            farRank(
+                (boxes[at + farX] - outX) * ix,
+                (boxes[at + farY] - outY) * iy,
+                (boxes[at + farZ] - outZ) * iz);
         at += 6;
         int near1 =
-            Math.max(
-                Math.max(rank((boxes[at + nearX] - inX) * ix), rank((boxes[at + nearY] - inY) * iy)),
-                Math.max(rank((boxes[at + nearZ] - inZ) * iz), 0));
+            nearRank(
+                (boxes[at + nearX] - inX) * ix,
+                (boxes[at + nearY] - inY) * iy,
+                (boxes[at + nearZ] - inZ) * iz);
         int far1 =
-            Math.min(
-                Math.min(rank((boxes[at + farX] - outX) * ix), rank((boxes[at + farY] - outY) * iy)),
-                Math.min(rank((boxes[at + farZ] - outZ) * iz), best));
+            farRank(
+                (boxes[at + farX] - outX) * ix,
+                (boxes[at + farY] - outY) * iy,
+                (boxes[at + farZ] - outZ) * iz);
         int child = 2 * node;
-        if (near0 <= far0) {
-          if (near1 > far1) {
+        if (near0 <= Math.min(far0, best)) {
+          if (near1 > Math.min(far1, best)) {
             node = children[child];
             continue;
           }
@@ -179,22 +183,16 @@ public final class Bvh {
           node = children[child + 1 - farther];
           continue;
         }
-        if (near1 <= far1) {
+        if (near1 <= Math.min(far1, best)) {
           node = children[child + 1];
           continue;
         }
       } else {
-        int first = BvhBuilder.leafFirst(node);
-        int end = first + BvhBuilder.leafCount(node);
-        boolean hit;
-        if (BvhBuilder.isLeafOfShapes(node)) {
-          nearest.stackTop = top;
-          hit = intersectShapes(first, end, ray, nearest);
-        } else {
-          hit =
-              triangles.intersect(
-                  first, end, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest);
-        }
+        nearest.stackTop = top;
+        boolean hit =
+            BvhBuilder.isLeafOfShapes(node)
+                ? intersectShapes(node, ray, nearest)
+                : triangles.intersect(node, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest);
         if (hit) {
           found = true;
           best = rank(nearest.t);
@@ -216,8 +214,10 @@ public final class Bvh {
     return found;
   }
 
-  private boolean intersectShapes(int first, int end, Ray ray, NearestHit nearest) {
+  private boolean intersectShapes(int leaf, Ray ray, NearestHit nearest) {
     boolean found = false;
+    int first = BvhBuilder.leafFirst(leaf);
+    int end = first + BvhBuilder.leafCount(leaf);
     for (int i = first; i < end; i++) {
       found |= intersectShape(shapes[i], shapeNumbers[i], ray, nearest);
     }
@@ -246,6 +246,16 @@ public final class Bvh {
    */
   private static int rank(double t) {
     return (int) (Double.doubleToRawLongBits(t) >> 32);
+  }
+
+  /** Returns the rank of where a ray is inside all three slabs, and at t ≥ 0. */
+  private static int nearRank(double x, double y, double z) {
+    return Math.max(Math.max(rank(x), rank(y)), Math.max(rank(z), 0));
+  }
+
+  /** Returns the rank of where a ray leaves the first of three slabs. */
+  private static int farRank(double x, double y, double z) {
+    return Math.min(Math.min(rank(x), rank(y)), rank(z));
   }
 
   private static int longest(double x, double y, double z) {

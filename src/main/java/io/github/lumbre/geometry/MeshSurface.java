@@ -160,8 +160,7 @@ final class MeshSurface {
       return SurfaceSample.NONE;
     }
     double error = error(triangle, e1, e2, normal) + mappingError(reference, normal);
-    return new SurfaceSample(
-        position, normal, texture(triangle, b.x(), b.y()), error, pdf);
+    return new SurfaceSample(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
   }
 
   /** Returns the rounding of a ray's way into local space: large if the map is far from even. */

@@ -25,7 +25,7 @@ final class Triangles {
   }
 
   /**
-   * Looks for hits with triangles first to end − 1, from both sides, borders included, and stores
+   * Looks for hits with the triangles of a leaf, from both sides, borders included, and stores
    * those that are nearest so far, or as near but of a lower shape and element.
    *
    * @param kx the axis that is sheared by sx, as ky by sy
@@ -35,8 +35,7 @@ final class Triangles {
    * @param ox origin along kx, as oy along ky and oz along kz
    */
   boolean intersect(
-      int first,
-      int end,
+      int leaf,
       int kx,
       int ky,
       int kz,
@@ -48,6 +47,8 @@ final class Triangles {
       double sz,
       NearestHit nearest) {
     double[] p = vertices;
+    int first = BvhBuilder.leafFirst(leaf);
+    int end = first + BvhBuilder.leafCount(leaf);
     boolean found = false;
     for (int i = first, base = 9 * first; i < end; i++, base += 9) {
       // Move the origin to zero and shear the ray onto the axis kz.

@@ -14,6 +14,7 @@ import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.texture.ImageTexture;
 import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.ImageTexture.Role;
+import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.RedChannel;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
@@ -135,6 +136,13 @@ final class TextureReader {
       return ScalarTexture.constant(constant);
     }
     return new RedChannel(mapping.over(picture.get().as(Role.DATA)), constant, low, high);
+  }
+
+  /** Returns the normal map of a material, or empty if it has none. */
+  Optional<NormalMap> normalMap(JsonNode material, double strength) {
+    UvMapping mapping = mapping(material, "normal");
+    return find(material, "normalTextureId")
+        .map(picture -> new NormalMap(picture.as(Role.NORMAL), mapping, strength));
   }
 
   private static UvMapping mapping(JsonNode material, String channel) {

@@ -200,8 +200,8 @@ class ShapeSamplingTest {
   @Test
   void areasAreThoseOfGeometry() {
     assertThat(new Sphere(Transform.IDENTITY, 2).area()).isCloseTo(16 * Math.PI, within(1e-13));
-    Transform prolate = Transform.rotationDegrees(new Vec3(10, 20, 30))
-        .times(Transform.scale(new Vec3(1, 1, 2)));
+    Transform prolate =
+        Transform.rotationDegrees(new Vec3(10, 20, 30)).times(Transform.scale(new Vec3(1, 1, 2)));
     double e = Math.sqrt(.75);
     double expected = 2 * Math.PI * (1 + 2 / e * StrictMath.asin(e));
     assertThat(new Sphere(prolate, 1).area()).isCloseTo(expected, within(1e-12));
@@ -210,8 +210,7 @@ class ShapeSamplingTest {
     Transform doubled = Transform.scale(new Vec3(2, 2, 2));
     assertThat(new Rectangle(doubled, 3, 4, false).area()).isEqualTo(48);
     assertThat(new Box(doubled, 1, 2, 3).area()).isEqualTo(88);
-    assertThat(Mesh.baked(Shapes.triangle(Vec3.X, Vec3.Y, Vec3.ZERO), doubled).area())
-        .isEqualTo(2);
+    assertThat(Mesh.baked(Shapes.triangle(Vec3.X, Vec3.Y, Vec3.ZERO), doubled).area()).isEqualTo(2);
     assertThat(new Plane(doubled, true).area()).isInfinite();
   }
 

@@ -38,8 +38,9 @@ class SurfaceHitTest {
         random.nextBoolean()
             ? Transform.scale(new Vec3(1e-3, 1, 1e3))
             : Shapes.placement(random, 0, 8);
-    return Transform.translation(Shapes.point(random, offset)).times(skew).times(
-        Shapes.rotation(random));
+    return Transform.translation(Shapes.point(random, offset))
+        .times(skew)
+        .times(Shapes.rotation(random));
   }
 
   private static List<Shape> convexShapes(Transform place, double size) {
