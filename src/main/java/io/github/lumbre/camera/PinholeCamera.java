@@ -27,8 +27,7 @@ public final class PinholeCamera extends Camera {
 
   /** Returns the direction through a film point at distance 1; not of unit length. */
   static Vec3 direction(Point2 film, double aspect, double halfHeight) {
-    return new Vec3(
-        (2 * film.x() - 1) * aspect * halfHeight, (1 - 2 * film.y()) * halfHeight, 1);
+    return new Vec3((2 * film.x() - 1) * aspect * halfHeight, (1 - 2 * film.y()) * halfHeight, 1);
   }
 
   /** Returns half the height of the film at distance 1. */

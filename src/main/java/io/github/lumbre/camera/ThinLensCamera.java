@@ -13,6 +13,9 @@ import java.util.Optional;
  * lens. The pixel is sampled as in {@link PinholeCamera}, independently of the lens.
  */
 public final class ThinLensCamera extends Camera {
+  /** From here on the rays of a film point are parallel. */
+  private static final double INFINITY = 1e12;
+
   private final double halfHeight;
   private final double focusDistance;
   private final double apertureSize;
@@ -20,7 +23,8 @@ public final class ThinLensCamera extends Camera {
 
   /**
    * @param fovDegrees full vertical angle of view, in (0, 180)
-   * @param focusDistance from the lens to the plane of focus, &gt; 0; infinite focuses at infinity
+   * @param focusDistance from the lens to the plane of focus, &gt; 0; above 1e12 as if infinite:
+   *     all rays of a film point are parallel
    * @param apertureSize what one unit of the aperture's form measures in the scene, ≥ 0: the disc's
    *     radius, a mask's width
    */
@@ -51,7 +55,16 @@ public final class ThinLensCamera extends Camera {
     Vec3 chief = PinholeCamera.direction(film, aspect(), halfHeight);
     Point2 lens = aperture.sample(sampler);
     Vec3 origin = new Vec3(lens.x() * apertureSize, lens.y() * apertureSize, 0);
-    // Towards focusDistance·chief, divided by focusDistance: at infinity the rays are parallel.
-    return Optional.of(new Ray(origin, chief.minus(origin.times(1 / focusDistance))));
+    return Optional.of(new Ray(origin, towardsFocus(chief, origin)));
+  }
+
+  /** Returns the direction from a lens point to focusDistance·chief, of whatever length is safe. */
+  private Vec3 towardsFocus(Vec3 chief, Vec3 origin) {
+    if (apertureSize == 0 || focusDistance > INFINITY) {
+      return chief;
+    }
+    return focusDistance < 1
+        ? chief.times(focusDistance).minus(origin).normalized()
+        : chief.minus(origin.times(1 / focusDistance)).normalized();
   }
 }

@@ -138,8 +138,15 @@ final class RenderCommand implements Callable<Integer> {
       messages.error("stopped before anything was rendered; no picture is written");
       return ExitCodes.INTERRUPTED;
     }
-    picture.write(result.image(), writing(file, result, seconds));
-    tell(new Summary(settings, result, seconds), picture.target(), messages);
+    Summary summary = new Summary(settings, result, seconds);
+    Map<String, String> metadata = metadata(file, seconds);
+    if (!result.complete()) {
+      metadata.put("Partial", summary.progress());
+    }
+    picture.write(
+        result.image(),
+        new ImageWriter.Options(settings.exposure(), settings.toneCurve(), bits, metadata));
+    tell(summary, picture.target(), messages);
     boolean rejected = result.statistics().rejected() != 0;
     return rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK;
   }
@@ -157,13 +164,7 @@ final class RenderCommand implements Callable<Integer> {
     }
   }
 
-  private ImageWriter.Options writing(SceneFile file, RenderResult result, double seconds) {
-    RenderSettings settings = file.settings();
-    return new ImageWriter.Options(
-        settings.exposure(), settings.toneCurve(), bits, metadata(file, result, seconds));
-  }
-
-  private Map<String, String> metadata(SceneFile file, RenderResult result, double seconds) {
+  private Map<String, String> metadata(SceneFile file, double seconds) {
     RenderSettings settings = file.settings();
     Map<String, String> metadata = new LinkedHashMap<>();
     metadata.put("Software", "Lumbre " + Version.number());
@@ -175,9 +176,6 @@ final class RenderCommand implements Callable<Integer> {
     metadata.put("Size", settings.width() + "x" + settings.height());
     settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
     metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
-    if (!result.complete()) {
-      metadata.put("Partial", "yes");
-    }
     return metadata;
   }
 }

@@ -8,8 +8,6 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.Optional;
-import java.util.OptionalInt;
-import java.util.OptionalLong;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -31,7 +29,7 @@ final class RenderFlags {
       names = {"-s", "--samples"},
       paramLabel = "N",
       description = "Samples per pixel, in either mode. Default: the scene's, or else 100.")
-  private OptionalInt samples;
+  private Optional<Integer> samples;
 
   @Option(
       names = "--depth",
@@ -40,25 +38,25 @@ final class RenderFlags {
         "Path mode: how many vertices of a path may scatter (scene or 5).",
         "Ray mode: how many mirrors, and how many glass surfaces, a path may meet (scene or 2)."
       })
-  private OptionalInt depth;
+  private Optional<Integer> depth;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       description = "Threads; 0 means one per processor. Changes no bit of the picture.")
-  private OptionalInt threads;
+  private Optional<Integer> threads;
 
   @Option(
       names = "--bucket",
       paramLabel = "N",
       description = "Side of the squares that threads render (32). Changes no bit of the picture.")
-  private OptionalInt bucket;
+  private Optional<Integer> bucket;
 
   @Option(
       names = "--seed",
       paramLabel = "N",
       description = "Seed of everything random (scene or 0).")
-  private OptionalLong seed;
+  private Optional<Long> seed;
 
   @Option(
       names = "--size",

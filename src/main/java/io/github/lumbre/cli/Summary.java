@@ -31,18 +31,24 @@ final class Summary {
   /** Prints what was made, where it is, and how long it took. */
   void print(Path output, Messages messages) {
     Image image = result.image();
-    RenderStatistics statistics = result.statistics();
     messages.line(
         String.format(
             Locale.ROOT,
-            "%s%s: %dx%d pixels, %d samples per pixel, %.2f s, %s samples/s",
-            result.complete() ? "" : "stopped early, saved a partial picture: ",
+            "%s: %s%dx%d pixels, %s, %.2f s, %s samples/s",
             output,
+            result.complete() ? "" : "stopped early, partial picture of ",
             image.width(),
             image.height(),
-            settings.samples(),
+            result.complete() ? settings.samples() + " samples per pixel" : progress(),
             seconds,
-            rate(statistics.samples(), seconds)));
+            rate(result.statistics().samples(), seconds)));
+  }
+
+  /** Returns how much of the work was done: {@code 120 of 4800 samples}. */
+  String progress() {
+    Image image = result.image();
+    long total = (long) image.width() * image.height() * settings.samples();
+    return result.statistics().samples() + " of " + total + " samples";
   }
 
   /** Prints what the render did. */
@@ -79,7 +85,8 @@ final class Summary {
 
   /** Prints a suggestion if the picture will look dark on a screen. */
   void printIfDark(Messages messages) {
-    if (settings.exposure().stops().isPresent() && isDark()) {
+    boolean isFixed = settings.exposure().stops().isPresent();
+    if (isFixed && result.complete() && isDark()) {
       messages.line(
           "hint: 99 % of the picture is darker than " + DARK + "; try --exposure auto");
     }

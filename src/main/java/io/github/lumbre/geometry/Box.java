@@ -49,7 +49,9 @@ public final class Box implements Shape {
       Vec3 normal = toWorld.normal((face & 1) == 0 ? axis.negated() : axis);
       frames[face] = Frame.around(normal, u.negated(), v.negated());
       faceArea[face] =
-          u.cross(v).length() * (2 * half.get(U_AXIS[face >> 1])) * (2 * half.get(V_AXIS[face >> 1]));
+          u.cross(v).length()
+              * (2 * half.get(U_AXIS[face >> 1]))
+              * (2 * half.get(V_AXIS[face >> 1]));
     }
   }
 
@@ -94,7 +96,9 @@ public final class Box implements Shape {
     return true;
   }
 
-  /** Returns where a ray enters the slab |x| ≤ half: −∞ or +∞ if it runs along inside or outside. */
+  /**
+   * Returns where a ray enters the slab |x| ≤ half: −∞ or +∞ if it runs along inside or outside.
+   */
   private static double enter(double o, double d, double half) {
     if (d == 0) {
       return Math.abs(o) <= half ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;

@@ -111,7 +111,7 @@ public final class Bvh {
     }
     double[] boxes = nodes;
     int[] stack = nearest.stack;
-    double[] stackNear = nearest.stackNear;
+    int[] stackNear = nearest.stackNear;
     int bottom = nearest.stackTop;
     int top = bottom;
     // Choose each axis' near side by the direction's sign; -0 chooses as a negative number would.
@@ -143,32 +143,36 @@ public final class Bvh {
     double oky = pick(ky, ox, oy, oz);
     double okz = pick(kz, ox, oy, oz);
     boolean found = false;
-    double best = nearest.t;
+    int best = rank(nearest.t);
     int node = root;
     while (true) {
       if (node >= 0) {
-        // Test both children. A NaN needs an origin on the widened border: a miss, rightly.
+        // Test both children. A NaN needs an origin on the widened border: any answer is right.
         int at = node * SIZE;
-        double near0 =
-            Math.max(
-                Math.max((boxes[at + nearX] - inX) * ix, (boxes[at + nearY] - inY) * iy),
-                Math.max((boxes[at + nearZ] - inZ) * iz, 0));
-        double far0 =
-            Math.min(
-                Math.min((boxes[at + farX] - outX) * ix, (boxes[at + farY] - outY) * iy),
-                Math.min((boxes[at + farZ] - outZ) * iz, best));
+        int near0 =
+            nearRank(
+                (boxes[at + nearX] - inX) * ix,
+                (boxes[at + nearY] - inY) * iy,
+                (boxes[at + nearZ] - inZ) * iz);
+        int far0 =
+            farRank(
+                (boxes[at + farX] - outX) * ix,
+                (boxes[at + farY] - outY) * iy,
+                (boxes[at + farZ] - outZ) * iz);
         at += 6;
-        double near1 =
-            Math.max(
-                Math.max((boxes[at + nearX] - inX) * ix, (boxes[at + nearY] - inY) * iy),
-                Math.max((boxes[at + nearZ] - inZ) * iz, 0));
-        double far1 =
-            Math.min(
-                Math.min((boxes[at + farX] - outX) * ix, (boxes[at + farY] - outY) * iy),
-                Math.min((boxes[at + farZ] - outZ) * iz, best));
+        int near1 =
+            nearRank(
+                (boxes[at + nearX] - inX) * ix,
+                (boxes[at + nearY] - inY) * iy,
+                (boxes[at + nearZ] - inZ) * iz);
+        int far1 =
+            farRank(
+                (boxes[at + farX] - outX) * ix,
+                (boxes[at + farY] - outY) * iy,
+                (boxes[at + farZ] - outZ) * iz);
         int child = 2 * node;
-        if (near0 <= far0) {
-          if (!(near1 <= far1)) {
+        if (near0 <= Math.min(far0, best)) {
+          if (near1 > Math.min(far1, best)) {
             node = children[child];
             continue;
           }
@@ -179,25 +183,19 @@ public final class Bvh {
           node = children[child + 1 - farther];
           continue;
         }
-        if (near1 <= far1) {
+        if (near1 <= Math.min(far1, best)) {
           node = children[child + 1];
           continue;
         }
       } else {
-        int first = BvhBuilder.leafFirst(node);
-        int end = first + BvhBuilder.leafCount(node);
-        boolean hit;
-        if (BvhBuilder.isLeafOfShapes(node)) {
-          nearest.stackTop = top;
-          hit = intersectShapes(first, end, ray, nearest);
-        } else {
-          hit =
-              triangles.intersect(
-                  first, end, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest);
-        }
+        nearest.stackTop = top;
+        boolean hit =
+            BvhBuilder.isLeafOfShapes(node)
+                ? intersectShapes(node, ray, nearest)
+                : triangles.intersect(node, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest);
         if (hit) {
           found = true;
-          best = nearest.t;
+          best = rank(nearest.t);
           if (nearest.any) {
             break;
           }
@@ -216,8 +214,10 @@ public final class Bvh {
     return found;
   }
 
-  private boolean intersectShapes(int first, int end, Ray ray, NearestHit nearest) {
+  private boolean intersectShapes(int leaf, Ray ray, NearestHit nearest) {
     boolean found = false;
+    int first = BvhBuilder.leafFirst(leaf);
+    int end = first + BvhBuilder.leafCount(leaf);
     for (int i = first; i < end; i++) {
       found |= intersectShape(shapes[i], shapeNumbers[i], ray, nearest);
     }
@@ -236,6 +236,26 @@ public final class Bvh {
     }
     nearest.t = best;
     return false;
+  }
+
+  /**
+   * Returns the upper half of a number's bits. It never falls as the number rises, and all negative
+   * numbers have negative ranks; among those the order is lost, but slabs only compare with what is
+   * not negative. Ranks make the search insensitive to order beyond a millionth, never wrong; and
+   * the smaller of two integers costs a fraction of that of two doubles, which minds NaN and -0.
+   */
+  private static int rank(double t) {
+    return (int) (Double.doubleToRawLongBits(t) >> 32);
+  }
+
+  /** Returns the rank of where a ray is inside all three slabs, and at t ≥ 0. */
+  private static int nearRank(double x, double y, double z) {
+    return Math.max(Math.max(rank(x), rank(y)), Math.max(rank(z), 0));
+  }
+
+  /** Returns the rank of where a ray leaves the first of three slabs. */
+  private static int farRank(double x, double y, double z) {
+    return Math.min(Math.min(rank(x), rank(y)), rank(z));
   }
 
   private static int longest(double x, double y, double z) {

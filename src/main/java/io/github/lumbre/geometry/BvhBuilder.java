@@ -27,6 +27,9 @@ final class BvhBuilder {
 
   private static final int COUNT_BITS = 4;
 
+  /** In place of an index into the nodes: the root's own box is not stored. */
+  private static final int NOWHERE = -1;
+
   private final double[] boxes;
   private final int triangles;
   private final int[] order;
@@ -39,13 +42,16 @@ final class BvhBuilder {
   private int shapeCount;
   private int root;
 
-  // Scratch memory of one split.
-  private final int[] binCount = new int[BINS];
-  private final double[] binBox = new double[6 * BINS];
+  // Scratch memory of one split: the box of a range and that of its centres, and bins by axis.
+  private final double[] range = new double[6];
+  private final double[] centres = new double[6];
+  private final int[] binCount = new int[3 * BINS];
+  private final double[] binBox = new double[3 * BINS * 6];
   private final double[] rightCost = new double[BINS];
+  private int bins;
 
   /**
-   * @param boxes six doubles an item: minimum and maximum on x, y, z; finite
+   * @param boxes six doubles an item: minimum and maximum on x, y, z; finite; will be reordered
    * @param triangles how many of the items, the first ones, are triangles
    */
   BvhBuilder(double[] boxes, int triangles) {
@@ -62,7 +68,7 @@ final class BvhBuilder {
     triangleOrder = new int[triangles];
     shapeOrder = new int[items - triangles];
     if (items > 0) {
-      root = build(0, items, 0);
+      root = build(0, items, 0, NOWHERE);
     }
     nodes = Arrays.copyOf(nodes, nodeCount * NODE_SIZE);
     children = Arrays.copyOf(children, nodeCount * 2);
@@ -109,7 +115,16 @@ final class BvhBuilder {
     return ~leaf & (1 << COUNT_BITS) - 1;
   }
 
-  private int build(int first, int end, int depth) {
+  /**
+   * Builds the subtree over a range of the order.
+   *
+   * @param at where in the nodes the range's box belongs
+   */
+  private int build(int first, int end, int depth, int at) {
+    measure(first, end);
+    if (at != NOWHERE) {
+      System.arraycopy(range, 0, nodes, at, 6);
+    }
     if (end - first == 1) {
       return makeLeaf(first, end);
     }
@@ -132,10 +147,8 @@ final class BvhBuilder {
       nodes = Arrays.copyOf(nodes, nodes.length * 2);
       children = Arrays.copyOf(children, children.length * 2);
     }
-    storeBox(first, middle, node * NODE_SIZE);
-    storeBox(middle, end, node * NODE_SIZE + 6);
-    int left = build(first, middle, depth + 1);
-    int right = build(middle, end, depth + 1);
+    int left = build(first, middle, depth + 1, node * NODE_SIZE);
+    int right = build(middle, end, depth + 1, node * NODE_SIZE + 6);
     children[2 * node] = left;
     children[2 * node + 1] = right;
     return node;
@@ -154,10 +167,21 @@ final class BvhBuilder {
     return leaf(ofShapes, start, end - first);
   }
 
-  private void storeBox(int first, int end, int at) {
-    clear(nodes, at);
+  /** Sets the box of a range and the box of its centres. */
+  private void measure(int first, int end) {
+    clear(range, 0);
+    clear(centres, 0);
     for (int i = first; i < end; i++) {
-      grow(nodes, at, boxes, 6 * order[i]);
+      grow(range, 0, boxes, 6 * i);
+      for (int axis = 0; axis < 3; axis++) {
+        double c = centre(i, axis);
+        if (c < centres[2 * axis]) {
+          centres[2 * axis] = c;
+        }
+        if (c > centres[2 * axis + 1]) {
+          centres[2 * axis + 1] = c;
+        }
+      }
     }
   }
 
@@ -174,96 +198,100 @@ final class BvhBuilder {
 
   /** Returns where the reordered range should be split, or first if it should not or cannot be. */
   private int splitBySurfaceArea(int first, int end) {
-    double[] all = new double[6];
-    clear(all, 0);
-    double[] centres = new double[6];
-    clear(centres, 0);
-    for (int i = first; i < end; i++) {
-      grow(all, 0, boxes, 6 * order[i]);
-      for (int axis = 0; axis < 3; axis++) {
-        double c = centre(order[i], axis);
-        centres[2 * axis] = Math.min(centres[2 * axis], c);
-        centres[2 * axis + 1] = Math.max(centres[2 * axis + 1], c);
-      }
-    }
-    double area = halfArea(all, 0);
     int count = end - first;
-    double best = count <= MAX_LEAF ? area * count - area * NODE_COST : Double.POSITIVE_INFINITY;
+    bins = Math.min(BINS, 2 * count);
+    fillBins(first, end);
+    double best =
+        count <= MAX_LEAF ? halfArea(range, 0) * (count - NODE_COST) : Double.POSITIVE_INFINITY;
     int bestAxis = -1;
     int bestBin = 0;
+    double[] left = new double[6];
     for (int axis = 0; axis < 3; axis++) {
-      double low = centres[2 * axis];
-      double scale = BINS / (centres[2 * axis + 1] - low);
-      if (!(centres[2 * axis + 1] > low)) {
-        continue;
-      }
-      fillBins(first, end, axis, low, scale);
-      fillRightCosts();
-      double[] left = new double[6];
+      fillRightCosts(axis);
       clear(left, 0);
       int leftCount = 0;
-      for (int bin = 0; bin < BINS - 1; bin++) {
-        grow(left, 0, binBox, 6 * bin);
-        leftCount += binCount[bin];
+      for (int bin = 0; bin < bins - 1; bin++) {
+        if (binCount[BINS * axis + bin] == 0) {
+          continue;
+        }
+        grow(left, 0, binBox, 6 * (BINS * axis + bin));
+        leftCount += binCount[BINS * axis + bin];
         double cost = leftCount * halfArea(left, 0) + rightCost[bin + 1];
-        if (leftCount > 0 && leftCount < count && cost < best) {
+        if (leftCount < count && cost < best) {
           best = cost;
           bestAxis = axis;
           bestBin = bin;
         }
       }
     }
-    return bestAxis < 0 ? first : partition(first, end, bestAxis, bestBin, centres);
+    return bestAxis < 0 ? first : partition(first, end, bestAxis, bestBin);
   }
 
-  private void fillBins(int first, int end, int axis, double low, double scale) {
+  private void fillBins(int first, int end) {
     Arrays.fill(binCount, 0);
-    for (int bin = 0; bin < BINS; bin++) {
-      clear(binBox, 6 * bin);
-    }
-    for (int i = first; i < end; i++) {
-      int bin = bin(order[i], axis, low, scale);
-      binCount[bin]++;
-      grow(binBox, 6 * bin, boxes, 6 * order[i]);
+    for (int axis = 0; axis < 3; axis++) {
+      for (int bin = 0; bin < bins; bin++) {
+        clear(binBox, 6 * (BINS * axis + bin));
+      }
+      double low = centres[2 * axis];
+      double scale = binScale(axis);
+      for (int i = first; i < end; i++) {
+        int bin = BINS * axis + bin(i, axis, low, scale);
+        binCount[bin]++;
+        grow(binBox, 6 * bin, boxes, 6 * i);
+      }
     }
   }
 
-  /** Sets, for each bin, the cost of a leaf made of it and all later ones. */
-  private void fillRightCosts() {
+  /** Sets, for each bin of an axis, the cost of a leaf made of it and all later ones. */
+  private void fillRightCosts(int axis) {
     double[] right = new double[6];
     clear(right, 0);
     int count = 0;
-    for (int bin = BINS - 1; bin > 0; bin--) {
-      grow(right, 0, binBox, 6 * bin);
-      count += binCount[bin];
-      rightCost[bin] = count == 0 ? 0 : count * halfArea(right, 0);
+    for (int bin = bins - 1; bin > 0; bin--) {
+      if (binCount[BINS * axis + bin] > 0) {
+        grow(right, 0, binBox, 6 * (BINS * axis + bin));
+        count += binCount[BINS * axis + bin];
+      }
+      rightCost[bin] = count * halfArea(right, 0);
     }
   }
 
-  private int partition(int first, int end, int axis, int lastLeft, double[] centres) {
+  private int partition(int first, int end, int axis, int lastLeft) {
     double low = centres[2 * axis];
-    double scale = BINS / (centres[2 * axis + 1] - low);
+    double scale = binScale(axis);
     int middle = first;
     for (int i = first; i < end; i++) {
-      if (bin(order[i], axis, low, scale) <= lastLeft) {
+      if (bin(i, axis, low, scale) <= lastLeft) {
         swap(i, middle++);
       }
     }
     return middle;
   }
 
-  private int bin(int item, int axis, double low, double scale) {
-    return Math.min(BINS - 1, (int) ((centre(item, axis) - low) * scale));
+  /** Returns bins a length; 0, which puts all into the first bin, if the centres coincide. */
+  private double binScale(int axis) {
+    double length = centres[2 * axis + 1] - centres[2 * axis];
+    return length > 0 ? bins / length : 0;
   }
 
-  private double centre(int item, int axis) {
-    return .5 * boxes[6 * item + 2 * axis] + .5 * boxes[6 * item + 2 * axis + 1];
+  private int bin(int i, int axis, double low, double scale) {
+    return Math.min(bins - 1, (int) ((centre(i, axis) - low) * scale));
+  }
+
+  private double centre(int i, int axis) {
+    return .5 * boxes[6 * i + 2 * axis] + .5 * boxes[6 * i + 2 * axis + 1];
   }
 
   private void swap(int i, int j) {
     int item = order[i];
     order[i] = order[j];
     order[j] = item;
+    for (int k = 0; k < 6; k++) {
+      double bound = boxes[6 * i + k];
+      boxes[6 * i + k] = boxes[6 * j + k];
+      boxes[6 * j + k] = bound;
+    }
   }
 
   private static void clear(double[] box, int at) {
@@ -275,8 +303,13 @@ final class BvhBuilder {
 
   private static void grow(double[] box, int at, double[] by, int byAt) {
     for (int axis = 0; axis < 6; axis += 2) {
-      box[at + axis] = Math.min(box[at + axis], by[byAt + axis]);
-      box[at + axis + 1] = Math.max(box[at + axis + 1], by[byAt + axis + 1]);
+      // Comparisons: almost always as the last time, and so faster here than Math.min.
+      if (by[byAt + axis] < box[at + axis]) {
+        box[at + axis] = by[byAt + axis];
+      }
+      if (by[byAt + axis + 1] > box[at + axis + 1]) {
+        box[at + axis + 1] = by[byAt + axis + 1];
+      }
     }
   }
 

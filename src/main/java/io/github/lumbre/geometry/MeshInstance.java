@@ -26,7 +26,9 @@ public final class MeshInstance implements Shape {
     return Placement.outward(toWorld, shared.mesh().bounds());
   }
 
-  /** {@inheritDoc} The local direction is not normalised, so that t means the same on both sides. */
+  /**
+   * {@inheritDoc} The local direction is not normalised, so that t means the same on both sides.
+   */
   @Override
   public boolean intersect(Ray ray, NearestHit nearest) {
     Vec3 o = ray.origin();

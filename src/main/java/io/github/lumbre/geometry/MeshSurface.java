@@ -11,6 +11,9 @@ import io.github.lumbre.texture.TexturePoint;
 
 /** The world-space surface of a placed mesh: at a hit, or at random. */
 final class MeshSurface {
+  /** Error of a sheared vertex relative to the edges: some six roundings, with room. */
+  private static final double SHEARING = 16 * 0x1p-52;
+
   private final TriangleMesh mesh;
   private final Transform toWorld;
   private final boolean isInWorld;
@@ -38,7 +41,7 @@ final class MeshSurface {
         shadingFrame(triangle, e1, e2, shadingNormal),
         texture(triangle, hit.b1, hit.b2),
         ray.direction().negated().normalized(),
-        error(triangle, normal));
+        error(triangle, e1, e2, normal));
   }
 
   private Vec3 position(int triangle, int corner) {
@@ -101,17 +104,21 @@ final class MeshSurface {
         a.v() + b1 * (b.v() - a.v()) + b2 * (c.v() - a.v()));
   }
 
-  /** Returns the rounding of a point of a triangle along its normal: all three vertices enter. */
-  private double error(int triangle, Vec3 normal) {
+  /**
+   * Returns the rounding of a point of a triangle along its normal. All three vertices enter with
+   * their coordinates; and since the intersection test shears one axis into another, the length of
+   * the edges enters in every direction.
+   */
+  private double error(int triangle, Vec3 e1, Vec3 e2, Vec3 normal) {
     Vec3 a = mesh.position(mesh.vertex(triangle, 0));
     Vec3 b = mesh.position(mesh.vertex(triangle, 1));
     Vec3 c = mesh.position(mesh.vertex(triangle, 2));
-    return toWorld.pointError(
+    Vec3 farthest =
         new Vec3(
             largest(a.x(), b.x(), c.x()),
             largest(a.y(), b.y(), c.y()),
-            largest(a.z(), b.z(), c.z())),
-        normal);
+            largest(a.z(), b.z(), c.z()));
+    return toWorld.pointError(farthest, normal) + SHEARING * Math.max(e1.maxAbs(), e2.maxAbs());
   }
 
   private static double largest(double a, double b, double c) {
@@ -119,7 +126,7 @@ final class MeshSurface {
   }
 
   double area() {
-    return mesh.triangleCount() == 0 ? 0 : areas().sum();
+    return mesh.triangleCount() == 0 ? 0 : areas().mean() * mesh.triangleCount();
   }
 
   private Distribution1d areas() {
@@ -149,10 +156,17 @@ final class MeshSurface {
     Vec3 position = a.plus(b.x(), e1).plus(b.y(), e2);
     Vec3 normal = geometricNormal(triangle, e1, e2);
     double pdf = Placement.solidAnglePdf(reference.minus(position), normal, area());
-    return pdf > 0
-        ? new SurfaceSample(
-            position, normal, texture(triangle, b.x(), b.y()), error(triangle, normal), pdf)
-        : SurfaceSample.NONE;
+    if (!(pdf > 0)) {
+      return SurfaceSample.NONE;
+    }
+    double error = error(triangle, e1, e2, normal) + mappingError(reference, normal);
+    return new SurfaceSample(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
+  }
+
+  /** Returns the rounding of a ray's way into local space: large if the map is far from even. */
+  private double mappingError(Vec3 origin, Vec3 normal) {
+    double r = toWorld.inversePoint(origin).maxAbs();
+    return isInWorld ? 0 : toWorld.pointError(new Vec3(r, r, r), normal);
   }
 
   double pdf(Vec3 reference, SurfaceHit onShape) {

@@ -25,8 +25,8 @@ public final class NearestHit {
   /** Nodes still to visit; nested searches (instances) use the part from stackTop on. */
   final int[] stack = new int[2 * BvhBuilder.MAX_DEPTH];
 
-  /** Where the ray enters the nodes still to visit. */
-  final double[] stackNear = new double[2 * BvhBuilder.MAX_DEPTH];
+  /** The rank of where the ray enters the nodes still to visit. */
+  final int[] stackNear = new int[2 * BvhBuilder.MAX_DEPTH];
 
   int stackTop;
 

@@ -24,6 +24,8 @@ public record SurfaceHit(
     TexturePoint texture,
     Vec3 wo,
     double error) {
+  /** How far, relative to a ray's length, its meeting with a surface may be out of place. */
+  private static final double ROUNDING = 16 * 0x1p-52;
 
   /** Returns the ray that leaves in a unit direction, on the side the direction points to. */
   public Ray spawn(Vec3 direction) {
@@ -39,7 +41,8 @@ public record SurfaceHit(
   /** Returns the ray to a point of another surface; it ends just before that surface. */
   public Ray spawnTowards(SurfaceSample sample) {
     Vec3 way = position.minus(sample.position());
-    double side = Math.copySign(sample.error(), way.dot(sample.normal()));
+    double margin = sample.error() + ROUNDING * way.maxAbs();
+    double side = Math.copySign(margin, way.dot(sample.normal()));
     return spawnTowards(sample.position().plus(side, sample.normal()));
   }
 

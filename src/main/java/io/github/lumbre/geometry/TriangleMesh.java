@@ -129,14 +129,13 @@ public final class TriangleMesh {
       Vec3 a = position(vertex(i, 0));
       Vec3 e1 = position(vertex(i, 1)).minus(a);
       Vec3 e2 = position(vertex(i, 2)).minus(a);
-      Vec3 sum =
-          normal(vertex(i, 0)).plus(normal(vertex(i, 1))).plus(normal(vertex(i, 2)));
+      Vec3 sum = normal(vertex(i, 0)).plus(normal(vertex(i, 1))).plus(normal(vertex(i, 2)));
       result[i] = cross(e1, e2).dot(sum) < 0;
     }
     return result;
   }
 
-  /** Returns the cross product of two edges up to a positive factor; zero only if they are along. */
+  /** Returns the cross product of two edges up to a positive factor; zero if they are parallel. */
   static Vec3 cross(Vec3 e1, Vec3 e2) {
     Vec3 cross = e1.cross(e2);
     double size = cross.maxAbs();

@@ -25,7 +25,7 @@ final class Triangles {
   }
 
   /**
-   * Looks for hits with triangles first to end − 1, from both sides, borders included, and stores
+   * Looks for hits with the triangles of a leaf, from both sides, borders included, and stores
    * those that are nearest so far, or as near but of a lower shape and element.
    *
    * @param kx the axis that is sheared by sx, as ky by sy
@@ -35,8 +35,7 @@ final class Triangles {
    * @param ox origin along kx, as oy along ky and oz along kz
    */
   boolean intersect(
-      int first,
-      int end,
+      int leaf,
       int kx,
       int ky,
       int kz,
@@ -48,6 +47,8 @@ final class Triangles {
       double sz,
       NearestHit nearest) {
     double[] p = vertices;
+    int first = BvhBuilder.leafFirst(leaf);
+    int end = first + BvhBuilder.leafCount(leaf);
     boolean found = false;
     for (int i = first, base = 9 * first; i < end; i++, base += 9) {
       // Move the origin to zero and shear the ray onto the axis kz.
@@ -67,11 +68,20 @@ final class Triangles {
       if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
         continue;
       }
-      // All zero, seen edge on: t is NaN, and no hit.
-      double inverse = 1 / (u + v + w);
-      double b1 = v * inverse;
-      double b2 = w * inverse;
-      double t = (u * inverse * az + b1 * bz + b2 * cz) * sz;
+      // Weigh the vertices anew without cancellation: in slivers the signs alone are to be trusted.
+      double wa = Math.abs(differenceOfProducts(cx, by, cy, bx));
+      double wb = Math.abs(differenceOfProducts(ax, cy, ay, cx));
+      double wc = Math.abs(differenceOfProducts(bx, ay, by, ax));
+      if (wa + wb + wc == 0) {
+        wa = Math.abs(u);
+        wb = Math.abs(v);
+        wc = Math.abs(w);
+      }
+      // If all are zero, seen edge on, t is NaN, and no hit.
+      double inverse = 1 / (wa + wb + wc);
+      double b1 = wb * inverse;
+      double b2 = wc * inverse;
+      double t = (wa * inverse * az + b1 * bz + b2 * cz) * sz;
       if (t > 0 && (t < nearest.t || t == nearest.t && isBefore(i, nearest))) {
         nearest.t = t;
         nearest.shape = shape[i];
@@ -82,6 +92,13 @@ final class Triangles {
       }
     }
     return found;
+  }
+
+  /** Returns ab − cd to within 1.5 ulp: Jeannerod, Louvet and Muller 2013, Kahan's algorithm. */
+  private static double differenceOfProducts(double a, double b, double c, double d) {
+    double cd = c * d;
+    double error = Math.fma(-c, d, cd);
+    return Math.fma(a, b, -cd) + error;
   }
 
   private boolean isBefore(int i, NearestHit nearest) {

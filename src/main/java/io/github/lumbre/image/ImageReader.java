@@ -3,6 +3,7 @@ package io.github.lumbre.image;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import java.io.ByteArrayInputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -112,9 +113,9 @@ public final class ImageReader {
       return new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", thrown);
     }
-    String reason =
-        cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    String reason = cause.getMessage() == null ? "" : ": " + cause.getMessage();
+    String damage = cause instanceof EOFException ? " ends too early" : " is damaged" + reason;
     return new ImageFormatException(
-        ImageFormatException.Kind.MALFORMED, format + " is damaged: " + reason, thrown);
+        ImageFormatException.Kind.MALFORMED, format + damage, thrown);
   }
 }

@@ -8,6 +8,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.Dielectric;
+import io.github.lumbre.material.RoughDielectric;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
@@ -23,7 +24,7 @@ import java.util.Optional;
 
 /**
  * Whitted's ray tracing (1980): light straight from every light, mirrors, and glass; no light from
- * one diffuse surface to another. Each area light and dome is sampled once.
+ * one diffuse or glossy surface to another. Each area light and dome is sampled once.
  */
 public final class RayTracer implements Integrator {
   /**
@@ -91,6 +92,11 @@ public final class RayTracer implements Integrator {
       splitAtGlass(branch, vertex, glass, lobe, pending);
       return Rgb.BLACK;
     }
+    if (vertex.bsdf() instanceof RoughDielectric) {
+      int dimension = Sampler.vertex(number);
+      scatterInGlass(branch, vertex, sampler, dimension, pending);
+      return branch.throughput().times(direct(vertex, number, sampler, scratch));
+    }
     if (vertex.bsdf().isSpecular()) {
       reflect(branch, vertex, pending);
       return Rgb.BLACK;
@@ -129,6 +135,18 @@ public final class RayTracer implements Integrator {
               branch.throughput().times(mirrored.weight()),
               branch.reflections() + 1,
               branch.refractions()));
+    }
+  }
+
+  /** Follows one random direction through ground glass, which has no two to split into. */
+  private void scatterInGlass(
+      Branch branch, Vertex vertex, Sampler sampler, int dimension, Deque<Branch> pending) {
+    if (branch.refractions() < maxRefractions) {
+      BsdfSample either =
+          vertex.sample(
+              sampler.get1d(dimension + Sampler.LOBE),
+              sampler.get2d(dimension + Sampler.DIRECTION));
+      pushGlass(branch, vertex, either.wi(), either.weight(), pending);
     }
   }
 

@@ -32,8 +32,7 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
       return Optional.empty();
     }
     return Optional.of(
-        new LightSample(
-            way.normalized(), radiance, point.pdf(), new LightSample.AtSurface(point)));
+        new LightSample(way.normalized(), radiance, point.pdf(), new LightSample.AtSurface(point)));
   }
 
   @Override

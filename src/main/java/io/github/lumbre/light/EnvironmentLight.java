@@ -17,6 +17,11 @@ import java.util.Optional;
  * An image reads unmirrored from inside, its centre towards the dome's +z, its top up. Immutable.
  */
 public final class EnvironmentLight implements Light {
+  private static final TexturePoint CENTRE = new TexturePoint(.5, .5);
+
+  /** Textures repeat: at 1 the zenith would show the nadir. */
+  private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
+
   private final Frame axes;
   private final Texture<Rgb> radiance;
   private final Optional<Distribution2d> distribution;
@@ -44,8 +49,7 @@ public final class EnvironmentLight implements Light {
    * @param columns of the grid on which the brightness is tabulated: the image's own, for instance
    * @param rows likewise
    */
-  public static EnvironmentLight image(
-      Frame axes, Texture<Rgb> radiance, int columns, int rows) {
+  public static EnvironmentLight image(Frame axes, Texture<Rgb> radiance, int columns, int rows) {
     Objects.requireNonNull(axes, "axes");
     Objects.requireNonNull(radiance, "radiance");
     double[][] weights = new double[rows][columns];
@@ -55,8 +59,7 @@ public final class EnvironmentLight implements Light {
           Elementary.sinTurns((row + 1.0) / rows / 2 - .25)
               - Elementary.sinTurns((double) row / rows / 2 - .25);
       for (int column = 0; column < columns; column++) {
-        weights[row][column] =
-            solidAngle * brightest(radiance, column, row, columns, rows);
+        weights[row][column] = solidAngle * brightest(radiance, column, row, columns, rows);
         total += weights[row][column];
       }
     }
@@ -81,7 +84,7 @@ public final class EnvironmentLight implements Light {
 
   /** Returns the radiance that arrives from a unit direction. */
   public Rgb from(Vec3 direction) {
-    return radiance.at(texturePoint(direction));
+    return radiance.at(texturePoint(axes.toLocal(direction)));
   }
 
   /** Returns the density per solid angle with which {@link #sample} draws a unit direction. */
@@ -89,9 +92,13 @@ public final class EnvironmentLight implements Light {
     if (distribution.isEmpty()) {
       return Warp.INV_FOUR_PI;
     }
-    TexturePoint p = texturePoint(direction);
-    double cosLatitude = Elementary.cosTurns((p.v() - .5) / 2);
-    return cosLatitude <= 0 ? 0 : density(new Point2(p.u(), p.v()), cosLatitude);
+    Vec3 d = axes.toLocal(direction);
+    double cosLatitude = cosLatitude(d);
+    if (cosLatitude == 0) {
+      return 0;
+    }
+    TexturePoint p = texturePoint(d);
+    return perSolidAngle(distribution.get().pdf(new Point2(p.u(), p.v())), cosLatitude);
   }
 
   @Override
@@ -100,7 +107,8 @@ public final class EnvironmentLight implements Light {
       Vec3 wi = Warp.uniformSphere(u);
       return Optional.of(arriving(wi, from(wi), Warp.INV_FOUR_PI));
     }
-    Point2 p = distribution.get().sample(u);
+    Distribution2d.Sample drawn = distribution.get().sample(u);
+    Point2 p = drawn.point();
     double longitude = p.x() - .5;
     double latitude = (p.y() - .5) / 2;
     double across = Elementary.cosTurns(latitude);
@@ -113,27 +121,32 @@ public final class EnvironmentLight implements Light {
                 across * Elementary.sinTurns(longitude),
                 Elementary.sinTurns(latitude),
                 across * Elementary.cosTurns(longitude)));
-    return Optional.of(
-        arriving(wi, radiance.at(new TexturePoint(p.x(), p.y())), density(p, across)));
+    Rgb arriving = radiance.at(new TexturePoint(p.x(), p.y()));
+    return Optional.of(arriving(wi, arriving, perSolidAngle(drawn.pdf(), across)));
   }
 
-  /** Per solid angle: the square's area element is dω / (2π² cos latitude). */
-  private double density(Point2 p, double cosLatitude) {
-    return distribution.get().pdf(p) / (2 * Math.PI * Math.PI * cosLatitude);
+  /** From per area of the image: dω is 2π² cos latitude times the area element. */
+  private static double perSolidAngle(double pdf, double cosLatitude) {
+    return pdf / (2 * Math.PI * Math.PI * cosLatitude);
   }
 
   private static LightSample arriving(Vec3 wi, Rgb radiance, double pdf) {
     return new LightSample(wi, radiance, pdf, LightSample.AtInfinity.INSTANCE);
   }
 
-  private TexturePoint texturePoint(Vec3 direction) {
+  /** Returns where in the image, in [0,1)², a direction of the dome's own space lies. */
+  private TexturePoint texturePoint(Vec3 d) {
     if (distribution.isEmpty()) {
-      return new TexturePoint(0, 0);
+      return CENTRE;
     }
-    Vec3 d = axes.toLocal(direction);
-    return new TexturePoint(
-        .5 + Elementary.atan2(d.x(), d.z()) / Elementary.TWO_PI,
-        .5 + Elementary.asin(d.y()) * Elementary.INV_PI);
+    double u = .5 + Elementary.atan2(d.x(), d.z()) / Elementary.TWO_PI;
+    // An arc sine would lose half the digits near the poles.
+    double v = .5 + Elementary.atan2(d.y(), cosLatitude(d)) / Math.PI;
+    return new TexturePoint(Math.min(u, BELOW_ONE), Math.min(v, BELOW_ONE));
+  }
+
+  private static double cosLatitude(Vec3 d) {
+    return Math.sqrt(d.x() * d.x() + d.z() * d.z());
   }
 
   @Override

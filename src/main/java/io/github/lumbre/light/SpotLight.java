@@ -1,6 +1,5 @@
 package io.github.lumbre.light;
 
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -14,6 +13,7 @@ public final class SpotLight implements Light {
   private final double halfAngleDegrees;
   private final double penumbraDegrees;
   private final double cosOuter;
+  private final double sinOuter;
 
   /**
    * @param source the light without its shade
@@ -35,6 +35,7 @@ public final class SpotLight implements Light {
     this.halfAngleDegrees = halfAngleDegrees;
     this.penumbraDegrees = penumbraDegrees;
     cosOuter = Elementary.cosDegrees(halfAngleDegrees);
+    sinOuter = Elementary.sinDegrees(halfAngleDegrees);
   }
 
   @Override
@@ -43,7 +44,7 @@ public final class SpotLight implements Light {
   }
 
   private Optional<LightSample> shaded(LightSample sample) {
-    double share = share(-sample.wi().dot(axis));
+    double share = share(sample.wi().cross(axis).length(), -sample.wi().dot(axis));
     if (share == 0) {
       return Optional.empty();
     }
@@ -52,16 +53,15 @@ public final class SpotLight implements Light {
             sample.wi(), sample.radiance().times(share), sample.pdf(), sample.target()));
   }
 
-  private double share(double cosAngle) {
-    if (cosAngle < cosOuter) {
+  private double share(double sinAngle, double cosAngle) {
+    // The sine of the difference of the angles: cosines of narrow cones are all nearly 1.
+    if (sinAngle * cosOuter - cosAngle * sinOuter > 0) {
       return 0;
     }
     if (penumbraDegrees == 0) {
       return 1;
     }
-    double angle =
-        Math.toDegrees(
-            Elementary.atan2(Elementary.safeSqrt(1 - cosAngle * cosAngle), cosAngle));
+    double angle = Math.toDegrees(Elementary.atan2(sinAngle, cosAngle));
     double s = Math.max(0, Math.min(1, (halfAngleDegrees - angle) / penumbraDegrees));
     return s * s * (3 - 2 * s);
   }

@@ -10,7 +10,7 @@ import io.github.lumbre.math.Vec3;
  *
  * @param reflectance tints what is reflected, each component in [0,1]
  * @param transmittance tints what passes, each component in [0,1]
- * @param ior index of refraction inside over the one outside, &gt; 0
+ * @param ior index of refraction inside over the one outside, in [1e-150, 1e150]
  */
 public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements Bsdf {
   @Override
@@ -35,8 +35,7 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
     return uLobe < probability
         ? BsdfSample.specular(
             SpecularReflection.reflect(wo), reflectance.times(fresnel / probability))
-        : BsdfSample.specular(
-            refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
+        : BsdfSample.specular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
   }
 
   @Override
@@ -52,7 +51,8 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
   /** Returns the refracted direction; meaningless beyond the critical angle. */
   public Vec3 refract(Vec3 wo) {
     double eta = eta(wo);
-    double cosT = Fresnel.cosTransmitted(Math.abs(wo.z()), eta);
+    double sin2I = wo.x() * wo.x() + wo.y() * wo.y();
+    double cosT = Fresnel.cosTransmitted(Math.abs(wo.z()), sin2I, eta);
     return eta == 1
         ? wo.negated()
         : new Vec3(-wo.x() / eta, -wo.y() / eta, -Math.copySign(cosT, wo.z())).normalized();

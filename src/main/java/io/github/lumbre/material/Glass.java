@@ -7,25 +7,35 @@ import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /**
- * Smooth glass: the format's Refractive.
+ * Glass, smooth or ground: the format's Refractive.
  *
  * @param reflectance tints reflections; components above 1 are taken as 1
  * @param transmittance tints what passes; components above 1 are taken as 1
  * @param ior index of refraction of the inside relative to the outside, &gt; 0
+ * @param roughness α of the Trowbridge–Reitz distribution, in [0,1]; below {@link
+ *     CookTorrance#SMOOTH}, or where the index is 1, the surface is smooth
  */
-public record Glass(Texture<Rgb> reflectance, Texture<Rgb> transmittance, ScalarTexture ior)
+public record Glass(
+    Texture<Rgb> reflectance,
+    Texture<Rgb> transmittance,
+    ScalarTexture ior,
+    ScalarTexture roughness)
     implements Material {
   public Glass {
     Objects.requireNonNull(reflectance, "reflectance");
     Objects.requireNonNull(transmittance, "transmittance");
     Objects.requireNonNull(ior, "ior");
+    Objects.requireNonNull(roughness, "roughness");
   }
 
   @Override
   public Bsdf at(SurfaceHit hit) {
-    return new Dielectric(
-        reflectance.at(hit.texture()).clampedToOne(),
-        transmittance.at(hit.texture()).clampedToOne(),
-        ior.at(hit.texture()));
+    Rgb reflected = reflectance.at(hit.texture()).clampedToOne();
+    Rgb passed = transmittance.at(hit.texture()).clampedToOne();
+    double index = ior.at(hit.texture());
+    double alpha = roughness.at(hit.texture());
+    return alpha < CookTorrance.SMOOTH || index == 1
+        ? new Dielectric(reflected, passed, index)
+        : new RoughDielectric(reflected, passed, index, new Ggx(alpha));
   }
 }

@@ -11,7 +11,7 @@ import io.github.lumbre.sampling.Warp;
  *
  * @param albedo share of light reflected, each component in [0,1]
  */
-public record Lambertian(Rgb albedo) implements Bsdf {
+public record Lambertian(Rgb albedo) implements Lobe {
   @Override
   public Rgb eval(Vec3 wo, Vec3 wi) {
     return wo.z() * wi.z() > 0 ? albedo.times(Math.abs(wi.z()) * Elementary.INV_PI) : Rgb.BLACK;
@@ -30,6 +30,11 @@ public record Lambertian(Rgb albedo) implements Bsdf {
     }
     Vec3 wi = wo.z() > 0 ? up : new Vec3(up.x(), up.y(), -up.z());
     return new BsdfSample(wi, albedo, Warp.cosineHemispherePdf(up.z()));
+  }
+
+  @Override
+  public double importance(Vec3 wo) {
+    return albedo.max();
   }
 
   @Override

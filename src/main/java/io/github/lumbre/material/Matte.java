@@ -19,14 +19,11 @@ public final class Matte implements Material {
    */
   public Matte(Texture<Rgb> albedo) {
     this.albedo = Objects.requireNonNull(albedo, "albedo");
-    constant =
-        albedo instanceof Constant<Rgb> c ? new Lambertian(c.value().clampedToOne()) : null;
+    constant = albedo instanceof Constant<Rgb> c ? new Lambertian(c.value().clampedToOne()) : null;
   }
 
   @Override
   public Bsdf at(SurfaceHit hit) {
-    return constant != null
-        ? constant
-        : new Lambertian(albedo.at(hit.texture()).clampedToOne());
+    return constant != null ? constant : new Lambertian(albedo.at(hit.texture()).clampedToOne());
   }
 }

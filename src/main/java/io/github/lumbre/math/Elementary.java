@@ -10,6 +10,22 @@ package io.github.lumbre.math;
 public final class Elementary {
   public static final double TWO_PI = 2 * Math.PI;
   public static final double INV_PI = 1 / Math.PI;
+  private static final double RADIANS_PER_DEGREE = Math.PI / 180;
+
+  /**
+   * Chebyshev coefficients in 2t − 1 of ln(erfc(x) exp(x²) / t), t = 2 / (2 + x), computed with 40
+   * digits; so many of them leave a relative error of 2e-15.
+   */
+  private static final double[] ERFC = {
+    -1.30265371978170943, 0.64196979235649026, 0.0194764732041858363,
+    -0.00956151478680863164, -0.000946595344482036866, 0.000366839497852761452,
+    0.0000425233248069077716, -0.0000202785781125342432, -1.62429000464702551e-6,
+    1.3036558355805232e-6, 1.56264417220661432e-8, -8.52380959149265425e-8,
+    6.52905443909885149e-9, 5.05934349555146895e-9, -9.91364156493033091e-10,
+    -2.27365122293183581e-10, 9.64679110201552645e-11, 2.39403808303911763e-12,
+    -6.88602752649755563e-12, 8.94487927309074143e-13, 3.13092139934294907e-13,
+    -1.12708223613672298e-13, 3.81090525519374139e-16, 7.10609761360811203e-15,
+  };
 
   private Elementary() {}
 
@@ -30,7 +46,9 @@ public final class Elementary {
     return x + x * (s * p);
   }
 
-  /** Returns the cosine of an angle of at most a quarter of π in size (series to the 18th power). */
+  /**
+   * Returns the cosine of an angle of at most a quarter of π in size (series to the 18th power).
+   */
   public static double cosSmall(double x) {
     double s = x * x;
     double p = -1.0 / 6402373705728000.0;
@@ -51,36 +69,40 @@ public final class Elementary {
    * @param turns any finite number; 1 is 360°
    */
   public static double sinTurns(double turns) {
-    double quarters = Math.rint(4 * turns);
-    double rest = (turns - .25 * quarters) * TWO_PI;
-    return switch ((int) ((long) quarters & 3)) {
+    double part = turns - Math.rint(turns);
+    double quarters = Math.rint(4 * part);
+    return sin((int) quarters, (part - .25 * quarters) * TWO_PI);
+  }
+
+  /** Returns the cosine of a number of full turns; see {@link #sinTurns}. */
+  public static double cosTurns(double turns) {
+    double part = turns - Math.rint(turns);
+    double quarters = Math.rint(4 * part);
+    return sin((int) quarters + 1, (part - .25 * quarters) * TWO_PI);
+  }
+
+  /** Returns the sine of an angle in degrees: exact at multiples of 90. */
+  public static double sinDegrees(double degrees) {
+    double part = Math.IEEEremainder(degrees, 360);
+    double quarters = Math.rint(part / 90);
+    return sin((int) quarters, (part - 90 * quarters) * RADIANS_PER_DEGREE);
+  }
+
+  /** Returns the cosine of an angle in degrees: exact at multiples of 90. */
+  public static double cosDegrees(double degrees) {
+    double part = Math.IEEEremainder(degrees, 360);
+    double quarters = Math.rint(part / 90);
+    return sin((int) quarters + 1, (part - 90 * quarters) * RADIANS_PER_DEGREE);
+  }
+
+  /** Returns the sine of some quarter turns and a rest of at most an eighth of a turn. */
+  private static double sin(int quarters, double rest) {
+    return switch (quarters & 3) {
       case 0 -> sinSmall(rest);
       case 1 -> cosSmall(rest);
       case 2 -> -sinSmall(rest);
       default -> -cosSmall(rest);
     };
-  }
-
-  /** Returns the cosine of a number of full turns; see {@link #sinTurns}. */
-  public static double cosTurns(double turns) {
-    double quarters = Math.rint(4 * turns);
-    double rest = (turns - .25 * quarters) * TWO_PI;
-    return switch ((int) ((long) quarters & 3)) {
-      case 0 -> cosSmall(rest);
-      case 1 -> -sinSmall(rest);
-      case 2 -> -cosSmall(rest);
-      default -> sinSmall(rest);
-    };
-  }
-
-  /** Returns the sine of an angle in degrees: exact at multiples of 90. */
-  public static double sinDegrees(double degrees) {
-    return sinTurns(Math.IEEEremainder(degrees, 360) / 360);
-  }
-
-  /** Returns the cosine of an angle in degrees: exact at multiples of 90. */
-  public static double cosDegrees(double degrees) {
-    return cosTurns(Math.IEEEremainder(degrees, 360) / 360);
   }
 
   /** Returns the tangent of an angle in degrees. */
@@ -104,6 +126,31 @@ public final class Elementary {
 
   public static double exp(double x) {
     return StrictMath.exp(x);
+  }
+
+  /** Returns exp(x) − 1, with full relative precision near 0. */
+  public static double expm1(double x) {
+    return StrictMath.expm1(x);
+  }
+
+  /** Returns ln(1 + x), with full relative precision near 0. */
+  public static double log1p(double x) {
+    return StrictMath.log1p(x);
+  }
+
+  /** Returns exp(x²) · erfc(x), the scaled complementary error function, for x ≥ 0. */
+  public static double erfcScaled(double x) {
+    double t = 2 / (2 + x);
+    double y = 4 * t - 2;
+    double b = 0;
+    double next = 0;
+    // Clenshaw's recurrence.
+    for (int i = ERFC.length - 1; i > 0; i--) {
+      double last = b;
+      b = y * b - next + ERFC[i];
+      next = last;
+    }
+    return t * exp(.5 * (y * b + ERFC[0]) - next);
   }
 
   public static double pow(double base, double exponent) {

@@ -8,13 +8,12 @@ package io.github.lumbre.math;
  * Rx(90°)} takes +z to −y and {@code Ry(90°)} takes +z to +x.
  */
 public final class Transform {
-  public static final Transform IDENTITY =
-      new Transform(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
+  public static final Transform IDENTITY = translation(Vec3.ZERO);
 
   /**
-   * The error of a mapped point's coordinate is below this times the sum of the absolute terms
-   * that formed it, with room for an inverse mapping of the result (two products of three terms
-   * and their sums: PBRT 4e, sec. 6.8.1).
+   * The error of a mapped point's coordinate is below this times the sum of the absolute terms that
+   * formed it, with room for an inverse mapping of the result (two products of three terms and
+   * their sums: PBRT 4e, sec. 6.8.1).
    */
   private static final double ROUNDING = 32 * 0x1p-52;
 
@@ -28,44 +27,42 @@ public final class Transform {
   private final double i20, i21, i22;
   private final double determinant;
 
-  private Transform(
-      double m00, double m01, double m02, double tx,
-      double m10, double m11, double m12, double ty,
-      double m20, double m21, double m22, double tz) {
-    this.m00 = m00;
-    this.m01 = m01;
-    this.m02 = m02;
-    this.tx = tx;
-    this.m10 = m10;
-    this.m11 = m11;
-    this.m12 = m12;
-    this.ty = ty;
-    this.m20 = m20;
-    this.m21 = m21;
-    this.m22 = m22;
-    this.tz = tz;
-    double c00 = m11 * m22 - m12 * m21;
-    double c01 = m12 * m20 - m10 * m22;
-    double c02 = m10 * m21 - m11 * m20;
-    determinant = m00 * c00 + m01 * c01 + m02 * c02;
-    double f = 1 / determinant;
-    i00 = c00 * f;
-    i01 = (m02 * m21 - m01 * m22) * f;
-    i02 = (m01 * m12 - m02 * m11) * f;
-    i10 = c01 * f;
-    i11 = (m00 * m22 - m02 * m20) * f;
-    i12 = (m02 * m10 - m00 * m12) * f;
-    i20 = c02 * f;
-    i21 = (m01 * m20 - m00 * m21) * f;
-    i22 = (m00 * m11 - m01 * m10) * f;
+  private Transform(Matrix3 matrix, Vec3 translation, Matrix3 inverse, double determinant) {
+    m00 = matrix.row0().x();
+    m01 = matrix.row0().y();
+    m02 = matrix.row0().z();
+    m10 = matrix.row1().x();
+    m11 = matrix.row1().y();
+    m12 = matrix.row1().z();
+    m20 = matrix.row2().x();
+    m21 = matrix.row2().y();
+    m22 = matrix.row2().z();
+    tx = translation.x();
+    ty = translation.y();
+    tz = translation.z();
+    i00 = inverse.row0().x();
+    i01 = inverse.row0().y();
+    i02 = inverse.row0().z();
+    i10 = inverse.row1().x();
+    i11 = inverse.row1().y();
+    i12 = inverse.row1().z();
+    i20 = inverse.row2().x();
+    i21 = inverse.row2().y();
+    i22 = inverse.row2().z();
+    this.determinant = determinant;
   }
 
   public static Transform translation(Vec3 offset) {
-    return new Transform(1, 0, 0, offset.x(), 0, 1, 0, offset.y(), 0, 0, 1, offset.z());
+    return new Transform(Matrix3.IDENTITY, offset, Matrix3.IDENTITY, 1);
   }
 
   public static Transform scale(Vec3 factors) {
-    return new Transform(factors.x(), 0, 0, 0, 0, factors.y(), 0, 0, 0, 0, factors.z(), 0);
+    Vec3 inverse = new Vec3(1 / factors.x(), 1 / factors.y(), 1 / factors.z());
+    return new Transform(
+        Matrix3.diagonal(factors),
+        Vec3.ZERO,
+        Matrix3.diagonal(inverse),
+        factors.x() * factors.y() * factors.z());
   }
 
   /** Returns Ry·Rx·Rz for three angles in degrees. */
@@ -76,22 +73,29 @@ public final class Transform {
     double sy = Elementary.sinDegrees(degrees.y());
     double cz = Elementary.cosDegrees(degrees.z());
     double sz = Elementary.sinDegrees(degrees.z());
-    Transform ry = new Transform(cy, 0, sy, 0, 0, 1, 0, 0, -sy, 0, cy, 0);
-    Transform rx = new Transform(1, 0, 0, 0, 0, cx, -sx, 0, 0, sx, cx, 0);
-    Transform rz = new Transform(cz, -sz, 0, 0, sz, cz, 0, 0, 0, 0, 1, 0);
-    return ry.times(rx).times(rz);
+    Matrix3 ry = new Matrix3(new Vec3(cy, 0, sy), Vec3.Y, new Vec3(-sy, 0, cy));
+    Matrix3 rx = new Matrix3(Vec3.X, new Vec3(0, cx, -sx), new Vec3(0, sx, cx));
+    Matrix3 rz = new Matrix3(new Vec3(cz, -sz, 0), new Vec3(sz, cz, 0), Vec3.Z);
+    Matrix3 matrix = ry.times(rx).times(rz);
+    return new Transform(matrix, Vec3.ZERO, matrix.inverseNear(matrix.transposed()), 1);
   }
 
   /** Returns the map that applies {@code inner} first and then this. */
   public Transform times(Transform inner) {
-    Vec3 x = vector(inner.m00, inner.m10, inner.m20);
-    Vec3 y = vector(inner.m01, inner.m11, inner.m21);
-    Vec3 z = vector(inner.m02, inner.m12, inner.m22);
-    Vec3 t = vector(inner.tx, inner.ty, inner.tz);
+    Matrix3 product = matrix().times(inner.matrix());
     return new Transform(
-        x.x(), y.x(), z.x(), t.x() + tx,
-        x.y(), y.y(), z.y(), t.y() + ty,
-        x.z(), y.z(), z.z(), t.z() + tz);
+        product,
+        point(new Vec3(inner.tx, inner.ty, inner.tz)),
+        product.inverseNear(inner.inverse().times(inverse())),
+        determinant * inner.determinant);
+  }
+
+  private Matrix3 matrix() {
+    return new Matrix3(new Vec3(m00, m01, m02), new Vec3(m10, m11, m12), new Vec3(m20, m21, m22));
+  }
+
+  private Matrix3 inverse() {
+    return new Matrix3(new Vec3(i00, i01, i02), new Vec3(i10, i11, i12), new Vec3(i20, i21, i22));
   }
 
   /** Tells whether the map can be undone: every number of it and of its inverse is finite. */
@@ -139,12 +143,10 @@ public final class Transform {
 
   /** Returns the world direction of a local one; length scales along. */
   public Vec3 vector(Vec3 v) {
-    return vector(v.x(), v.y(), v.z());
-  }
-
-  private Vec3 vector(double x, double y, double z) {
     return new Vec3(
-        m00 * x + m01 * y + m02 * z, m10 * x + m11 * y + m12 * z, m20 * x + m21 * y + m22 * z);
+        m00 * v.x() + m01 * v.y() + m02 * v.z(),
+        m10 * v.x() + m11 * v.y() + m12 * v.z(),
+        m20 * v.x() + m21 * v.y() + m22 * v.z());
   }
 
   /**

@@ -51,8 +51,12 @@ public record Vec3(double x, double y, double z) {
     if (square >= SMALLEST_SAFE_SQUARE && square <= LARGEST_SAFE_SQUARE) {
       return Math.sqrt(square);
     }
-    double scale = maxAbs();
-    return scale == 0 || !Double.isFinite(scale) ? scale : scale * times(1 / scale).length();
+    double largest = maxAbs();
+    if (largest == 0 || !Double.isFinite(largest)) {
+      return largest;
+    }
+    int exponent = Math.getExponent(largest);
+    return Math.scalb(Math.sqrt(scaled(exponent).lengthSquared()), exponent);
   }
 
   /**
@@ -64,12 +68,15 @@ public record Vec3(double x, double y, double z) {
     if (square >= SMALLEST_SAFE_SQUARE && square <= LARGEST_SAFE_SQUARE) {
       return times(1 / Math.sqrt(square));
     }
-    // Two steps of a power of two each, so that neither the factor nor the product overflows.
-    int exponent = Math.getExponent(maxAbs());
+    Vec3 scaled = scaled(Math.getExponent(maxAbs()));
+    return scaled.times(1 / Math.sqrt(scaled.lengthSquared()));
+  }
+
+  /** Returns this divided by a power of two, in two steps, so that no factor overflows. */
+  private Vec3 scaled(int exponent) {
     double half = Math.scalb(1.0, -(exponent / 2));
     double rest = Math.scalb(1.0, -(exponent - exponent / 2));
-    Vec3 scaled = times(half).times(rest);
-    return scaled.times(1 / Math.sqrt(scaled.lengthSquared()));
+    return times(half).times(rest);
   }
 
   /** Returns the largest absolute coordinate. */

@@ -14,8 +14,7 @@ final class AssetTable {
   /** Keys that every asset has. */
   static final Set<String> COMMON_KEYS = Set.of("id", "assetType", "name");
 
-  private static final Map<String, Type> TYPES =
-      ordered(Type.MATERIAL, Type.TEXTURE, Type.MESH);
+  private static final Map<String, Type> TYPES = ordered(Type.MATERIAL, Type.TEXTURE, Type.MESH);
   private static final int NONE = -1;
   private static final int MAX_IDS_SHOWN = 20;
 
@@ -61,8 +60,7 @@ final class AssetTable {
     Optional<Type> type = asset.choice("assetType", TYPES);
     if (!asset.has("assetType")) {
       asset.error(
-          "assetType",
-          "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
+          "assetType", "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
     }
     if (!asset.has("id")) {
       asset.error("id", "expected an integer, found nothing");
@@ -97,7 +95,9 @@ final class AssetTable {
 
   /** Tells whether a key names an asset that exists. */
   boolean has(JsonNode from, String key, Type type) {
-    return from.idSilently(key).map(assets.get(type)::containsKey).orElse(false);
+    return from.idSilently(key)
+        .filter(id -> id != NONE && assets.get(type).containsKey(id))
+        .isPresent();
   }
 
   private void reportDangling(JsonNode from, String key, int id, Type type) {

@@ -53,9 +53,7 @@ final class CameraReader {
    * @param aspect width of the film over its height
    */
   Optional<Camera> read(Placed camera, double aspect) {
-    return family
-        .choose(camera.node(), DEFAULT_TYPE)
-        .map(reader -> reader.read(camera, aspect));
+    return family.choose(camera.node(), DEFAULT_TYPE).map(reader -> reader.read(camera, aspect));
   }
 
   private Camera pinhole(Placed camera, double aspect) {

@@ -47,7 +47,7 @@ final class Family<F> {
     return keys;
   }
 
-  /** Returns the name of the type and what reads it; if there is no such type, adds an error. */
+  /** Returns what reads a thing of this type; if there is no such type, adds an error. */
   Optional<F> choose(JsonNode node) {
     return choose(node, "");
   }
@@ -67,8 +67,7 @@ final class Family<F> {
     if (planned.contains(name.get())) {
       node.error(typeKey, name.get() + " is not supported yet; supported: " + names());
     } else if (!readers.containsKey(name.get())) {
-      node.error(
-          typeKey, "expected one of " + names() + ", found " + Problems.quoted(name.get()));
+      node.error(typeKey, "expected one of " + names() + ", found " + Problems.quoted(name.get()));
     }
     return Optional.ofNullable(readers.get(name.get()));
   }

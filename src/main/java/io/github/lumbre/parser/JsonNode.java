@@ -378,8 +378,7 @@ final class JsonNode {
   void warnUnknown(Set<String> known) {
     for (JsonNode member : members().values()) {
       if (!known.contains(member.key)) {
-        problems.warn(
-            member::path, () -> "unknown key" + Spelling.suggestion(member.key, known));
+        problems.warn(member::path, () -> "unknown key" + Spelling.suggestion(member.key, known));
       }
     }
   }

@@ -145,9 +145,7 @@ final class JsonTree {
 
   private JsonNode value(JsonReader in, JsonToken token) throws IOException {
     JsonNode.Place place =
-        open.isEmpty()
-            ? JsonNode.Place.outermost(problems)
-            : open.peek().placeFor(key, names);
+        open.isEmpty() ? JsonNode.Place.outermost(problems) : open.peek().placeFor(key, names);
     return switch (token) {
       case BEGIN_OBJECT -> {
         in.beginObject();
@@ -189,8 +187,7 @@ final class JsonTree {
     if (duplicates.isEmpty()) {
       return;
     }
-    List<Duplicate> shown =
-        duplicates.subList(0, Math.min(duplicates.size(), Problems.MAX_ERRORS));
+    List<Duplicate> shown = duplicates.subList(0, Math.min(duplicates.size(), Problems.MAX_ERRORS));
     Map<Integer, Integer> lines = new HashMap<>();
     for (Duplicate duplicate : shown) {
       lines.put(duplicate.first.position(), 0);

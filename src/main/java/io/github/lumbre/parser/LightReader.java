@@ -165,14 +165,10 @@ final class LightReader {
     return lamp(light, intensity, shape, 4 * Math.PI * radius * radius);
   }
 
-  private Consumer<SceneBuilder> lamp(
-      Placed light, Rgb intensity, Shape shape, double localArea) {
+  private Consumer<SceneBuilder> lamp(Placed light, Rgb intensity, Shape shape, double localArea) {
     Unit unit = light.node().choice("unit", UNITS, Unit.FORMAT);
     boolean measurable = ShapeReader.isMeasurable(light.node(), shape);
-    Rgb radiance =
-        measurable
-            ? intensity.times(unit.radiance(localArea, shape.area()))
-            : Rgb.BLACK;
+    Rgb radiance = measurable ? intensity.times(unit.radiance(localArea, shape.area())) : Rgb.BLACK;
     if (!radiance.isFinite()) {
       light.node().error("intensity", "expected a finite radiance, found an infinite one");
     }

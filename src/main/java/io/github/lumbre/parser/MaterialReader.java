@@ -2,12 +2,18 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.MicrofacetDistribution.Kind;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.NormalMapped;
+import io.github.lumbre.material.Phong;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +24,12 @@ final class MaterialReader {
   private static final double MAX_IOR = 1e6;
   private static final Range IOR = Range.above(0, MAX_IOR);
   private static final Range ROUGHNESS = Range.closed(0, 1);
+  private static final Map<String, Kind> DISTRIBUTIONS = new LinkedHashMap<>();
+
+  static {
+    DISTRIBUTIONS.put("beckmann", Kind.BECKMANN);
+    DISTRIBUTIONS.put("ggx", Kind.GGX);
+  }
 
   /** Reads a material of one type. */
   private interface Reader {
@@ -38,8 +50,8 @@ final class MaterialReader {
               this::refractive,
               keys("refractionColor", "reflectivityColor", "ior", "normal", "roughness"))
           .with("None", material -> Surface.DEFAULT)
-          .planned("Phong", keys("color", "specularColor", "exponent", "normal"))
-          .planned("CookTorrance", cookTorranceKeys());
+          .with("Phong", this::phong, keys("color", "specularColor", "exponent", "normal"))
+          .with("CookTorrance", this::cookTorrance, cookTorranceKeys());
 
   MaterialReader(AssetTable assets, TextureReader textures) {
     this.assets = assets;
@@ -88,15 +100,11 @@ final class MaterialReader {
   }
 
   private Surface read(JsonNode material) {
-    return family
-        .choose(material)
-        .map(reader -> reader.read(material))
-        .orElse(Surface.DEFAULT);
+    return family.choose(material).map(reader -> reader.read(material)).orElse(Surface.DEFAULT);
   }
 
   private Surface diffuse(JsonNode material) {
-    rejectNormalMap(material);
-    return Surface.of(new Matte(reflectances(material, "color").get(0)));
+    return surface(material, new Matte(reflectances(material, "color").get(0)));
   }
 
   private Surface color(JsonNode material) {
@@ -106,31 +114,58 @@ final class MaterialReader {
   }
 
   private Surface reflective(JsonNode material) {
-    rejectNormalMap(material);
-    return Surface.of(new Mirror(reflectances(material, "reflectivityColor").get(0)));
+    return surface(material, new Mirror(reflectances(material, "reflectivityColor").get(0)));
   }
 
   private Surface refractive(JsonNode material) {
     hasGlass = true;
-    rejectNormalMap(material);
-    rejectRoughness(material);
     List<Texture<Rgb>> both = reflectances(material, "reflectivityColor", "refractionColor");
+    return surface(
+        material,
+        new Glass(
+            both.get(0),
+            both.get(1),
+            textures.scalar(material, "ior", 1, IOR, 1, MAX_IOR),
+            textures.scalar(material, "roughness", 0, ROUGHNESS, 0, 1)));
+  }
+
+  private Surface phong(JsonNode material) {
+    warnOfSum(material);
+    return surface(
+        material,
+        new Phong(
+            textures.colour(material, "color", material.rgb("color")),
+            textures.colour(material, "specularColor", material.rgb("specularColor")),
+            textures.scalar(material, "exponent", 1, Range.NOT_NEGATIVE, 0, Double.MAX_VALUE)));
+  }
+
+  private Surface cookTorrance(JsonNode material) {
+    warnOfSum(material);
+    return surface(
+        material,
+        new CookTorrance(
+            textures.colour(material, "color", material.rgb("color")),
+            textures.colour(material, "specularColor", material.rgb("specularColor")),
+            textures.scalar(material, "roughness", 1, ROUGHNESS, 0, 1),
+            textures.scalar(material, "ior", CookTorrance.DEFAULT_IOR, IOR, 1, MAX_IOR),
+            material.choice("distribution", DISTRIBUTIONS, Kind.BECKMANN)));
+  }
+
+  /** Returns the surface of a material, with its normal map if it has one. */
+  private Surface surface(JsonNode material, Material flat) {
+    double strength = material.number("normalStrength", 1, Range.ANY);
     return Surface.of(
-        new Glass(both.get(0), both.get(1), textures.scalar(material, "ior", 1, IOR, 1, MAX_IOR)));
+        textures
+            .normalMap(material, strength)
+            .<Material>map(map -> new NormalMapped(flat, map))
+            .orElse(flat));
   }
 
-  private void rejectNormalMap(JsonNode material) {
-    if (assets.find(material, "normalTextureId", AssetTable.Type.TEXTURE).isPresent()) {
-      material.error("normalTextureId", "normal maps are not supported yet");
-    }
-  }
-
-  private void rejectRoughness(JsonNode material) {
-    boolean rough = material.number("roughness", 0, ROUGHNESS) > 0;
-    if (rough
-        || assets.find(material, "roughnessTextureId", AssetTable.Type.TEXTURE).isPresent()) {
-      material.error(
-          rough ? "roughness" : "roughnessTextureId", "rough glass is not supported yet");
+  private static void warnOfSum(JsonNode material) {
+    if (material.rgb("color").plus(material.rgb("specularColor")).max() > 1) {
+      material.warn(
+          "specularColor",
+          "color and specularColor together reflect more than 1; both are scaled down");
     }
   }
 

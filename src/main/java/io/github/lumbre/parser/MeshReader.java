@@ -55,8 +55,7 @@ final class MeshReader {
       content.error(SceneFormatException.Kind.ASSET, e.getMessage());
       return Optional.empty();
     }
-    TriangleMesh mesh =
-        TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
+    TriangleMesh mesh = TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
     if (mesh.droppedTriangles() > 0) {
       content
           .asset()

@@ -118,9 +118,7 @@ final class ObjReader {
       throw scanner.error(
           "expected "
               + (list == POSITION ? "a vertex" : list == UV ? "a vt" : "a vn")
-              + (index > 0
-                  ? " from 1 to " + totals[list]
-                  : " from -" + counts[list] + " to -1")
+              + (index > 0 ? " from 1 to " + totals[list] : " from -" + counts[list] + " to -1")
               + ", found "
               + index);
     }

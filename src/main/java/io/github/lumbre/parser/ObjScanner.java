@@ -126,8 +126,7 @@ final class ObjScanner {
       throw notANumber();
     }
     if (Math.abs(number) > MAX_NUMBER) {
-      throw error(
-          "expected a number of at most 1e150, found " + Problems.quoted(word()));
+      throw error("expected a number of at most 1e150, found " + Problems.quoted(word()));
     }
     return number;
   }

@@ -50,8 +50,7 @@ final class ObjectTree {
   record Placed(JsonNode node, Type type, Transform toWorld, Transform rotation) {
     /** Returns the object's right, up and forward as the rotations alone turn them. */
     Frame axes() {
-      return new Frame(
-          rotation.vector(Vec3.X), rotation.vector(Vec3.Y), rotation.vector(Vec3.Z));
+      return new Frame(rotation.vector(Vec3.X), rotation.vector(Vec3.Y), rotation.vector(Vec3.Z));
     }
 
     /** Returns where the object's origin is. */

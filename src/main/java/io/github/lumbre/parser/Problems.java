@@ -95,9 +95,7 @@ final class Problems {
 
   /** Returns a text from a scene as it may be printed: escaped and not too long. */
   static String shortened(String text) {
-    return text.length() <= MAX_TEXT
-        ? escaped(text)
-        : escaped(text.substring(0, MAX_TEXT)) + "…";
+    return text.length() <= MAX_TEXT ? escaped(text) : escaped(text.substring(0, MAX_TEXT)) + "…";
   }
 
   /** Returns a text with everything that is not plainly visible written as JSON would escape it. */

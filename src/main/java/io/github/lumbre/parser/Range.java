@@ -12,17 +12,10 @@ package io.github.lumbre.parser;
  */
 record Range(
     double low, boolean openLow, double high, boolean openHigh, String ifLow, String ifHigh) {
-  static final Range ANY =
-      closed(-Double.MAX_VALUE, Double.MAX_VALUE, "a finite number");
+  static final Range ANY = closed(-Double.MAX_VALUE, Double.MAX_VALUE, "a finite number");
   static final Range NOT_NEGATIVE = closed(0, Double.MAX_VALUE, "a finite number >= 0");
   static final Range POSITIVE =
-      new Range(
-          0,
-          true,
-          Double.MAX_VALUE,
-          false,
-          "a finite number > 0",
-          "a finite number > 0");
+      new Range(0, true, Double.MAX_VALUE, false, "a finite number > 0", "a finite number > 0");
 
   /** Extents of shapes: squares of them must not overflow. */
   static final Range SIZE =
@@ -60,6 +53,8 @@ record Range(
 
   /** Returns a number as people write it. */
   static String text(double x) {
-    return x == Math.rint(x) && Math.abs(x) < 1e15 ? Long.toString((long) x) : Double.toString(x);
+    return x == Math.rint(x) && Math.abs(x) < 1e15
+        ? Long.toString((long) x)
+        : Double.toString(x).replace(".0E", "e");
   }
 }

@@ -12,4 +12,10 @@ package io.github.lumbre.parser;
  * @param textures in use
  */
 public record SceneContents(
-    String camera, int shapes, int meshes, long triangles, int lights, int materials, int textures) {}
+    String camera,
+    int shapes,
+    int meshes,
+    long triangles,
+    int lights,
+    int materials,
+    int textures) {}

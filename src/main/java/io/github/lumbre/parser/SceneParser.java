@@ -78,7 +78,8 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     try {
       if (Files.size(file) > MAX_BYTES) {
-        problems.error(Kind.LIMIT, () -> "$", "expected at most " + MAX_BYTES + " bytes, found more");
+        problems.error(
+            Kind.LIMIT, () -> "$", "expected at most " + MAX_BYTES + " bytes, found more");
         throw problems.exception();
       }
       return Files.readAllBytes(file);

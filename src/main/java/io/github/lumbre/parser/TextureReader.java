@@ -14,6 +14,7 @@ import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.texture.ImageTexture;
 import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.ImageTexture.Role;
+import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.RedChannel;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
@@ -137,6 +138,13 @@ final class TextureReader {
     return new RedChannel(mapping.over(picture.get().as(Role.DATA)), constant, low, high);
   }
 
+  /** Returns the normal map of a material, or empty if it has none. */
+  Optional<NormalMap> normalMap(JsonNode material, double strength) {
+    UvMapping mapping = mapping(material, "normal");
+    return find(material, "normalTextureId")
+        .map(picture -> new NormalMap(picture.as(Role.NORMAL), mapping, strength));
+  }
+
   private static UvMapping mapping(JsonNode material, String channel) {
     Point2 offset = material.vec2(channel + "Offset", NO_OFFSET);
     Point2 scale = material.vec2(channel + "Scale", NO_SCALE);
@@ -165,8 +173,7 @@ final class TextureReader {
     boolean grey = false;
     for (int y = 0; y < pixels.height(); y++) {
       for (int x = 0; x < pixels.width(); x++) {
-        double value =
-            (pixels.value(x, y, 0) + pixels.value(x, y, 1) + pixels.value(x, y, 2)) / 3;
+        double value = (pixels.value(x, y, 0) + pixels.value(x, y, 1) + pixels.value(x, y, 2)) / 3;
         grey |= value > 0 && value < 1;
         any |= value >= .5;
         // Pictures have their top row first, lenses their bottom row.

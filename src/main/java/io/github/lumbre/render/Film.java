@@ -16,11 +16,13 @@ final class Film {
 
   private final int width;
   private final int height;
+
   /** Whole parts and fractions (in units of 2^-64, unsigned) of the sums, three a pixel. */
   private final long[] whole;
 
   private final long[] fraction;
   private final int[] counts;
+
   /** How many of a pixel's samples cover it; empty if all do. */
   private final int[] covered;
 
@@ -51,14 +53,11 @@ final class Film {
   }
 
   private void add(int i, double value) {
+    assert value >= 0 && value < Double.POSITIVE_INFINITY : value;
     double cut = Math.min(value, LARGEST);
     long units = (long) cut;
-    // The rest times 2^64, rounded; it may round up to a whole one.
+    // The rest times 2^64; only a rest below 2^-12 needs rounding, so it cannot become 2^64.
     double rest = Math.rint((cut - units) * 0x1p64);
-    if (rest == 0x1p64) {
-      units++;
-      rest = 0;
-    }
     long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
     long sum = fraction[i] + bits;
     whole[i] += units + (Long.compareUnsigned(sum, bits) < 0 ? 1 : 0);

@@ -5,7 +5,7 @@ public final class Distribution1d {
   /** cumulative[i] is the probability of items before i, cumulative[n] exactly 1. */
   private final double[] cumulative;
 
-  private final double sum;
+  private final double mean;
 
   /**
    * @param weights at least one; each finite and ≥ 0; if all are 0 the choice is uniform
@@ -22,13 +22,15 @@ public final class Distribution1d {
       }
       largest = Math.max(largest, weight);
     }
+    // Relative to the largest, so that neither 1e300 nor 1e-300 leaves the range of doubles; by a
+    // power of two, so that no digit changes.
+    int exponent = Math.getExponent(largest);
     cumulative = new double[n + 1];
     for (int i = 0; i < n; i++) {
-      // Relative to the largest, so that neither 1e300 nor 1e-300 leaves the range of doubles.
-      cumulative[i + 1] = cumulative[i] + (largest == 0 ? 1 : weights[i] / largest);
+      cumulative[i + 1] = cumulative[i] + (largest == 0 ? 1 : Math.scalb(weights[i], -exponent));
     }
     double total = cumulative[n];
-    sum = largest == 0 ? 0 : total * largest;
+    mean = largest == 0 ? 0 : Math.scalb(total / n, exponent);
     for (int i = 1; i <= n; i++) {
       cumulative[i] = cumulative[i] == total ? 1 : cumulative[i] / total;
     }
@@ -38,9 +40,9 @@ public final class Distribution1d {
     return cumulative.length - 1;
   }
 
-  /** Returns the sum of the weights. */
-  public double sum() {
-    return sum;
+  /** Returns the mean of the weights. */
+  public double mean() {
+    return mean;
   }
 
   /** Returns the probability of an item. */

@@ -7,6 +7,8 @@ import io.github.lumbre.math.Point2;
  * Immutable.
  */
 public final class Distribution2d {
+  private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
+
   private final Distribution1d rows;
   private final Distribution1d[] columns;
 
@@ -15,29 +17,42 @@ public final class Distribution2d {
    */
   public Distribution2d(double[][] weights) {
     columns = new Distribution1d[weights.length];
-    double[] sums = new double[weights.length];
+    double[] means = new double[weights.length];
     for (int row = 0; row < weights.length; row++) {
       columns[row] = new Distribution1d(weights[row]);
-      sums[row] = columns[row].sum();
+      means[row] = columns[row].mean();
     }
-    rows = new Distribution1d(sums);
+    rows = new Distribution1d(means);
   }
 
+  /**
+   * A point drawn from the density.
+   *
+   * @param point in [0,1)²
+   * @param pdf the density of the cell that was chosen, per unit of the square's area; positive,
+   *     even where rounding put the point on the border of a cell of density 0
+   */
+  public record Sample(Point2 point, double pdf) {}
+
   /** Returns a point of the square, drawn from the density by a uniform one. */
-  public Point2 sample(Point2 u) {
+  public Sample sample(Point2 u) {
     int row = rows.choose(u.y());
     Distribution1d cells = columns[row];
     int column = cells.choose(u.x());
-    return new Point2(
-        (column + cells.remainder(column, u.x())) / cells.size(),
-        (row + rows.remainder(row, u.y())) / rows.size());
+    double x = (column + cells.remainder(column, u.x())) / cells.size();
+    double y = (row + rows.remainder(row, u.y())) / rows.size();
+    return new Sample(new Point2(Math.min(x, BELOW_ONE), Math.min(y, BELOW_ONE)), pdf(row, column));
   }
 
   /** Returns the density at a point of the square, per unit of its area. */
   public double pdf(Point2 p) {
     int row = Math.min((int) (p.y() * rows.size()), rows.size() - 1);
+    int size = columns[row].size();
+    return pdf(row, Math.min((int) (p.x() * size), size - 1));
+  }
+
+  private double pdf(int row, int column) {
     Distribution1d cells = columns[row];
-    int column = Math.min((int) (p.x() * cells.size()), cells.size() - 1);
     return rows.probability(row) * rows.size() * cells.probability(column) * cells.size();
   }
 }

@@ -7,8 +7,8 @@ import io.github.lumbre.math.Point2;
  * first two: any number of samples is well spread, and a power of two perfectly, without knowing
  * the number beforehand.
  *
- * <p>Burley 2020, "Practical Hash-based Owen Scrambling"; the hash of the scrambling is
- * Vegdahl's improvement of Laine and Karras's.
+ * <p>Burley 2020, "Practical Hash-based Owen Scrambling"; the hash of the scrambling is Vegdahl's
+ * improvement of Laine and Karras's.
  */
 public final class SobolSampler implements Sampler {
   private static final double ULP32 = 0x1p-32;

@@ -34,8 +34,7 @@ public final class Warp {
   /** Returns a unit direction around +z with density cos θ / π (Malley's method). */
   public static Vec3 cosineHemisphere(Point2 u) {
     Point2 d = concentricDisk(u);
-    return new Vec3(
-        d.x(), d.y(), Elementary.safeSqrt(1 - d.x() * d.x() - d.y() * d.y()));
+    return new Vec3(d.x(), d.y(), Elementary.safeSqrt(1 - d.x() * d.x() - d.y() * d.y()));
   }
 
   /** Returns the density of {@link #cosineHemisphere}; 0 below the horizon. */

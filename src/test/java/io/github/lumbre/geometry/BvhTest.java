@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -42,5 +45,231 @@ class BvhTest {
       }
     }
     assertThat(hits).isGreaterThan(rays / 20);
+  }
+
+  @Test
+  void raysOnFacesAndThroughVerticesFindWhatAskingEveryTriangleFinds() {
+    Mesh ball = Mesh.baked(Shapes.closedBall(8, 8, 0, false), Transform.IDENTITY);
+    List<Mesh> triangles = Shapes.singly(ball);
+    Bvh bvh = Bvh.over(triangles);
+    TriangleMesh data = ball.triangles();
+    Random random = new Random(1);
+    NearestHit found = new NearestHit();
+    NearestHit expected = new NearestHit();
+    Vec3[] axes = {Vec3.X, Vec3.Y, Vec3.Z};
+    for (int i = 0; i < 5000; i++) {
+      Vec3 a = data.position(random.nextInt(data.vertexCount()));
+      Vec3 b = data.position(random.nextInt(data.vertexCount()));
+      Vec3 axis = axes[random.nextInt(3)];
+      Ray ray = i % 2 == 0 ? new Ray(a.plus(-2, axis), axis) : new Ray(b.times(2), a.minus(b), 5);
+      if (ray.direction().maxAbs() > 0) {
+        assertThat(bvh.intersect(ray, found))
+            .isEqualTo(Shapes.bruteForce(triangles, ray, expected));
+        assertThat(bvh.isOccluded(ray, new NearestHit())).isEqualTo(expected.isHit());
+        assertThat(found.shape()).isEqualTo(expected.shape());
+        assertThat(found.t()).isEqualTo(expected.t());
+      }
+    }
+  }
+
+  @Test
+  void axisAlignedRaysMeetFlatGrids() {
+    List<Shape> tiles = new ArrayList<>();
+    for (int i = 0; i < 64; i++) {
+      Transform place = Transform.translation(new Vec3(i % 8, i % 3, i / 8));
+      tiles.add(i % 2 == 0 ? new Rectangle(place, 1, 1, true) : tile(place));
+    }
+    Random random = new Random(2);
+    Bvh bvh = Bvh.over(tiles);
+    NearestHit found = new NearestHit();
+    NearestHit expected = new NearestHit();
+    for (int i = 0; i < 5000; i++) {
+      // Half-integers lie on borders, integers in planes.
+      Vec3 origin =
+          new Vec3(.5 * random.nextInt(18) - 1, random.nextInt(5) - 1, .5 * random.nextInt(18) - 1);
+      for (Vec3 direction :
+          List.of(Vec3.X, Vec3.Y, Vec3.Z, new Vec3(-0.0, -1, -0.0), new Vec3(-1, -0.0, 0))) {
+        Ray ray = new Ray(origin, direction);
+        assertThat(bvh.intersect(ray, found)).isEqualTo(Shapes.bruteForce(tiles, ray, expected));
+        assertThat(found.shape()).isEqualTo(expected.shape());
+      }
+    }
+  }
+
+  private static Shape tile(Transform place) {
+    double[] p = {-.5, 0, -.5, .5, 0, -.5, .5, 0, .5, -.5, 0, .5};
+    int[] f = {0, 1, 2, 0, 2, 3};
+    return Mesh.baked(TriangleMesh.of(p, new double[0], new double[0], f), place);
+  }
+
+  @Test
+  void tiesGoToTheLowestShapeAndElement() {
+    Transform place = Shapes.rotation(new Random(3));
+    List<Shape> shapes = new ArrayList<>();
+    SharedMesh shared =
+        new SharedMesh(Shapes.triangle(new Vec3(-1, 0, -1), new Vec3(1, 0, -1), new Vec3(0, 0, 1)));
+    for (int i = 0; i < 40; i++) {
+      shapes.add(
+          switch (i % 4) {
+            case 0 -> new MeshInstance(shared, place);
+            case 1 -> new Rectangle(place, 2, 2, true);
+            case 2 -> new Plane(place, true);
+            default -> new Rectangle(place, 1 + i, 2, true);
+          });
+    }
+    Random random = new Random(4);
+    NearestHit found = new NearestHit();
+    NearestHit expected = new NearestHit();
+    for (int i = 0; i < 50; i++) {
+      Collections.shuffle(shapes, random);
+      Bvh bvh = Bvh.over(shapes);
+      for (int k = 0; k < 100; k++) {
+        Vec3 origin = Shapes.point(random, 2);
+        Ray ray = new Ray(origin, Shapes.point(random, .5).minus(origin).normalized());
+        assertThat(bvh.intersect(ray, found)).isEqualTo(Shapes.bruteForce(shapes, ray, expected));
+        assertThat(found.shape()).isEqualTo(expected.shape());
+      }
+    }
+    Mesh twice = Mesh.baked(doubled(shared.mesh()), place);
+    NearestHit hit = new NearestHit();
+    Vec3 above = place.point(Vec3.Y);
+    Ray down = new Ray(above, above.negated());
+    assertThat(Bvh.over(List.of(twice, twice, twice)).intersect(down, hit)).isTrue();
+    assertThat(hit.shape()).isZero();
+    assertThat(hit.element).isZero();
+  }
+
+  private static TriangleMesh doubled(TriangleMesh mesh) {
+    double[] p = new double[9];
+    mesh.copyVertices(0, p, 0);
+    int[] f = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
+    return TriangleMesh.of(p, new double[0], new double[0], f);
+  }
+
+  @Test
+  void identicalTrianglesMakeATreeOfBoundedDepth() {
+    int[] f = new int[3 * 200_000];
+    for (int i = 0; i < f.length; i++) {
+      f[i] = i % 3;
+    }
+    double[] p = {-1, -1, 0, 1, -1, 0, 0, 1, 0};
+    TriangleMesh mesh = TriangleMesh.of(p, new double[0], new double[0], f);
+    Bvh bvh = Bvh.over(List.of(Mesh.baked(mesh, Transform.IDENTITY)));
+    NearestHit hit = new NearestHit();
+    assertThat(bvh.intersect(new Ray(new Vec3(0, 0, -1), Vec3.Z), hit)).isTrue();
+    assertThat(hit.element).isZero();
+    assertThat(hit.t()).isEqualTo(1);
+  }
+
+  @Test
+  void trianglesInGeometricProgressionMakeATreeOfBoundedDepth() {
+    int n = 600;
+    double[] p = new double[9 * n];
+    int[] f = new int[3 * n];
+    for (int i = 0; i < n; i++) {
+      double size = Math.scalb(1.0, i - n / 2);
+      double[] one = {size, 0, 0, size, size, 0, size, 0, size};
+      System.arraycopy(one, 0, p, 9 * i, 9);
+      for (int k = 0; k < 3; k++) {
+        f[3 * i + k] = 3 * i + k;
+      }
+    }
+    TriangleMesh mesh = TriangleMesh.of(p, new double[0], new double[0], f);
+    Bvh bvh = Bvh.over(List.of(Mesh.baked(mesh, Transform.IDENTITY)));
+    NearestHit hit = new NearestHit();
+    assertThat(bvh.intersect(new Ray(new Vec3(-1, 0, 0), new Vec3(1, 1e-6, 1e-6)), hit)).isTrue();
+    assertThat(hit.t()).isGreaterThan(0);
+  }
+
+  @Test
+  void emptyHierarchiesAreNeverHit() {
+    Bvh bvh = Bvh.over(List.of());
+    assertThat(bvh.intersect(new Ray(Vec3.ZERO, Vec3.X), new NearestHit())).isFalse();
+    assertThat(bvh.isOccluded(new Ray(Vec3.ZERO, Vec3.X), new NearestHit())).isFalse();
+  }
+
+  @Test
+  void raysEndBeforeTheirEnd() {
+    Bvh bvh = Bvh.over(List.of(tile(Transform.IDENTITY)));
+    Ray touching = new Ray(new Vec3(.1, 2, .1), Vec3.Y.negated(), 2);
+    Ray reaching = new Ray(new Vec3(.1, 2, .1), Vec3.Y.negated(), Math.nextUp(2.0));
+    assertThat(bvh.isOccluded(touching, new NearestHit())).isFalse();
+    assertThat(bvh.intersect(touching, new NearestHit())).isFalse();
+    assertThat(bvh.isOccluded(reaching, new NearestHit())).isTrue();
+    assertThat(bvh.intersect(reaching, new NearestHit())).isTrue();
+  }
+
+  @Test
+  void scenesScaledByAPowerOfTwoGiveTheSameBits() {
+    Random random = new Random(5);
+    SharedMesh ball = new SharedMesh(Shapes.closedBall(6, 8, .2, true));
+    List<Transform> places = new ArrayList<>();
+    for (int i = 0; i < 30; i++) {
+      places.add(Shapes.placement(random, 5, 4));
+    }
+    for (int exponent : new int[] {-30, -1, 10, 30}) {
+      double scale = Math.scalb(1.0, exponent);
+      List<Shape> plain = zooAt(places, ball, 1);
+      List<Shape> scaled = zooAt(places, ball, scale);
+      Bvh plainBvh = Bvh.over(plain);
+      Bvh scaledBvh = Bvh.over(scaled);
+      NearestHit a = new NearestHit();
+      NearestHit b = new NearestHit();
+      for (int i = 0; i < 3000; i++) {
+        Ray ray = new Ray(Shapes.point(random, 6), Shapes.direction(random));
+        Ray scaledRay = new Ray(ray.origin().times(scale), ray.direction());
+        assertThat(scaledBvh.intersect(scaledRay, b)).isEqualTo(plainBvh.intersect(ray, a));
+        assertThat(b.shape()).isEqualTo(a.shape());
+        if (a.isHit()) {
+          assertThat(b.t()).isEqualTo(scale * a.t());
+          SurfaceHit p = plain.get(a.shape()).surfaceAt(ray, a);
+          SurfaceHit q = scaled.get(b.shape()).surfaceAt(scaledRay, b);
+          assertThat(q.position()).isEqualTo(p.position().times(scale));
+          assertThat(q.error()).isEqualTo(p.error() * scale);
+          assertThat(q.geometricNormal()).isEqualTo(p.geometricNormal());
+          assertThat(q.shading()).isEqualTo(p.shading());
+          assertThat(q.texture()).isEqualTo(p.texture());
+        }
+      }
+    }
+  }
+
+  private static List<Shape> zooAt(List<Transform> places, SharedMesh ball, double scale) {
+    List<Shape> shapes = new ArrayList<>();
+    for (Transform place : places) {
+      Transform scaled = Transform.scale(new Vec3(scale, scale, scale)).times(place);
+      shapes.add(
+          switch (shapes.size() % 6) {
+            case 0 -> new Sphere(scaled, .5);
+            case 1 -> new Rectangle(scaled, 1, 2, false);
+            case 2 -> new Box(scaled, 1, .5, .7);
+            case 3 -> Mesh.baked(ball.mesh(), scaled);
+            case 4 -> new MeshInstance(ball, scaled);
+            default -> new Rectangle(scaled, .3, 2, true);
+          });
+    }
+    return shapes;
+  }
+
+  @Test
+  void searchingAllocatesNothing() throws ReflectiveOperationException {
+    Random random = new Random(6);
+    Bvh bvh = Bvh.over(Shapes.zoo(random, 60));
+    Ray[] rays = new Ray[2000];
+    for (int i = 0; i < rays.length; i++) {
+      rays[i] = Shapes.ray(random, AROUND);
+    }
+    NearestHit nearest = new NearestHit();
+    long least = Long.MAX_VALUE;
+    for (int round = 0; round < 20; round++) {
+      long before = Allocation.ofThisThread();
+      for (Ray ray : rays) {
+        bvh.intersect(ray, nearest);
+        bvh.isOccluded(ray, nearest);
+      }
+      least = Math.min(least, Allocation.ofThisThread() - before);
+    }
+    // Asking costs a little itself; an object a ray would be a hundred thousand bytes.
+    assertThat(least).isLessThan(2000);
   }
 }

@@ -37,8 +37,7 @@ final class Shapes {
 
   /** Returns translation · rotation · scale with factors up to the given ratio apart. */
   static Transform placement(Random random, double distance, double ratio) {
-    Vec3 scale =
-        new Vec3(factor(random, ratio), factor(random, ratio), factor(random, ratio));
+    Vec3 scale = new Vec3(factor(random, ratio), factor(random, ratio), factor(random, ratio));
     return Transform.translation(point(random, distance))
         .times(rotation(random))
         .times(Transform.scale(scale));

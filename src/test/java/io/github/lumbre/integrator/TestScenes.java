@@ -32,7 +32,10 @@ final class TestScenes {
 
   static Glass glass(double ior) {
     return new Glass(
-        Texture.constant(Rgb.WHITE), Texture.constant(Rgb.WHITE), ScalarTexture.constant(ior));
+        Texture.constant(Rgb.WHITE),
+        Texture.constant(Rgb.WHITE),
+        ScalarTexture.constant(ior),
+        ScalarTexture.constant(0));
   }
 
   static Emission glow(double radiance) {

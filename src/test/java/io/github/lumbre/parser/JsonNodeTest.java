@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -86,7 +87,7 @@ class JsonNodeTest {
     assertThat(
             errors(
                 "{\"m\": \"Ray\"}",
-                n -> n.choice("m", new java.util.TreeMap<>(Map.of("ray", 1, "path", 2)), 1)))
+                n -> n.choice("m", new TreeMap<>(Map.of("ray", 1, "path", 2)), 1)))
         .containsExactly("s.json: $.m: expected one of path, ray, found \"Ray\"");
   }
 
@@ -106,10 +107,13 @@ class JsonNodeTest {
 
   @Test
   void elementsOfArraysMustBeObjects() {
-    assertThat(errors("{\"a\": [{}, 3], \"b\": {}}", n -> {
-          assertThat(n.objects("a")).hasSize(1);
-          assertThat(n.objects("b")).isEmpty();
-        }))
+    assertThat(
+            errors(
+                "{\"a\": [{}, 3], \"b\": {}}",
+                n -> {
+                  assertThat(n.objects("a")).hasSize(1);
+                  assertThat(n.objects("b")).isEmpty();
+                }))
         .containsExactly(
             "s.json: $.a[1]: expected an object, found 3",
             "s.json: $.b: expected an array, found an object");

@@ -64,7 +64,8 @@ class JsonTreeTest {
       })
   void whatIsNotJsonIsRefused(String text) {
     assertThat(refusal(text).kind()).isEqualTo(SceneFormatException.Kind.INVALID);
-    assertThat(refusal(text)).hasMessageContaining("expected JSON (RFC 8259), found a syntax error");
+    assertThat(refusal(text))
+        .hasMessageContaining("expected JSON (RFC 8259), found a syntax error");
   }
 
   @Test
@@ -91,8 +92,7 @@ class JsonTreeTest {
     byte[] bytes = "{\"a\": \"?\"}".getBytes(StandardCharsets.UTF_8);
     bytes[7] = (byte) 0xff;
     assertThat(
-            catchThrowableOfType(
-                SceneFormatException.class, () -> JsonTree.read(bytes, problems)))
+            catchThrowableOfType(SceneFormatException.class, () -> JsonTree.read(bytes, problems)))
         .hasMessage("s.json: $: expected UTF-8, found bytes that are not");
   }
 

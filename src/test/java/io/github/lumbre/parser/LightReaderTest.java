@@ -105,8 +105,7 @@ class LightReaderTest {
   @CsvSource({"120, 90, 120 acts as 90", "-30, 30, -30 acts as 30", "-95.5, 90, -95.5 acts as 90"})
   void unusualSpotAnglesActAsOthersWithAWarning(double written, double acts, String warning) {
     SceneFile file = parse("'lightType': 'Spot', 'intensity': 1, 'spotAngle': " + written);
-    assertThat(file.warnings())
-        .containsExactly("scene.json: $.objects[1].spotAngle: " + warning);
+    assertThat(file.warnings()).containsExactly("scene.json: $.objects[1].spotAngle: " + warning);
     Light spot = file.scene().lights().get(0);
     assertThat(spotAt(spot, acts - .01)).isEqualTo(1);
     assertThat(spotAt(spot, acts + .01)).isZero();
@@ -179,8 +178,7 @@ class LightReaderTest {
     Vec3 turned = new Vec3(littleLeft.z(), 0, -littleLeft.x());
     assertNear(scene.background(turned), new Rgb(0, 2, 0));
     Vec3 littleRight = new Vec3(.1, 0, 1).normalized();
-    assertNear(
-        scene.background(new Vec3(littleRight.z(), 0, -littleRight.x())), new Rgb(0, 0, 2));
+    assertNear(scene.background(new Vec3(littleRight.z(), 0, -littleRight.x())), new Rgb(0, 0, 2));
   }
 
   @Test
@@ -193,14 +191,12 @@ class LightReaderTest {
 
   @Test
   void backgroundLightsUnlessThereIsADome() {
-    String options =
-        json(", 'renderOptions': {'background': {'r': 0.5, 'g': 0.25, 'b': 0}}}");
+    String options = json(", 'renderOptions': {'background': {'r': 0.5, 'g': 0.25, 'b': 0}}}");
     String plain = scene("", "");
     SceneFile alone = fixture.parse(plain.substring(0, plain.length() - 1) + options);
     assertThat(alone.scene().background(Vec3.X)).isEqualTo(new Rgb(.5, .25, 0));
     assertThat(alone.scene().lights()).isEmpty();
-    String dome =
-        scene(json("{'type': 'Light', 'lightType': 'Dome', 'intensity': 1}"), "");
+    String dome = scene(json("{'type': 'Light', 'lightType': 'Dome', 'intensity': 1}"), "");
     SceneFile both = fixture.parse(dome.substring(0, dome.length() - 1) + options);
     assertThat(both.scene().background(Vec3.X)).isEqualTo(Rgb.WHITE);
     assertThat(both.warnings())

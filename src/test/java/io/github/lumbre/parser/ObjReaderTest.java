@@ -59,8 +59,7 @@ class ObjReaderTest {
                 + "f 1/1/1 2/2/1 3/3/1\nf 1/1/2 3/3/1 4/-1/-1\n");
     assertThat(mesh.indices()).containsExactly(0, 1, 2, 3, 2, 4);
     assertThat(mesh.uvs()).containsExactly(0, 0, .25, .5, 1, 0, 0, 0, 1, 0);
-    assertThat(mesh.normals())
-        .containsExactly(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, -1);
+    assertThat(mesh.normals()).containsExactly(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, -1);
   }
 
   @Test
@@ -133,7 +132,6 @@ class ObjReaderTest {
         "g a;;|line 8: expected at least one face, found the end of the file"
       })
   void errorsNameTheLine(String text, String message) {
-    assertThat(refusal(CORNERS + text.replace(';', '\n') + "\n".repeat(1)))
-        .isEqualTo(message);
+    assertThat(refusal(CORNERS + text.replace(';', '\n') + "\n".repeat(1))).isEqualTo(message);
   }
 }

@@ -54,8 +54,11 @@ class ObjectTreeTest {
   @Test
   void parentsComeBeforeChildrenInTheOrderOfTheFile() {
     List<Placed> found =
-        objects("{'id': 1, 'children': [{'id': 2, 'children': [{'id': 3}]}, {'id': 4}]}, {'id': 5}");
-    assertThat(found).extracting(p -> p.node().id("id").orElseThrow()).containsExactly(1, 2, 3, 4, 5);
+        objects(
+            "{'id': 1, 'children': [{'id': 2, 'children': [{'id': 3}]}, {'id': 4}]}, {'id': 5}");
+    assertThat(found)
+        .extracting(p -> p.node().id("id").orElseThrow())
+        .containsExactly(1, 2, 3, 4, 5);
   }
 
   @Test

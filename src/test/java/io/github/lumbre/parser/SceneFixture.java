@@ -2,7 +2,6 @@ package io.github.lumbre.parser;
 
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
-import io.github.lumbre.image.Rgb;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -11,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
-import java.util.List;
 import javax.imageio.ImageIO;
 
 /** Small scenes in a folder, and what becomes of them. */
@@ -100,11 +98,6 @@ final class SceneFixture {
 
   /** Returns a mesh asset. */
   static String mesh(int id, String obj) {
-    return json(
-        "{'id': " + id + ", 'assetType': 'Mesh', 'base64OBJ': '" + base64(obj) + "'}");
-  }
-
-  static List<Double> components(Rgb c) {
-    return List.of(c.r(), c.g(), c.b());
+    return json("{'id': " + id + ", 'assetType': 'Mesh', 'base64OBJ': '" + base64(obj) + "'}");
   }
 }

@@ -101,8 +101,7 @@ class SceneParserTest {
             + "|.finite: expected true or false, found 'true'",
         "'type': 'Shape', 'shapeType': 'Ball'"
             + "|.shapeType: expected one of Sphere, Plane, Cube, Mesh, found 'Ball'",
-        "'type': 'Shape'"
-            + "|.shapeType: expected one of Sphere, Plane, Cube, Mesh, found nothing",
+        "'type': 'Shape'" + "|.shapeType: expected one of Sphere, Plane, Cube, Mesh, found nothing",
         "'type': 'Thing'|.type: expected one of None, Camera, Shape, Light, found 'Thing'",
         "'type': 'Light', 'intensity': 1, 'lightType': 'Sun'"
             + "|.lightType: expected one of Directional, Point, Spot, Ambient, Rectangle, Sphere,"
@@ -245,8 +244,9 @@ class SceneParserTest {
 
   @Test
   void chosenModeAndChangesComeBeforeTheFile() {
-    String text = json("{'mainCameraId': 1, 'renderOptions': {'mode': 'path', 'antialiasing': 3},")
-        + json("'objects': [{'type': 'Camera', 'id': 1}]}");
+    String text =
+        json("{'mainCameraId': 1, 'renderOptions': {'mode': 'path', 'antialiasing': 3},")
+            + json("'objects': [{'type': 'Camera', 'id': 1}]}");
     SceneFile file =
         fixture.parse(
             new SceneParser()
@@ -260,8 +260,7 @@ class SceneParserTest {
 
   @Test
   void errorsOfTheCallersChangesAreTheCallers() {
-    SceneParser parser =
-        new SceneParser().overriding(s -> s.toBuilder().samples(0).build());
+    SceneParser parser = new SceneParser().overriding(s -> s.toBuilder().samples(0).build());
     Path file = fixture.write(scene("", ""));
     assertThatThrownBy(() -> parser.parse(file))
         .isInstanceOf(IllegalArgumentException.class)
@@ -270,8 +269,9 @@ class SceneParserTest {
 
   @Test
   void picturesAreLimitedInAllTheirPixels() {
-    String text = json("{'mainCameraId': 1, 'renderOptions': {'width': 65535, 'height': 4097},")
-        + json("'objects': [{'type': 'Camera', 'id': 1}]}");
+    String text =
+        json("{'mainCameraId': 1, 'renderOptions': {'width': 65535, 'height': 4097},")
+            + json("'objects': [{'type': 'Camera', 'id': 1}]}");
     SceneFormatException refusal = fixture.refusal(text);
     assertThat(refusal.kind()).isEqualTo(Kind.LIMIT);
     assertThat(refusal)
@@ -279,8 +279,7 @@ class SceneParserTest {
             "scene.json: $.renderOptions: expected width x height <= 268435456, found 65535x4097");
     assertThat(
             fixture
-                .parse(
-                    new SceneParser().overriding(s -> s.toBuilder().size(10, 10).build()), text)
+                .parse(new SceneParser().overriding(s -> s.toBuilder().size(10, 10).build()), text)
                 .settings()
                 .width())
         .isEqualTo(10);
@@ -299,8 +298,7 @@ class SceneParserTest {
     MessageDigest digest = MessageDigest.getInstance("SHA-256");
     digest.update(text.getBytes(StandardCharsets.UTF_8));
     digest.update(TRIANGLE.getBytes(StandardCharsets.UTF_8));
-    assertThat(fixture.parse(text).hash())
-        .isEqualTo(HexFormat.of().formatHex(digest.digest()));
+    assertThat(fixture.parse(text).hash()).isEqualTo(HexFormat.of().formatHex(digest.digest()));
   }
 
   @ParameterizedTest
@@ -314,8 +312,7 @@ class SceneParserTest {
     Files.writeString(folder.resolve("a.obj"), TRIANGLE);
     Files.createSymbolicLink(inside.resolve("out"), folder);
     Files.createDirectory(inside.resolve("sub"));
-    SceneFormatException refusal =
-        new SceneFixture(inside).refusal(sceneWithMeshFile(name));
+    SceneFormatException refusal = new SceneFixture(inside).refusal(sceneWithMeshFile(name));
     assertThat(refusal.kind()).isEqualTo(Kind.INVALID);
     assertThat(refusal)
         .hasMessageStartingWith(
@@ -388,8 +385,7 @@ class SceneParserTest {
                 scene(
                     json("{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2}"),
                     json("{'id': 2, 'assetType': 'Mesh'}"))))
-        .hasMessage(
-            "scene.json: $.assets[0].base64OBJ: expected base64OBJ or file, found neither");
+        .hasMessage("scene.json: $.assets[0].base64OBJ: expected base64OBJ or file, found neither");
   }
 
   @Test
@@ -463,19 +459,17 @@ class SceneParserTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "'materialType': 'CookTorrance'"
-            + "|.materialType: CookTorrance is not supported yet; supported: Diffuse, Color,"
-            + " Reflective, Refractive, None",
-        "'materialType': 'Phong'"
-            + "|.materialType: Phong is not supported yet; supported: Diffuse, Color, Reflective,"
-            + " Refractive, None",
         "'materialType': 'Velvet'"
-            + "|.materialType: expected one of Diffuse, Color, Reflective, Refractive, None,"
-            + " found 'Velvet'",
-        "'materialType': 'Diffuse', 'normalTextureId': 3"
-            + "|.normalTextureId: normal maps are not supported yet",
-        "'materialType': 'Refractive', 'roughness': 0.5"
-            + "|.roughness: rough glass is not supported yet",
+            + "|.materialType: expected one of Diffuse, Color, Reflective, Refractive, None, Phong,"
+            + " CookTorrance, found 'Velvet'",
+        "'materialType': 'Phong', 'exponent': -1"
+            + "|.exponent: expected a finite number >= 0, found -1",
+        "'materialType': 'CookTorrance', 'roughness': 1.5"
+            + "|.roughness: expected a number from 0 to 1, found 1.5",
+        "'materialType': 'CookTorrance', 'distribution': 'phong'"
+            + "|.distribution: expected one of beckmann, ggx, found 'phong'",
+        "'materialType': 'Diffuse', 'normalTextureId': 7"
+            + "|.normalTextureId: expected the id of a Texture, found 7; there is 3",
         "'materialType': 'Refractive', 'ior': 0"
             + "|.ior: expected a number in (0, 1000000], found 0",
         "'materialType': 'Refractive', 'ior': -1.5"
@@ -484,8 +478,7 @@ class SceneParserTest {
             + "|.roughness: expected a number from 0 to 1, found 2",
         "'materialType': 'Diffuse', 'colorTextureId': 9"
             + "|.colorTextureId: expected the id of a Texture, found 9; there is 3",
-        "'materialType': 'Diffuse', 'colorScale': 2"
-            + "|.colorScale: expected an object, found 2",
+        "'materialType': 'Diffuse', 'colorScale': 2" + "|.colorScale: expected an object, found 2",
       })
   void errorsInMaterialsInUseSayWhereAndWhat(String material, String message) {
     String assets =

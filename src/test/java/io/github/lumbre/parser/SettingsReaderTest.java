@@ -64,7 +64,18 @@ class SettingsReaderTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"-1, 4", "0, 1", "1, 4", "2, 4", "3, 16", "4, 16", "6, 64", "7, 256", "8, 256", "16, 65536"})
+  @CsvSource({
+    "-1, 4",
+    "0, 1",
+    "1, 4",
+    "2, 4",
+    "3, 16",
+    "4, 16",
+    "6, 64",
+    "7, 256",
+    "8, 256",
+    "16, 65536"
+  })
   void antialiasingIsAnEvenPowerOfTwoInRayModeOnly(int exponent, int samples) {
     JsonNode options = options("{\"samples\": 5, \"antialiasing\": " + exponent + "}");
     assertThat(SettingsReader.read(options, Optional.of(Mode.RAY)).samples()).isEqualTo(samples);
@@ -117,7 +128,6 @@ class SettingsReaderTest {
   void backgroundOfAnotherTypeIsAnError() {
     SettingsReader.background(options("{\"background\": \"blue\"}"));
     assertThat(problems.exception())
-        .hasMessage(
-            "s.json: $.background: expected {r, g, b} or \"transparent\", found \"blue\"");
+        .hasMessage("s.json: $.background: expected {r, g, b} or \"transparent\", found \"blue\"");
   }
 }

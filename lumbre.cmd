@@ -1,0 +1,76 @@
+@echo off
+rem Runs Lumbre, and builds it first if that is needed. Environment:
+rem   JAVA_HOME         the JDK to use; without it, the java on the PATH
+rem   LUMBRE_JAVA_OPTS  more options for the virtual machine, such as -Xmx8g
+setlocal EnableExtensions DisableDelayedExpansion
+set "LUMBRE_HOME=%~dp0"
+set "LUMBRE_JAR=%LUMBRE_HOME%target\lumbre-all.jar"
+set "LUMBRE_LOCK=%LUMBRE_HOME%target\.lumbre-build"
+
+rem Find Java.
+set "LUMBRE_JAVA=java.exe"
+if not defined JAVA_HOME goto search
+set "LUMBRE_JAVA=%JAVA_HOME%\bin\java.exe"
+if exist "%LUMBRE_JAVA%" goto version
+echo lumbre: JAVA_HOME is "%JAVA_HOME%", which holds no bin\java.exe; a JDK 17 or newer is needed>&2
+exit /b 7
+
+:search
+where /q java.exe
+if not errorlevel 1 goto version
+echo lumbre: found no Java; install a JDK 17 or newer, or set JAVA_HOME>&2
+exit /b 7
+
+:version
+set "LUMBRE_VERSION="
+set "LUMBRE_TOLD=%TEMP%\lumbre-%RANDOM%%RANDOM%.txt"
+"%LUMBRE_JAVA%" -version 2>"%LUMBRE_TOLD%"
+for /f "usebackq tokens=2,3" %%a in ("%LUMBRE_TOLD%") do if "%%a"=="version" set "LUMBRE_VERSION=%%~b"
+del /q "%LUMBRE_TOLD%" 2>nul
+set "LUMBRE_MAJOR=0"
+for /f "tokens=1 delims=.-+" %%a in ("%LUMBRE_VERSION%") do set "LUMBRE_MAJOR=%%a"
+if %LUMBRE_MAJOR% GEQ 17 goto stale
+echo lumbre: found Java "%LUMBRE_VERSION%" (%LUMBRE_JAVA%); a JDK 17 or newer is needed>&2
+exit /b 7
+
+:stale
+if exist "%LUMBRE_LOCK%\" goto build
+if not exist "%LUMBRE_JAR%" goto build
+powershell -NoProfile -NonInteractive -Command "$t = (Get-Item -LiteralPath $env:LUMBRE_JAR).LastWriteTimeUtc; $f = @(Get-Item -LiteralPath ($env:LUMBRE_HOME + 'pom.xml')) + @(Get-ChildItem -LiteralPath ($env:LUMBRE_HOME + 'src\main') -Recurse); if ($f | Where-Object { $_.LastWriteTimeUtc -gt $t }) { exit 1 }"
+if errorlevel 1 goto build
+goto run
+
+rem One build at a time: whoever makes the directory builds, the others wait for it to vanish.
+:build
+if not exist "%LUMBRE_HOME%target\" mkdir "%LUMBRE_HOME%target"
+set LUMBRE_WAITS=0
+:acquire
+mkdir "%LUMBRE_LOCK%" 2>nul && goto locked
+if %LUMBRE_WAITS%==0 echo lumbre: waiting for another build>&2
+set /a LUMBRE_WAITS+=1
+if %LUMBRE_WAITS% GTR 600 goto abandoned
+ping -n 2 127.0.0.1 >nul
+if exist "%LUMBRE_LOCK%\" goto acquire
+goto stale
+
+:abandoned
+echo lumbre: another build seems to have been ended; delete "%LUMBRE_LOCK%">&2
+exit /b 7
+
+:locked
+echo lumbre: building, which takes a moment>&2
+pushd "%LUMBRE_HOME%"
+call mvnw.cmd -q -B -Dmaven.test.skip=true package 1>&2 <nul
+set "LUMBRE_BUILT=%ERRORLEVEL%"
+popd
+rmdir "%LUMBRE_LOCK%"
+if "%LUMBRE_BUILT%"=="0" goto run
+echo lumbre: the build failed>&2
+exit /b 7
+
+rem The options of the virtual machine, all of them.
+:run
+set "LUMBRE_NATIVE="
+if %LUMBRE_MAJOR% GEQ 22 set "LUMBRE_NATIVE=--enable-native-access=ALL-UNNAMED"
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+exit /b %ERRORLEVEL%

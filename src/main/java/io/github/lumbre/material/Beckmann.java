@@ -1,0 +1,91 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+
+/**
+ * The Beckmann distribution: slopes of the surface are normally distributed (Walter et al. 2007,
+ * sec. 5.2; the 2016 report's choice).
+ *
+ * @param alpha roughness: √2 times the standard deviation of the slopes, &gt; 0
+ */
+record Beckmann(double alpha) implements MicrofacetDistribution {
+  private static final double INV_SQRT_PI = 0.5641895835477563;
+
+  /** Slopes beyond this, before the scaling by α, have a probability below 1e-36. */
+  private static final double STEEPEST = 9;
+
+  @Override
+  public double density(Vec3 m) {
+    if (m.z() <= 0) {
+      return 0;
+    }
+    double cos2 = m.z() * m.z();
+    double tan2 = (m.x() * m.x() + m.y() * m.y()) / cos2;
+    return Elementary.exp(-tan2 / (alpha * alpha))
+        / (Math.PI * alpha * alpha * cos2 * cos2);
+  }
+
+  /** Λ(a) = exp(−a²) / (2a√π) − erfc(a) / 2, a = 1 / (α tan θ) (Heitz 2014, eq. 77). */
+  @Override
+  public double lambda(double cosTheta) {
+    double tan = Elementary.safeSqrt(1 - cosTheta * cosTheta) / cosTheta;
+    double a = 1 / (alpha * tan);
+    if (a > STEEPEST) {
+      return 0;
+    }
+    return Math.max(
+        0, .5 * Elementary.exp(-a * a) * (INV_SQRT_PI / a - Elementary.erfcScaled(a)));
+  }
+
+  /** Stretches the surface to α = 1, draws the two slopes, and shrinks it back (Heitz 2014). */
+  @Override
+  public Vec3 sampleVisible(Vec3 wo, Point2 u) {
+    Vec3 v = new Vec3(alpha * wo.x(), alpha * wo.y(), wo.z()).normalized();
+    double sin = Math.sqrt(v.x() * v.x() + v.y() * v.y());
+    double cosPhi = sin > 0 ? v.x() / sin : 1;
+    double sinPhi = sin > 0 ? v.y() / sin : 0;
+    double along = visibleSlope(v.z(), sin, u.x());
+    double across = visibleSlope(1, 0, u.y());
+    double slopeX = cosPhi * along - sinPhi * across;
+    double slopeY = sinPhi * along + cosPhi * across;
+    return new Vec3(-alpha * slopeX, -alpha * slopeY, 1).normalized();
+  }
+
+  /**
+   * Returns the slope along the view at which the visible slopes' cumulative distribution is u. It
+   * is proportional to {@code cos (1 + erf x)/2 + sin exp(−x²)/(2√π)} for x up to cos/sin, where
+   * facets turn away; solved by Newton's method inside a shrinking bracket.
+   */
+  private static double visibleSlope(double cos, double sin, double u) {
+    double low = -STEEPEST;
+    double high = cos < STEEPEST * sin ? cos / sin : STEEPEST;
+    double target = u * cumulative(cos, sin, high);
+    double x = Math.min(0, .5 * high);
+    for (int i = 0; i < 60; i++) {
+      double excess = cumulative(cos, sin, x) - target;
+      if (excess > 0) {
+        high = x;
+      } else {
+        low = x;
+      }
+      double slope = INV_SQRT_PI * Elementary.exp(-x * x) * (cos - x * sin);
+      double next = x - excess / slope;
+      if (!(next > low && next < high)) {
+        next = .5 * (low + high);
+      }
+      if (Math.abs(next - x) <= 1e-12) {
+        return next;
+      }
+      x = next;
+    }
+    return x;
+  }
+
+  private static double cumulative(double cos, double sin, double x) {
+    double e = Elementary.exp(-x * x);
+    double tail = .5 * e * Elementary.erfcScaled(Math.abs(x));
+    return cos * (x < 0 ? tail : 1 - tail) + sin * .5 * INV_SQRT_PI * e;
+  }
+}

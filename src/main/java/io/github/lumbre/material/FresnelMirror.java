@@ -1,0 +1,42 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+
+/**
+ * A smooth surface that reflects by the exact Fresnel equations and lets nothing through: the limit
+ * of {@link MicrofacetReflection} without roughness, on both sides.
+ *
+ * @param specular tints the reflection, each component in [0,1]
+ * @param ior index of refraction, &gt; 0
+ */
+record FresnelMirror(Rgb specular, double ior) implements Lobe {
+  @Override
+  public Rgb eval(Vec3 wo, Vec3 wi) {
+    return Rgb.BLACK;
+  }
+
+  @Override
+  public double pdf(Vec3 wo, Vec3 wi) {
+    return 0;
+  }
+
+  @Override
+  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+    Rgb weight = specular.times(Fresnel.dielectric(Math.abs(wo.z()), ior));
+    return weight.isBlack()
+        ? BsdfSample.ABSORBED
+        : BsdfSample.specular(SpecularReflection.reflect(wo), weight);
+  }
+
+  @Override
+  public boolean isSpecular() {
+    return true;
+  }
+
+  @Override
+  public double importance(Vec3 wo) {
+    return specular.max() * Fresnel.dielectric(Math.abs(wo.z()), ior);
+  }
+}

@@ -1,0 +1,30 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+import java.util.Objects;
+
+/**
+ * A diffuse surface with a Phong highlight: the format's Phong.
+ *
+ * @param diffuse colour, scaled down with the specular one where both together exceed 1
+ * @param specular colour of the highlight
+ * @param exponent of the highlight, at least 0: the larger, the smaller
+ */
+public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture exponent)
+    implements Material {
+  public Phong {
+    Objects.requireNonNull(diffuse, "diffuse");
+    Objects.requireNonNull(specular, "specular");
+    Objects.requireNonNull(exponent, "exponent");
+  }
+
+  @Override
+  public Bsdf at(SurfaceHit hit) {
+    Reflectances colours =
+        Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
+    return colours.with(new PhongLobe(colours.specular(), exponent.at(hit.texture())));
+  }
+}

@@ -1,0 +1,62 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+
+/**
+ * The normalised modified Phong lobe, f = specular · (n+2)/2π · cosⁿα, α between wi and the mirror
+ * direction (Lafortune &amp; Willems 1994, eq. 4); on both sides of the surface. It reflects all of
+ * the specular colour at normal incidence, less at others: about cos θ of it if n is large.
+ *
+ * @param specular each component in [0,1]
+ * @param exponent n, at least 0
+ */
+record PhongLobe(Rgb specular, double exponent) implements Lobe {
+  @Override
+  public Rgb eval(Vec3 wo, Vec3 wi) {
+    return wo.z() * wi.z() > 0
+        ? specular.times(
+            (exponent + 2) / Elementary.TWO_PI * cosinePower(wo, wi) * Math.abs(wi.z()))
+        : Rgb.BLACK;
+  }
+
+  @Override
+  public double pdf(Vec3 wo, Vec3 wi) {
+    return wo.z() * wi.z() > 0 ? density(cosinePower(wo, wi)) : 0;
+  }
+
+  private double density(double cosinePower) {
+    return (exponent + 1) / Elementary.TWO_PI * cosinePower;
+  }
+
+  /** Returns cosⁿα from the distance of the two directions, which keeps its digits at small α. */
+  private double cosinePower(Vec3 wo, Vec3 wi) {
+    double oneMinusCos = .5 * wi.minus(SpecularReflection.reflect(wo)).lengthSquared();
+    return oneMinusCos < 1 ? Elementary.exp(exponent * Elementary.log1p(-oneMinusCos)) : 0;
+  }
+
+  @Override
+  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+    // cos α = (1−u)^(1/(n+1)), and the sine without cancellation.
+    double logCos = Elementary.log1p(-u.x()) / (exponent + 1);
+    double cos = Elementary.exp(logCos);
+    double sin = Math.sqrt(-Elementary.expm1(2 * logCos));
+    Vec3 around =
+        new Vec3(sin * Elementary.cosTurns(u.y()), sin * Elementary.sinTurns(u.y()), cos);
+    Vec3 wi = Frame.around(SpecularReflection.reflect(wo)).toWorld(around).normalized();
+    double pdf = pdf(wo, wi);
+    if (!(pdf > 0)) {
+      return BsdfSample.ABSORBED;
+    }
+    double weight = (exponent + 2) / (exponent + 1) * Math.abs(wi.z());
+    return new BsdfSample(wi, specular.times(weight), pdf);
+  }
+
+  @Override
+  public double importance(Vec3 wo) {
+    return specular.max();
+  }
+}

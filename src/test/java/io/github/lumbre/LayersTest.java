@@ -1,0 +1,199 @@
+package io.github.lumbre;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.AccessTarget;
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Packages lie in layers, arrows only go down, and the library is a well-behaved guest. */
+class LayersTest {
+  private static final String ROOT = "io.github.lumbre.";
+  private static final String BASIC = "math image sampling texture geometry";
+
+  /** What each package may use, besides itself and Java. */
+  private static final Map<String, String> MAY_USE =
+      Map.ofEntries(
+          Map.entry("math", ""),
+          Map.entry("image", ""),
+          Map.entry("sampling", "math"),
+          Map.entry("texture", "math image sampling"),
+          Map.entry("geometry", "math sampling texture"),
+          Map.entry("material", BASIC),
+          Map.entry("camera", "math image sampling"),
+          Map.entry("light", BASIC),
+          Map.entry("scene", BASIC + " material camera light"),
+          Map.entry("integrator", BASIC + " material camera light scene"),
+          Map.entry("render", "math image sampling geometry camera scene integrator"),
+          Map.entry("parser", BASIC + " material camera light scene"),
+          Map.entry(
+              "cli", BASIC + " material camera light scene integrator render parser"));
+
+  /** Libraries beyond Java that a package may use. */
+  private static final Map<String, List<String>> LIBRARIES =
+      Map.of(
+          "parser", List.of("com.google.gson.."),
+          "cli", List.of("picocli..", "me.tongfei.progressbar.."));
+
+  private static final Set<String> TRANSCENDENTAL =
+      Set.of(
+          "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp",
+          "expm1", "log", "log10", "log1p", "pow", "cbrt", "hypot");
+
+  private static final JavaClasses LUMBRE =
+      new ClassFileImporter()
+          .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+          .importPackages("io.github.lumbre");
+
+  static Stream<String> packages() {
+    return MAY_USE.keySet().stream().sorted();
+  }
+
+  @Test
+  void everyPackageHasItsLayer() {
+    Set<String> found =
+        LUMBRE.stream()
+            .map(JavaClass::getPackageName)
+            .filter(name -> name.startsWith(ROOT))
+            .map(name -> name.substring(ROOT.length()))
+            .collect(Collectors.toSet());
+    assertThat(found).isEqualTo(MAY_USE.keySet());
+  }
+
+  @ParameterizedTest
+  @MethodSource("packages")
+  void packageUsesOnlyWhatLiesBelow(String name) {
+    Stream<String> below = Arrays.stream(MAY_USE.get(name).split(" ")).filter(p -> !p.isEmpty());
+    String[] allowed =
+        Stream.of(
+                Stream.of("java..", "javax.imageio..", ROOT + name),
+                below.map(ROOT::concat),
+                LIBRARIES.getOrDefault(name, List.of()).stream())
+            .flatMap(s -> s)
+            .toArray(String[]::new);
+    check(
+        classes()
+            .that()
+            .resideInAPackage(ROOT + name)
+            .should()
+            .onlyDependOnClassesThat(resideInAnyOf(allowed)));
+  }
+
+  @Test
+  void packagesHaveNoCycles() {
+    check(slices().matching(ROOT + "(*)..").should().beFreeOfCycles());
+  }
+
+  @Test
+  void geometryKnowsOfTexturesOnlyWhereTheyAreRead() {
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage(ROOT + "geometry")
+            .should()
+            .dependOnClassesThat(
+                resideInAPackage(ROOT + "texture")
+                    .and(DescribedPredicate.not(named(ROOT + "texture.TexturePoint")))));
+  }
+
+  @Test
+  void libraryNeitherPrintsNorExits() {
+    check(
+        library()
+            .should()
+            .accessTargetWhere(
+                accessTo(System.class, Set.of("out", "err", "exit"))
+                    .or(accessTo(Runtime.class, Set.of("exit", "halt", "addShutdownHook")))
+                    .or(accessTo(Throwable.class, Set.of("printStackTrace")))));
+  }
+
+  @Test
+  void nothingIsRandomButBySeed() {
+    check(
+        noClasses()
+            .should()
+            .dependOnClassesThat()
+            .haveNameMatching(
+                "java\\.util\\.(Random|SplittableRandom)|java\\.util\\.random\\..*"
+                    + "|java\\.util\\.concurrent\\.ThreadLocalRandom|java\\.security\\.SecureRandom"));
+    check(noClasses().should().accessTargetWhere(accessTo(Math.class, Set.of("random"))));
+  }
+
+  @Test
+  void elementaryFunctionsAreTheSameOnEveryMachine() {
+    check(library().should().accessTargetWhere(accessTo(Math.class, TRANSCENDENTAL)));
+  }
+
+  @Test
+  void strictMathHasTwoHomes() {
+    check(
+        library()
+            .and()
+            .doNotHaveFullyQualifiedName(ROOT + "math.Elementary")
+            .and()
+            .resideOutsideOfPackage(ROOT + "image")
+            .should()
+            .dependOnClassesThat()
+            .areAssignableTo(StrictMath.class));
+  }
+
+  @Test
+  void nothingOpensAWindow() {
+    check(
+        noClasses()
+            .should()
+            .dependOnClassesThat()
+            .haveNameMatching(
+                "javax\\.swing\\..*|java\\.awt\\.event\\..*"
+                    + "|java\\.awt\\.(Component|Window|Frame|Dialog|Canvas|Toolkit|Robot|Desktop)"));
+  }
+
+  private static GivenClassesConjunction library() {
+    return noClasses().that().resideOutsideOfPackage(ROOT + "cli");
+  }
+
+  private static DescribedPredicate<JavaClass> resideInAnyOf(String... packages) {
+    return JavaClass.Predicates.resideInAnyPackage(packages)
+        .or(DescribedPredicate.describe("are primitive", LayersTest::isPrimitive));
+  }
+
+  private static boolean isPrimitive(JavaClass type) {
+    return type.getBaseComponentType().isPrimitive();
+  }
+
+  private static DescribedPredicate<JavaClass> named(String name) {
+    return DescribedPredicate.describe(name, type -> type.getName().equals(name));
+  }
+
+  private static DescribedPredicate<JavaAccess<?>> accessTo(Class<?> owner, Set<String> names) {
+    return DescribedPredicate.describe(
+        owner.getSimpleName() + "." + names,
+        access -> {
+          AccessTarget target = access.getTarget();
+          return target.getOwner().isAssignableTo(owner) && names.contains(target.getName());
+        });
+  }
+
+  private static void check(ArchRule rule) {
+    rule.check(LUMBRE);
+  }
+}

@@ -1,0 +1,59 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CheckCommandTest {
+  @TempDir private Path directory;
+
+  private Outcome check(String json, String... flags) {
+    String scene = TinyScene.write(directory, json).toString();
+    return flags.length == 0 ? Outcome.of("check", scene) : Outcome.of("check", scene, flags[0]);
+  }
+
+  @Test
+  void contentsOfAValidSceneAreTold() {
+    Outcome outcome = check(TinyScene.JSON);
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).isEmpty();
+    assertThat(outcome.out().lines())
+        .contains(
+            "camera     Pinhole",
+            "size       16x12 pixels",
+            "mode       path, depth 5",
+            "samples    2 per pixel",
+            "shapes     3",
+            "triangles  0",
+            "lights     1",
+            "materials  2",
+            "textures   0",
+            "warnings   0");
+  }
+
+  @Test
+  void allThatIsWrongIsToldInOneRun() {
+    String wrong =
+        TinyScene.with("\"radius\": 1", "\"radius\": -1")
+            .replace("\"intensity\": 3", "\"intensity\": -3");
+    Outcome outcome = check(wrong);
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.SCENE);
+    assertThat(outcome.out()).isEmpty();
+    assertThat(outcome.err().lines())
+        .hasSize(2)
+        .anyMatch(line -> line.startsWith("tiny.json: $.objects[2].radius: expected"))
+        .anyMatch(line -> line.startsWith("tiny.json: $.objects[4].intensity: expected"));
+  }
+
+  @Test
+  void warningsFailOnlyUnderStrictness() {
+    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"colour\": 2");
+    Outcome relaxed = check(odd);
+    assertThat(relaxed.exitCode()).isZero();
+    assertThat(relaxed.err()).startsWith("warning: ");
+    assertThat(relaxed.out()).contains("warnings   1");
+    assertThat(check(odd, "--strict").exitCode()).isEqualTo(ExitCodes.WARNINGS);
+  }
+}

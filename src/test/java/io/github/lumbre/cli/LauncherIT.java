@@ -1,0 +1,179 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The launcher of POSIX systems, in a copy of the project whose build only copies the jar. */
+@DisabledOnOs(OS.WINDOWS)
+class LauncherIT {
+  @TempDir private Path directory;
+  private Path home;
+
+  @BeforeEach
+  void makeProject() throws IOException {
+    home = Files.createDirectories(directory.resolve("home of lumbre"));
+    Files.createDirectories(home.resolve("src/main/java"));
+    Files.writeString(home.resolve("pom.xml"), "");
+    Files.writeString(home.resolve("src/main/java/A.java"), "");
+    script(home.resolve("lumbre"), Files.readString(Path.of("lumbre")));
+    script(
+        home.resolve("mvnw"),
+        "#!/bin/sh\necho built >> builds.txt\nsleep 1\ncp '" + Program.JAR + "' target/\n");
+  }
+
+  private static void script(Path file, String text) throws IOException {
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, text);
+    assertThat(file.toFile().setExecutable(true)).isTrue();
+  }
+
+  private int builds() throws IOException {
+    Path log = home.resolve("builds.txt");
+    return Files.exists(log) ? Files.readAllLines(log).size() : 0;
+  }
+
+  private static Path jdk() {
+    return Path.of(System.getProperty("java.home"));
+  }
+
+  private Process start(String name, Path launcher, Map<String, String> environment)
+      throws IOException {
+    Path workplace = Files.createDirectories(directory.resolve(name));
+    ProcessBuilder builder =
+        new ProcessBuilder(launcher.toString(), "--version")
+            .directory(workplace.toFile())
+            .redirectOutput(workplace.resolve("out.txt").toFile())
+            .redirectError(workplace.resolve("err.txt").toFile());
+    builder.environment().put("JAVA_HOME", jdk().toString());
+    builder.environment().putAll(environment);
+    return builder.start();
+  }
+
+  private Outcome launch(Path launcher, Map<String, String> environment)
+      throws IOException, InterruptedException {
+    return Program.await(directory.resolve("one"), start("one", launcher, environment));
+  }
+
+  private Outcome launch() throws IOException, InterruptedException {
+    return launch(home.resolve("lumbre"), Map.of());
+  }
+
+  @Test
+  void programIsBuiltOnceAndAgainWhenItsSourcesChange() throws IOException, InterruptedException {
+    Outcome first = launch();
+    assertThat(first.err()).isEqualTo("lumbre: building, which takes a moment\n");
+    assertThat(first.out()).startsWith("Lumbre ");
+    assertThat(launch().err()).isEmpty();
+    assertThat(builds()).isEqualTo(1);
+    Path source = home.resolve("src/main/java/A.java");
+    Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(1)));
+    assertThat(launch().exitCode()).isZero();
+    assertThat(builds()).isEqualTo(2);
+  }
+
+  @Test
+  void launchesAtTheSameTimeShareABuild() throws IOException, InterruptedException {
+    List<Process> processes = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      processes.add(start("at once " + i, home.resolve("lumbre"), Map.of()));
+    }
+    for (int i = 0; i < 4; i++) {
+      Outcome outcome = Program.await(directory.resolve("at once " + i), processes.get(i));
+      assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+      assertThat(outcome.out()).startsWith("Lumbre ");
+    }
+    assertThat(builds()).isEqualTo(1);
+  }
+
+  @Test
+  void buildThatWasKilledDoesNotBlockTheNext() throws IOException, InterruptedException {
+    Path lock = Files.createDirectories(home.resolve("target/.lumbre-build"));
+    Files.writeString(lock.resolve("pid"), "99999999\n");
+    assertThat(launch().exitCode()).isZero();
+    assertThat(lock).doesNotExist();
+  }
+
+  @Test
+  void failedBuildIsToldAndTriedAgain() throws IOException, InterruptedException {
+    script(home.resolve("mvnw"), "#!/bin/sh\necho broken\nexit 1\n");
+    for (int i = 0; i < 2; i++) {
+      Outcome outcome = launch();
+      assertThat(outcome.exitCode()).isEqualTo(ExitCodes.INTERNAL);
+      assertThat(outcome.out()).isEmpty();
+      assertThat(outcome.err()).contains("broken", "lumbre: the build failed");
+    }
+  }
+
+  @Test
+  void symbolicLinksLeadHome() throws IOException, InterruptedException {
+    Path link = Files.createSymbolicLink(directory.resolve("link"), home.resolve("lumbre"));
+    Path linkToLink = Files.createSymbolicLink(directory.resolve("link2"), Path.of("link"));
+    assertThat(launch(link, Map.of()).out()).startsWith("Lumbre ");
+    assertThat(launch(linkToLink, Map.of()).out()).startsWith("Lumbre ");
+  }
+
+  @Test
+  void missingAndOldJavaAreNamed() throws IOException, InterruptedException {
+    Path none = directory.resolve("none");
+    assertThat(launch(home.resolve("lumbre"), Map.of("JAVA_HOME", "" + none)).err())
+        .contains("JAVA_HOME is " + none, "JDK 17 or newer")
+        .hasLineCount(1);
+    Path old = directory.resolve("old");
+    script(old.resolve("bin/java"), "#!/bin/sh\necho 'java version \"1.8.0_402\"' >&2\n");
+    assertThat(launch(home.resolve("lumbre"), Map.of("JAVA_HOME", "" + old)).err())
+        .contains("found Java 1.8.0_402", "JDK 17 or newer")
+        .hasLineCount(1);
+    Path tools = toolsWithoutJava();
+    assertThat(
+            launch(home.resolve("lumbre"), Map.of("JAVA_HOME", "", "PATH", tools.toString())).err())
+        .contains("found no Java")
+        .hasLineCount(1);
+  }
+
+  /** Returns a directory of the tools that the launcher uses before it looks for Java. */
+  private Path toolsWithoutJava() throws IOException {
+    Path tools = Files.createDirectories(directory.resolve("tools"));
+    for (String tool : List.of("dirname", "readlink", "sed")) {
+      Path found =
+          Stream.of("/usr/bin", "/bin")
+              .map(folder -> Path.of(folder, tool))
+              .filter(Files::exists)
+              .findFirst()
+              .orElseThrow();
+      script(tools.resolve(tool), "#!/bin/sh\nexec " + found + " \"$@\"\n");
+    }
+    return tools;
+  }
+
+  @Test
+  void javaWithoutCompilerRunsButDoesNotBuild() throws IOException, InterruptedException {
+    Path jre = directory.resolve("jre");
+    script(jre.resolve("bin/java"), "#!/bin/sh\nexec '" + Program.java("java") + "' \"$@\"\n");
+    Map<String, String> environment = Map.of("JAVA_HOME", jre.toString());
+    assertThat(launch(home.resolve("lumbre"), environment).err())
+        .contains("no compiler", "JDK 17 or newer")
+        .hasLineCount(1);
+    assertThat(launch().exitCode()).isZero();
+    assertThat(launch(home.resolve("lumbre"), environment).out()).startsWith("Lumbre ");
+  }
+
+  @Test
+  void optionsForTheVirtualMachineArePassedOn() throws IOException, InterruptedException {
+    Map<String, String> options = Map.of("LUMBRE_JAVA_OPTS", "-Xmx200m -Dos.name=Elsewhere");
+    assertThat(launch(home.resolve("lumbre"), options).out()).contains("OS: Elsewhere");
+  }
+}

@@ -1,0 +1,81 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LumbreTest {
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "nonsense                       | nonsense",
+        "render                         | SCENE",
+        "render s.json --nonsense       | --nonsense",
+        "render s.json two.json         | two.json",
+        "render s.json -s 0             | --samples: expected 1 to 1073741824, found 0",
+        "render s.json -s -1            | --samples: expected 1 to 1073741824, found -1",
+        "render s.json -s 1.5           | 1.5",
+        "render s.json -s 99999999999   | 99999999999",
+        "render s.json -s 4 -s 5        | should be specified only once",
+        "render s.json --depth -1       | --depth: expected 0 to 1000000, found -1",
+        "render s.json --threads 1025   | --threads: expected 0 to 1024, found 1025",
+        "render s.json --bucket 0       | --bucket: expected 1 to",
+        "render s.json --seed x         | --seed",
+        "render s.json --size 0x5       | --size: expected 1 to 65535, found 0",
+        "render s.json --size 5x70000   | --size: expected 1 to 65535, found 70000",
+        "render s.json --size 5         | such as 640x480",
+        "render s.json --crop 1,2,3     | such as 100,50,64,48",
+        "render s.json --crop 1,2,0,4   | crop width: expected 1 to 65535, found 0",
+        "render s.json --size 8x8 --crop 4,4,5,4 | --crop: expected a part of 8x8, found 4,4,5,4",
+        "render s.json --exposure NaN   | auto or a finite number of stops",
+        "render s.json --exposure 1e400 | auto or a finite number of stops",
+        "render s.json --exposure much  | auto or a finite number of stops",
+        "render s.json --tonemap film   | one of srgb, gamma22, reinhard, aces",
+        "render s.json --mode both      | one of ray, path",
+        "render s.json --bits 12        | --bits: expected 8 or 16, found 12",
+        "render s.json -o p.gif         | p.gif: expected a name that ends in one of .png",
+        "render s.json -o s.json        | one of .png",
+        "render s.json --strict --lenient | mutually exclusive",
+        "check                          | SCENE",
+        "check s.json -s 4              | -s",
+      })
+  void wrongCommandLinesAreExplainedInALine(String line, String message) {
+    Outcome.of(line.split(" +")).assertFailed(ExitCodes.USAGE, message, "--help");
+  }
+
+  @Test
+  void withoutACommandTheCommandsAreNamed() {
+    Outcome.of().assertFailed(ExitCodes.USAGE, "render", "check");
+  }
+
+  @Test
+  void versionNamesProgramMachineAndSystem() {
+    Outcome outcome = Outcome.of("--version");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.out()).containsPattern("Lumbre \\d+\\.\\d+").contains("JVM: ", "OS: ");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"help render", "render --help", "render -h"})
+  void helpExplainsEveryFlagOfRender(String line) {
+    Outcome outcome = Outcome.of(line.split(" "));
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.out())
+        .contains("--output", "--mode", "--samples", "--depth", "--threads", "--bucket", "--seed")
+        .contains("--size", "--crop", "--exposure", "--tonemap", "--bits", "--strict")
+        .contains("--lenient", "--quiet", "--stats", "--debug", "Exit codes", "Examples");
+  }
+
+  @Test
+  void completionKnowsCommandsAndFlags() {
+    Outcome outcome = Outcome.of("completion");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.out())
+        .startsWith("#!/usr/bin/env bash")
+        .contains("render", "check", "--tonemap", "complete -F");
+  }
+}

@@ -1,0 +1,25 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+
+/** How a run of the command line ended, and what it printed. */
+record Outcome(int exitCode, String out, String err) {
+  /** Runs the command line in this virtual machine. */
+  static Outcome of(String... args) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    int exitCode = Lumbre.run(args, new PrintWriter(out, true), new PrintWriter(err, true));
+    return new Outcome(exitCode, out.toString(), err.toString());
+  }
+
+  /** Passes if the run failed with this code and a single line that contains these texts. */
+  void assertFailed(int code, String... parts) {
+    assertThat(err).contains(parts).doesNotContain("Exception", "\tat ");
+    assertThat(err.lines()).hasSize(1);
+    assertThat(out).isEmpty();
+    assertThat(exitCode).isEqualTo(code);
+  }
+}

@@ -1,0 +1,57 @@
+package io.github.lumbre.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** Starts other programs, as a user would, and waits for their end. */
+final class Program {
+  /** The command line with everything it needs. */
+  static final Path JAR = Path.of("target", "lumbre-all.jar").toAbsolutePath();
+
+  private static final long PATIENCE_SECONDS = 60;
+
+  private Program() {}
+
+  /** Returns the arguments that run Lumbre by this virtual machine's Java. */
+  static List<String> lumbre(String... args) {
+    List<String> command = new ArrayList<>(List.of(java("java"), "-Xmx512m", "-jar", "" + JAR));
+    command.addAll(List.of(args));
+    return command;
+  }
+
+  /** Returns the path of a program of the JDK that runs this. */
+  static String java(String name) {
+    return Path.of(System.getProperty("java.home"), "bin", name).toString();
+  }
+
+  /** Starts a program in a directory, which takes what it prints. */
+  static Process start(Path directory, List<String> command) throws IOException {
+    return new ProcessBuilder(command)
+        .directory(directory.toFile())
+        .redirectOutput(directory.resolve("out.txt").toFile())
+        .redirectError(directory.resolve("err.txt").toFile())
+        .start();
+  }
+
+  /** Waits for the end of what {@link #start} started. */
+  static Outcome await(Path directory, Process process) throws IOException, InterruptedException {
+    if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+      process.destroyForcibly();
+      throw new AssertionError("still running after " + PATIENCE_SECONDS + " s: " + process.info());
+    }
+    return new Outcome(
+        process.exitValue(),
+        Files.readString(directory.resolve("out.txt")),
+        Files.readString(directory.resolve("err.txt")));
+  }
+
+  /** Runs a program in a directory. */
+  static Outcome run(Path directory, List<String> command)
+      throws IOException, InterruptedException {
+    return await(directory, start(directory, command));
+  }
+}

@@ -1,0 +1,204 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RenderCommandTest {
+  @TempDir private Path directory;
+
+  private Outcome render(String json, String... flags) {
+    Path scene = TinyScene.write(directory, json);
+    Stream<String> first = Stream.of("render", scene.toString(), "-o", picture().toString());
+    return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
+  }
+
+  private Path picture() {
+    return directory.resolve("tiny.png");
+  }
+
+  private List<String> files() throws IOException {
+    try (Stream<Path> files = Files.list(directory)) {
+      return files.map(file -> file.getFileName().toString()).sorted().toList();
+    }
+  }
+
+  private String bytes() throws IOException {
+    return Files.readString(picture(), StandardCharsets.ISO_8859_1);
+  }
+
+  @Test
+  void pictureIsWrittenAndTold() throws IOException {
+    Outcome outcome = render(TinyScene.JSON);
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.out()).isEmpty();
+    assertThat(outcome.err()).contains("tiny.png: 16x12 pixels, 2 samples per pixel", "samples/s");
+    BufferedImage image = ImageIO.read(picture().toFile());
+    assertThat(image.getWidth()).isEqualTo(16);
+    assertThat(image.getHeight()).isEqualTo(12);
+    assertThat(files()).containsExactly("tiny.json", "tiny.png");
+  }
+
+  @Test
+  void quietRendersSayNothing() {
+    Outcome outcome = render(TinyScene.JSON, "--quiet");
+    assertThat(outcome).isEqualTo(new Outcome(ExitCodes.OK, "", ""));
+  }
+
+  @Test
+  void flagsWinOverTheScene() throws IOException {
+    Outcome outcome = render(TinyScene.JSON, "--size", "20x10", "-s", "3", "--seed", "7");
+    assertThat(outcome.err()).contains("20x10 pixels, 3 samples per pixel");
+    assertThat(bytes()).contains("Samples\0003", "Seed\0007", "Size\00020x10", "Mode\000path");
+  }
+
+  @Test
+  void samplesAreSamplesPerPixelInRayModeToo() throws IOException {
+    Outcome outcome = render(TinyScene.JSON, "--mode", "ray", "-s", "3", "--stats");
+    assertThat(outcome.err()).contains("samples      " + 16 * 12 * 3);
+    assertThat(bytes()).contains("Mode\000ray");
+  }
+
+  @Test
+  void depthEndsPathsInBothModes() {
+    for (String mode : List.of("path", "ray")) {
+      String shallow = statistic(render(TinyScene.JSON, "--mode", mode, "--depth", "0", "--stats"));
+      String deep = statistic(render(TinyScene.JSON, "--mode", mode, "--depth", "9", "--stats"));
+      assertThat(shallow).as(mode).isEqualTo("rays         " + 16 * 12 * (mode.equals("ray") ? 4 : 2));
+      assertThat(deep).as(mode).isNotEqualTo(shallow);
+    }
+  }
+
+  private static String statistic(Outcome outcome) {
+    return outcome.err().lines().filter(line -> line.startsWith("rays  ")).findFirst().orElse("");
+  }
+
+  @Test
+  void cropKeepsThePixelsOfTheFullFrame() throws IOException {
+    render(TinyScene.JSON);
+    BufferedImage full = ImageIO.read(picture().toFile());
+    render(TinyScene.JSON, "--crop", "3,5,8,4");
+    BufferedImage part = ImageIO.read(picture().toFile());
+    assertThat(part.getWidth()).isEqualTo(8);
+    assertThat(part.getHeight()).isEqualTo(4);
+    assertThat(part.getRGB(0, 0, 8, 4, null, 0, 8))
+        .isEqualTo(full.getRGB(3, 5, 8, 4, null, 0, 8));
+    assertThat(bytes()).contains("Size\00016x12", "Crop\0003,5,8,4");
+  }
+
+  @Test
+  void cropOutsideTheScenesFrameIsAUsageError() throws IOException {
+    render(TinyScene.JSON, "--crop", "10,0,7,1")
+        .assertFailed(ExitCodes.USAGE, "--crop: expected a part of 16x12, found 10,0,7,1");
+    assertThat(files()).containsExactly("tiny.json");
+  }
+
+  @Test
+  void pictureTellsWhereItComesFrom() throws IOException {
+    render(TinyScene.JSON);
+    assertThat(bytes())
+        .contains("Software\000Lumbre ", "Scene\000tiny.json", "SceneHash\000", "Time\000")
+        .doesNotContain("Partial", "Crop");
+  }
+
+  @Test
+  void bitsAreThePngs() throws IOException {
+    render(TinyScene.JSON, "--bits", "16");
+    assertThat(ImageIO.read(picture().toFile()).getColorModel().getComponentSize(0)).isEqualTo(16);
+  }
+
+  @Test
+  void exposureIsSuggestedForDarkPicturesOnly() {
+    String dark = TinyScene.with("\"intensity\": 3", "\"intensity\": 0.01");
+    assertThat(render(dark).err()).contains("--exposure auto");
+    assertThat(render(dark, "--exposure", "auto").err()).doesNotContain("hint");
+    assertThat(render(dark, "--exposure", "9").err()).doesNotContain("hint");
+    assertThat(render(TinyScene.JSON).err()).doesNotContain("hint");
+  }
+
+  @Test
+  void statisticsAreToldEvenByQuietRenders() {
+    assertThat(render(TinyScene.JSON, "--stats", "--quiet").err())
+        .startsWith("samples ")
+        .contains("shadow rays", "rays/s", "rejected", "saturated", "threads", "peak heap");
+  }
+
+  @Test
+  void warningsAreToldAndStrictnessStopsBeforeRendering() throws IOException {
+    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"colour\": 2");
+    Outcome told = render(odd, "--quiet");
+    assertThat(told.exitCode()).isZero();
+    assertThat(told.err()).startsWith("warning: ").contains("colour");
+    Files.delete(picture());
+    Outcome strict = render(odd, "--strict");
+    assertThat(strict.exitCode()).isEqualTo(ExitCodes.WARNINGS);
+    assertThat(strict.err()).contains("1 warning, which --strict makes errors");
+    assertThat(files()).containsExactly("tiny.json");
+  }
+
+  @Test
+  void lenientRendersTakeMissingAssetsAsWarnings() {
+    String dangling = TinyScene.with("\"materialID\": 2", "\"materialID\": 77");
+    render(dangling).assertFailed(ExitCodes.SCENE, "77", "$.objects[2].materialID");
+    Outcome lenient = render(dangling, "--lenient", "--quiet");
+    assertThat(lenient.exitCode()).isZero();
+    assertThat(lenient.err()).startsWith("warning: ").contains("77");
+  }
+
+  @Test
+  void sceneIsNeverOverwritten() throws IOException {
+    Path scene = directory.resolve("scene.png");
+    Files.writeString(scene, TinyScene.JSON);
+    Outcome.of("render", scene.toString(), "-o", directory + "/./scene.png")
+        .assertFailed(ExitCodes.USAGE, "is the scene itself");
+    assertThat(scene).hasContent(TinyScene.JSON);
+  }
+
+  @Test
+  void unwritableOutputIsFoundBeforeTheSceneIsRead() {
+    Outcome.of("render", "no-such-scene.json", "-o", directory + "/missing/p.png")
+        .assertFailed(ExitCodes.OUTPUT, "missing");
+    Outcome.of("render", "no-such-scene.json", "-o", writable("p.png") + "/p.png")
+        .assertFailed(ExitCodes.OUTPUT, "p.png");
+  }
+
+  private Path writable(String name) {
+    return TinyScene.write(directory, TinyScene.JSON).resolveSibling(name);
+  }
+
+  @Test
+  void failedRenderLeavesTheOldPicture() throws IOException {
+    Files.writeString(picture(), "precious");
+    render("{").assertFailed(ExitCodes.SCENE, "tiny.json");
+    assertThat(picture()).hasContent("precious");
+    assertThat(files()).containsExactly("tiny.json", "tiny.png");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"16385x16384", "65535x65535"})
+  void picturesBeyondTheLimitAreRefused(String size) {
+    render(TinyScene.JSON, "--size", size).assertFailed(ExitCodes.LIMIT, size);
+  }
+
+  @Test
+  void controlCharactersOfTheSceneDoNotReachTheTerminal() {
+    String evil = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"\\u001b[31m\\u0007\": 2");
+    assertThat(render(evil).err()).doesNotContain("\u001b", "\u0007").contains("\\u001b[31m");
+  }
+
+  @Test
+  void debugShowsTheStackTrace() {
+    assertThat(render("{", "--debug").err()).contains("SceneFormatException", "\tat ");
+  }
+}

@@ -1,0 +1,163 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.stream.Stream;
+import java.util.zip.CRC32;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The program as users run it: a process of its own, its exit code, and what it leaves behind. */
+class RunnableJarIT {
+  @TempDir private Path directory;
+
+  private Outcome lumbre(String... args) throws IOException, InterruptedException {
+    return Program.run(directory, Program.lumbre(args));
+  }
+
+  @Test
+  void sceneBecomesAPictureBesideTheUser() throws IOException, InterruptedException {
+    TinyScene.write(directory, TinyScene.JSON);
+    Outcome outcome = lumbre("render", "tiny.json");
+    assertThat(outcome.err()).startsWith("tiny.png: 16x12 pixels").hasLineCount(1);
+    assertThat(outcome.out()).isEmpty();
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(ImageIO.read(directory.resolve("tiny.png").toFile()).getWidth()).isEqualTo(16);
+  }
+
+  static Stream<Arguments> badScenes() throws IOException {
+    String mesh = "{\"id\": 9, \"assetType\": \"Mesh\", \"base64OBJ\": \"%s\"}";
+    String obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n";
+    String badIndex = String.format(mesh, base64(obj.getBytes(StandardCharsets.UTF_8)));
+    return Stream.of(
+        bad("empty file", "", ExitCodes.SCENE, "tiny.json"),
+        bad("not JSON", "hello", ExitCodes.SCENE, "tiny.json"),
+        bad("cut off", TinyScene.JSON.substring(0, 300), ExitCodes.SCENE, "tiny.json"),
+        bad("an array", "[]", ExitCodes.SCENE, "object"),
+        bad("text for a number", exchanged("\"radius\": 1", "\"radius\": \"1\""), 3, "radius"),
+        bad("number for text", exchanged("\"Sphere\"", "5"), ExitCodes.SCENE, "shapeType"),
+        bad("NaN", exchanged("\"radius\": 1", "\"radius\": NaN"), ExitCodes.SCENE, "tiny.json"),
+        bad("1e400", exchanged("\"radius\": 1", "\"radius\": 1e400"), ExitCodes.SCENE, "radius"),
+        bad("dangling id", exchanged("\"materialID\": 2", "\"materialID\": 77"), 3, "77"),
+        bad("no camera", exchanged("\"mainCameraId\": 1", "\"mainCameraId\": 9"), 3, "mainCameraId"),
+        bad("singular", exchanged("\"radius\": 1", "\"localScale\": {\"x\": 0}"), 3, "singular"),
+        bad("width 0", exchanged("\"width\": 16", "\"width\": 0"), ExitCodes.SCENE, "width"),
+        bad("samples 0", exchanged("\"samples\": 2", "\"samples\": 0"), 3, "samples"),
+        bad("too large", sized(60000), ExitCodes.LIMIT, "60000x60000"),
+        bad("beyond the heap", sized(16000), ExitCodes.LIMIT, "512 MiB"),
+        bad("deep nesting", "[".repeat(5000), ExitCodes.LIMIT, "tiny.json"),
+        bad("truncated base64", textured("iVBORw0KGgo"), ExitCodes.ASSET, "base64PNG"),
+        bad("lying PNG", textured(base64(pngOfSize(20000))), ExitCodes.LIMIT, "base64PNG"),
+        bad("cut off PNG", textured(base64(pngOfSize(64))), ExitCodes.ASSET, "too early"),
+        bad("OBJ with a bad index", shown(badIndex), ExitCodes.ASSET, "line 4"));
+  }
+
+  private static Arguments bad(String name, String json, int exitCode, String message) {
+    return Arguments.of(name, json, exitCode, message);
+  }
+
+  private static String exchanged(String old, String replacement) {
+    return TinyScene.with(old, replacement);
+  }
+
+  private static String sized(int side) {
+    String size = "\"width\": " + side + ", \"height\": " + side;
+    return exchanged("\"width\": 16, \"height\": 12", size);
+  }
+
+  /** Returns the scene with its sphere's material textured by a picture. */
+  private static String textured(String base64) {
+    String asset = "{\"id\": 9, \"assetType\": \"Texture\", \"base64PNG\": \"" + base64 + "\"}";
+    return TinyScene.withAsset(asset)
+        .replace("\"Reflective\"", "\"Diffuse\", \"colorTextureId\": 9");
+  }
+
+  /** Returns the scene with its sphere exchanged for a mesh. */
+  private static String shown(String mesh) {
+    return TinyScene.withAsset(mesh)
+        .replace("\"Sphere\", \"materialID\": 2, \"radius\": 1", "\"Mesh\", \"meshId\": 9");
+  }
+
+  private static String base64(byte[] bytes) {
+    return Base64.getEncoder().encodeToString(bytes);
+  }
+
+  /** Returns a PNG of one pixel whose header claims another size, with a checksum that fits. */
+  private static byte[] pngOfSize(int side) throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", out);
+    ByteBuffer png = ByteBuffer.wrap(out.toByteArray());
+    png.putInt(16, side).putInt(20, side);
+    CRC32 crc = new CRC32();
+    crc.update(png.array(), 12, 17);
+    return png.putInt(29, (int) crc.getValue()).array();
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("badScenes")
+  void badScenesEndInALineAndACode(String name, String json, int exitCode, String message)
+      throws IOException, InterruptedException {
+    TinyScene.write(directory, json);
+    lumbre("render", "tiny.json").assertFailed(exitCode, message);
+    assertThat(directory.resolve("tiny.png")).doesNotExist();
+    assertThat(directory.resolve(".tiny.png.tmp")).doesNotExist();
+  }
+
+  @Test
+  void missingScenesWrongFlagsAndOutputsEndInALineAndACode()
+      throws IOException, InterruptedException {
+    lumbre("render", "none.json").assertFailed(ExitCodes.SCENE, "none.json");
+    lumbre("render", "none.json", "-s", "0").assertFailed(ExitCodes.USAGE, "--samples");
+    lumbre("render", "none.json", "-o", "p.gif").assertFailed(ExitCodes.USAGE, "p.gif");
+    lumbre("render", "none.json", "-o", "no/p.png").assertFailed(ExitCodes.OUTPUT, "no");
+    lumbre("render", ".", "-o", "p.png").assertFailed(ExitCodes.SCENE, "directory");
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void stoppedRenderSavesWhatItHas() throws IOException, InterruptedException {
+    TinyScene.write(directory, TinyScene.JSON);
+    Process process =
+        Program.start(
+            directory, Program.lumbre("render", "tiny.json", "-s", "100000000", "--size", "64x64"));
+    awaitRender(process);
+    process.destroy();
+    Outcome outcome = Program.await(directory, process);
+    assertThat(outcome.err()).contains("tiny.png: stopped early, partial picture").hasLineCount(1);
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.TERMINATED);
+    Path picture = directory.resolve("tiny.png");
+    assertThat(ImageIO.read(picture.toFile()).getWidth()).isEqualTo(64);
+    assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1)).contains("Partial\000");
+    assertThat(directory.resolve(".tiny.png.tmp")).doesNotExist();
+  }
+
+  /** Waits until the process works for its render, and not for its start alone. */
+  private static void awaitRender(Process process) throws InterruptedException {
+    long enough = 3_000;
+    while (process.toHandle().info().totalCpuDuration().orElseThrow().toMillis() < enough) {
+      Thread.sleep(50);
+    }
+  }
+
+  @Test
+  void nothingIsDrawnIntoAPipe() throws IOException, InterruptedException {
+    TinyScene.write(directory, TinyScene.JSON);
+    Outcome outcome = lumbre("render", "tiny.json", "--size", "200x200", "-s", "20");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).startsWith("tiny.png: ").hasLineCount(1).doesNotContain("\r");
+  }
+}

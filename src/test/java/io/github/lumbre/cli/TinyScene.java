@@ -1,0 +1,52 @@
+package io.github.lumbre.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** A scene that renders in no time: a lit sphere in a corner of two walls, 16x12 pixels. */
+final class TinyScene {
+  /** The scene's text. Each thing is on a line of its own, for {@link #with} to exchange. */
+  static final String JSON =
+      """
+      {"mainCameraId": 1,
+       "renderOptions": {"width": 16, "height": 12, "samples": 2, "antialiasing": 1},
+       "assets": [
+        {"id": 1, "assetType": "Material", "materialType": "Diffuse", "color": {"r": 0.8, "g": 0.6, "b": 0.4}},
+        {"id": 2, "assetType": "Material", "materialType": "Reflective"}
+       ],
+       "objects": [
+        {"id": 1, "type": "Camera", "cameraType": "Pinhole", "localPosition": {"x": 0, "y": 1, "z": -4}},
+        {"id": 2, "type": "Shape", "shapeType": "Plane", "materialID": 1},
+        {"id": 3, "type": "Shape", "shapeType": "Sphere", "materialID": 2, "radius": 1, "localPosition": {"x": 0, "y": 1, "z": 0}},
+        {"id": 4, "type": "Shape", "shapeType": "Cube", "materialID": 1, "localPosition": {"x": 0, "y": 0, "z": 4}},
+        {"id": 5, "type": "Light", "lightType": "Point", "intensity": 3, "localPosition": {"x": 2, "y": 4, "z": -3}}
+       ]}
+      """;
+
+  private TinyScene() {}
+
+  /** Returns the scene with the first occurrence of one text exchanged for another. */
+  static String with(String old, String replacement) {
+    int at = JSON.indexOf(old);
+    if (at < 0) {
+      throw new IllegalArgumentException("the scene does not contain " + old);
+    }
+    return JSON.substring(0, at) + replacement + JSON.substring(at + old.length());
+  }
+
+  /** Returns the scene with one more asset before the others. */
+  static String withAsset(String asset) {
+    return with("\"assets\": [", "\"assets\": [\n  " + asset + ",");
+  }
+
+  /** Writes a scene into a directory and returns its file. */
+  static Path write(Path directory, String json) {
+    try {
+      return Files.writeString(directory.resolve("tiny.json"), json);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

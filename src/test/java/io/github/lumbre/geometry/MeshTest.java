@@ -1,0 +1,205 @@
+package io.github.lumbre.geometry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class MeshTest {
+  private static final double[] NONE = {};
+  private static final double[] CORNER = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  private static final int[] ONE = {0, 1, 2};
+  private static final Transform MIRROR = Transform.scale(new Vec3(-1, 1, 1));
+
+  private static SurfaceHit hit(TriangleMesh mesh, Transform place, Vec3 origin, Vec3 direction) {
+    return Shapes.hit(Mesh.baked(mesh, place), new Ray(origin, direction)).orElseThrow();
+  }
+
+  @Test
+  void trianglesWithoutAreaAreDroppedAndCounted() {
+    double[] p = {0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 1e-160, 0, 0, 0, 1e-160, 0};
+    int[] f = {0, 1, 2, 0, 1, 1, 0, 0, 0, 0, 1, 3, 0, 4, 5};
+    TriangleMesh mesh = TriangleMesh.of(p, NONE, NONE, f);
+    assertThat(mesh.triangleCount()).isEqualTo(2);
+    assertThat(mesh.droppedTriangles()).isEqualTo(3);
+    assertThat(mesh.bounds().max()).isEqualTo(new Vec3(1, 1, 0));
+  }
+
+  @Test
+  void meshesWithoutTrianglesAreNeverHit() {
+    TriangleMesh empty = TriangleMesh.of(NONE, NONE, NONE, new int[0]);
+    Mesh mesh = Mesh.baked(empty, Transform.IDENTITY);
+    MeshInstance instance = new MeshInstance(new SharedMesh(empty), Transform.IDENTITY);
+    assertThat(mesh.area()).isZero();
+    Bvh bvh = Bvh.over(List.of(mesh, instance));
+    assertThat(bvh.intersect(new Ray(Vec3.ZERO, Vec3.Z), new NearestHit())).isFalse();
+  }
+
+  @Test
+  void brokenDataIsRejected() {
+    double[] nan = {0, 0, Double.NaN, 1, 0, 0, 0, 1, 0};
+    assertRejected("positions[2]", nan, NONE, NONE, ONE);
+    assertRejected("positions", new double[] {1, 2}, NONE, NONE, ONE);
+    assertRejected("indices[2]", CORNER, NONE, NONE, new int[] {0, 1, 3});
+    assertRejected("indices[0]", CORNER, NONE, NONE, new int[] {-1, 1, 2});
+    assertRejected("indices", CORNER, NONE, NONE, new int[] {0, 1});
+    assertRejected("normals", CORNER, new double[3], NONE, ONE);
+    assertRejected("uvs", CORNER, NONE, new double[3], ONE);
+    double[] infinite = {0, 0, 0, 0, 0, Double.POSITIVE_INFINITY};
+    assertRejected("uvs[5]", CORNER, NONE, infinite, ONE);
+  }
+
+  private static void assertRejected(
+      String what, double[] positions, double[] normals, double[] uvs, int[] indices) {
+    assertThatThrownBy(() -> TriangleMesh.of(positions, normals, uvs, indices))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith(what + ":");
+  }
+
+  @Test
+  void geometricNormalIsTheCrossProductOnTheVertexNormalsSide() {
+    Vec3 origin = new Vec3(.2, .2, -1);
+    TriangleMesh plain = TriangleMesh.of(CORNER, NONE, NONE, ONE);
+    assertThat(hit(plain, Transform.IDENTITY, origin, Vec3.Z).geometricNormal()).isEqualTo(Vec3.Z);
+    double[] down = {0, 0, -1, 0, 0, -1, .1, 0, -1};
+    TriangleMesh turned = TriangleMesh.of(CORNER, down, NONE, ONE);
+    Vec3 normal = hit(turned, Transform.IDENTITY, origin, Vec3.Z).geometricNormal();
+    assertThat(normal.z()).isEqualTo(-1);
+  }
+
+  @Test
+  void mirroredMeshesGiveMirroredHits() {
+    TriangleMesh smooth = Shapes.closedBall(8, 12, .2, true);
+    TriangleMesh facets = Shapes.closedBall(8, 12, .2, false);
+    Random random = new Random(1);
+    for (TriangleMesh data : List.of(smooth, facets)) {
+      for (int i = 0; i < 500; i++) {
+        Vec3 from = Shapes.direction(random);
+        Vec3 to = Shapes.point(random, .3);
+        Vec3 origin = from.times(3);
+        Vec3 direction = to.minus(origin).normalized();
+        Vec3 mirroredOrigin = MIRROR.point(origin);
+        Vec3 mirroredDirection = MIRROR.vector(direction);
+        SurfaceHit plain = hit(data, Transform.IDENTITY, origin, direction);
+        SurfaceHit mirrored = hit(data, MIRROR, mirroredOrigin, mirroredDirection);
+        assertSame(MIRROR.point(plain.position()), mirrored.position());
+        assertSame(MIRROR.vector(plain.geometricNormal()), mirrored.geometricNormal());
+        Frame frame = mirrored.shading();
+        assertSame(MIRROR.vector(plain.shading().normal()), frame.normal());
+        assertSame(MIRROR.vector(plain.shading().tangent()), frame.tangent());
+        assertSame(MIRROR.vector(plain.shading().bitangent()), frame.bitangent());
+        assertThat(mirrored.texture()).isEqualTo(plain.texture());
+      }
+    }
+  }
+
+  private static void assertSame(Vec3 expected, Vec3 found) {
+    assertThat(found.minus(expected).length()).isLessThan(1e-14);
+  }
+
+  @Test
+  void bakedAndInstancedMeshesAgree() {
+    TriangleMesh data = Shapes.closedBall(8, 12, .2, true);
+    SharedMesh shared = new SharedMesh(data);
+    Random random = new Random(2);
+    int hits = 0;
+    for (int i = 0; i < 3000; i++) {
+      Transform place = Shapes.placement(random, 3, 4);
+      place = i % 2 == 0 ? place : place.times(MIRROR);
+      Vec3 origin = Shapes.point(random, 6);
+      Vec3 target = place.point(Shapes.point(random, .5));
+      Ray ray = new Ray(origin, target.minus(origin).normalized());
+      NearestHit a = new NearestHit();
+      NearestHit b = new NearestHit();
+      Bvh baked = Bvh.over(List.of(Mesh.baked(data, place)));
+      MeshInstance instance = new MeshInstance(shared, place);
+      boolean isHit = baked.intersect(ray, a);
+      assertThat(Bvh.over(List.of(instance)).intersect(ray, b)).isEqualTo(isHit);
+      if (isHit) {
+        hits++;
+        assertThat(b.t / a.t).isCloseTo(1, within(1e-9));
+        assertThat(b.element).isEqualTo(a.element);
+        SurfaceHit expected = Mesh.baked(data, place).surfaceAt(ray, a);
+        SurfaceHit found = instance.surfaceAt(ray, b);
+        assertThat(found.position().minus(expected.position()).length()).isLessThan(1e-9);
+        assertSame(expected.geometricNormal(), found.geometricNormal());
+        Vec3 bend = found.shading().normal().minus(expected.shading().normal());
+        assertThat(bend.length()).isLessThan(1e-9);
+      }
+    }
+    assertThat(hits).isGreaterThan(2000);
+  }
+
+  @Test
+  void shadingNormalIsInterpolatedButNeverBehindTheSurface() {
+    double[] normals = {0, 0, 1, 1, 0, 0, 0, 0, 2};
+    TriangleMesh mesh = TriangleMesh.of(CORNER, normals, NONE, ONE);
+    SurfaceHit hit = hit(mesh, Transform.IDENTITY, new Vec3(.5, .25, 1), Vec3.Z.negated());
+    Vec3 expected = new Vec3(.5, 0, .5).normalized();
+    assertSame(expected, hit.shading().normal());
+    double[] against = {0, 0, 9, 0, 0, -1, 0, 0, -1};
+    TriangleMesh wild = TriangleMesh.of(CORNER, against, NONE, ONE);
+    SurfaceHit behind = hit(wild, Transform.IDENTITY, new Vec3(.9, .05, 1), Vec3.Z.negated());
+    assertThat(behind.shading().normal()).isEqualTo(behind.geometricNormal());
+    double[] zero = new double[9];
+    TriangleMesh none = TriangleMesh.of(CORNER, zero, NONE, ONE);
+    SurfaceHit flat = hit(none, Transform.IDENTITY, new Vec3(.2, .2, 1), Vec3.Z.negated());
+    assertThat(flat.shading().normal()).isEqualTo(Vec3.Z);
+  }
+
+  @Test
+  void tangentsFollowTheTexture() {
+    double[] uvs = {0, 0, 0, 1, 2, 0};
+    TriangleMesh mesh = TriangleMesh.of(CORNER, NONE, uvs, ONE);
+    Vec3 origin = new Vec3(.25, .5, 1);
+    SurfaceHit hit = hit(mesh, Transform.IDENTITY, origin, Vec3.Z.negated());
+    assertThat(hit.texture().u()).isEqualTo(1);
+    assertThat(hit.texture().v()).isEqualTo(.25);
+    assertSame(Vec3.Y, hit.shading().tangent());
+    assertSame(Vec3.X, hit.shading().bitangent());
+  }
+
+  @Test
+  void missingTextureCoordinatesAreBarycentric() {
+    TriangleMesh mesh = TriangleMesh.of(CORNER, NONE, NONE, ONE);
+    SurfaceHit hit = hit(mesh, Transform.IDENTITY, new Vec3(.25, .5, 1), Vec3.Z.negated());
+    assertThat(hit.texture().u()).isEqualTo(.25);
+    assertThat(hit.texture().v()).isEqualTo(.5);
+    assertSame(Vec3.X, hit.shading().tangent());
+    assertSame(Vec3.Y, hit.shading().bitangent());
+  }
+
+  @Test
+  void degenerateTextureCoordinatesFallBackToTheNormal() {
+    for (double[] uvs : new double[][] {{1, 1, 1, 1, 1, 1}, {0, 0, .1, .1, .3, .3}}) {
+      TriangleMesh mesh = TriangleMesh.of(CORNER, NONE, uvs, ONE);
+      SurfaceHit hit = hit(mesh, Transform.IDENTITY, new Vec3(.2, .2, 1), Vec3.Z.negated());
+      assertThat(hit.shading()).isEqualTo(Frame.around(Vec3.Z));
+    }
+  }
+
+  @Test
+  void tinyAndLongTrianglesHaveNormals() {
+    TriangleMesh tiny =
+        TriangleMesh.of(new double[] {0, 0, 0, 1e-150, 0, 0, 0, 1e-150, 0}, NONE, NONE, ONE);
+    assertThat(tiny.droppedTriangles()).isZero();
+    Mesh mesh = Mesh.baked(tiny, Transform.IDENTITY);
+    NearestHit nearest = new NearestHit();
+    nearest.element = 0;
+    nearest.b1 = .25;
+    Ray ray = new Ray(Vec3.Z, Vec3.Z.negated());
+    assertThat(mesh.surfaceAt(ray, nearest).geometricNormal()).isEqualTo(Vec3.Z);
+    TriangleMesh sliver =
+        TriangleMesh.of(new double[] {0, 0, 0, 1e6, 0, 0, 5e5, 1e-6, 0}, NONE, NONE, ONE);
+    SurfaceHit hit = hit(sliver, Transform.IDENTITY, new Vec3(5e5, 4e-7, 1), Vec3.Z.negated());
+    assertThat(hit.geometricNormal()).isEqualTo(Vec3.Z);
+    assertThat(hit.position().minus(new Vec3(5e5, 4e-7, 0)).length()).isLessThan(1e-9);
+  }
+}

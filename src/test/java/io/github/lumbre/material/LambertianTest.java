@@ -1,0 +1,107 @@
+package io.github.lumbre.material;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Moments;
+import io.github.lumbre.testing.Statistics;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class LambertianTest {
+  private static final double EPS = 0x1p-52;
+  private static final double LAST = 1 - 0x1p-53;
+  private static final Rgb ALBEDO = new Rgb(.25, .5, .75);
+
+  private final SplittableRandom random = new SplittableRandom(14);
+  private final Lambertian bsdf = new Lambertian(ALBEDO);
+
+  private Point2 point() {
+    return new Point2(random.nextDouble(), random.nextDouble());
+  }
+
+  private Vec3 direction() {
+    Vec3 v = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+    return v.normalized();
+  }
+
+  @Test
+  void everySampleWeighsTheAlbedo() {
+    for (int i = 0; i < 100_000; i++) {
+      Vec3 wo = direction();
+      BsdfSample sample = bsdf.sample(wo, .5, point());
+      assertThat(sample.weight()).isEqualTo(ALBEDO);
+      // The weight is what eval and pdf say, and the density the one that pdf says.
+      Rgb value = bsdf.eval(wo, sample.wi());
+      double pdf = bsdf.pdf(wo, sample.wi());
+      assertThat(sample.pdf()).isEqualTo(pdf);
+      assertThat(value.g() / pdf).isCloseTo(.5, within(4 * EPS));
+      assertThat(value.b() / pdf).isCloseTo(.75, within(4 * EPS));
+    }
+  }
+
+  @Test
+  void sampledDirectionsFollowPdfOnBothSidesAndAtGrazingAngles() {
+    for (double z : new double[] {1, .5, .01, -.01, -1}) {
+      Vec3 wo = new Vec3(Math.sqrt(1 - z * z), 0, z);
+      ChiSquare test =
+          ChiSquare.ofDirections(
+              200_000,
+              () -> Optional.of(bsdf.sample(wo, .5, point()).wi()),
+              wi -> bsdf.pdf(wo, wi),
+              8);
+      assertThat(test.passes()).isTrue();
+    }
+  }
+
+  @Test
+  void scatteringIsReciprocal() {
+    for (int i = 0; i < 100_000; i++) {
+      Vec3 a = direction();
+      Vec3 b = direction();
+      double there = bsdf.eval(a, b).g() / Math.abs(b.z());
+      double back = bsdf.eval(b, a).g() / Math.abs(a.z());
+      assertThat(there).isCloseTo(back, within(4 * EPS));
+    }
+  }
+
+  @Test
+  void whiteFurnaceKeepsTheAlbedo() {
+    // f cos over a uniform sphere density: E = albedo, deviation .65.
+    int n = Statistics.samplesToDetect(.01, .65);
+    Moments moments = new Moments();
+    for (int i = 0; i < n; i++) {
+      double z = random.nextDouble(-1, 1);
+      Vec3 wi = new Vec3(Math.sqrt(1 - z * z), 0, z);
+      moments.add(bsdf.eval(Vec3.Z, wi).g() * 4 * Math.PI);
+    }
+    assertThat(Math.abs(moments.z(.5))).isLessThan(Statistics.CRITICAL_Z);
+  }
+
+  @Test
+  void nothingPassesThrough() {
+    assertThat(bsdf.eval(Vec3.Z, new Vec3(.6, 0, -.8)).isBlack()).isTrue();
+    assertThat(bsdf.pdf(new Vec3(.6, 0, -.8), Vec3.Z)).isZero();
+    assertThat(bsdf.eval(Vec3.Z, Vec3.X).isBlack()).isTrue();
+    assertThat(bsdf.eval(Vec3.X, Vec3.Z).isBlack()).isTrue();
+    assertThat(bsdf.sample(Vec3.X, .5, point())).isSameAs(BsdfSample.ABSORBED);
+  }
+
+  @Test
+  void extremeNumbersGiveASampleOrNone() {
+    for (double x : new double[] {0, 0x1p-53, .5, LAST}) {
+      for (double y : new double[] {0, 0x1p-53, .5, LAST}) {
+        BsdfSample sample = bsdf.sample(Vec3.Z, LAST, new Point2(x, y));
+        if (sample != BsdfSample.ABSORBED) {
+          assertThat(sample.pdf()).isPositive().isLessThan(.4);
+          assertThat(sample.wi().length()).isCloseTo(1, within(4 * EPS));
+        }
+      }
+    }
+  }
+}

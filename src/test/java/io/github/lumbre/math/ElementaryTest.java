@@ -1,0 +1,105 @@
+package io.github.lumbre.math;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class ElementaryTest {
+  private static final double EPS = 0x1p-52;
+
+  /** What 2π exceeds its double by. */
+  private static final double TWO_PI_REST = 2.4492935982947064e-16;
+
+  private final SplittableRandom random = new SplittableRandom(3);
+
+  private static void assertWithinTwoUlp(double actual, double expected) {
+    assertThat(Math.abs(actual - expected)).isLessThanOrEqualTo(2 * Math.ulp(expected));
+  }
+
+  @Test
+  void kernelsAreRightToTwoUlp() {
+    for (int i = 0; i < 100_000; i++) {
+      double x = random.nextDouble(-Math.PI / 4, Math.PI / 4);
+      assertWithinTwoUlp(Elementary.sinSmall(x), StrictMath.sin(x));
+      assertWithinTwoUlp(Elementary.cosSmall(x), StrictMath.cos(x));
+    }
+    for (double x = 1; x > 1e-300; x /= 10) {
+      assertWithinTwoUlp(Elementary.sinSmall(.78 * x), StrictMath.sin(.78 * x));
+    }
+  }
+
+  /** The reference takes the angle with twice the digits, for 2π and the product are rounded. */
+  @Test
+  void turnsAreRightToTwoUlp() {
+    for (int i = 0; i < 100_000; i++) {
+      double part = random.nextDouble(-.125, .125);
+      double turns = part + .25 * random.nextInt(-3, 4);
+      part = turns - .25 * Math.rint(4 * turns);
+      double angle = part * Elementary.TWO_PI;
+      double rest = Math.fma(part, Elementary.TWO_PI, -angle) + part * TWO_PI_REST;
+      double sin = StrictMath.sin(angle) + rest * StrictMath.cos(angle);
+      double cos = StrictMath.cos(angle) - rest * StrictMath.sin(angle);
+      int quarter = Math.floorMod((int) Math.rint(4 * turns), 4);
+      double[] expected = {sin, cos, -sin, -cos, sin};
+      assertWithinTwoUlp(Elementary.sinTurns(turns), expected[quarter]);
+      assertWithinTwoUlp(Elementary.cosTurns(turns), expected[quarter + 1]);
+    }
+  }
+
+  @Test
+  void quarterTurnsAreExact() {
+    double[] sines = {0, 1, 0, -1, 0};
+    for (int quarters = -4000; quarters <= 4000; quarters++) {
+      int quarter = Math.floorMod(quarters, 4);
+      // Adding 0 makes a negative zero positive.
+      assertThat(Elementary.sinTurns(quarters / 4.0) + 0.0).isEqualTo(sines[quarter]);
+      assertThat(Elementary.cosTurns(quarters / 4.0) + 0.0).isEqualTo(sines[quarter + 1]);
+      assertThat(Elementary.sinDegrees(quarters * 90.0) + 0.0).isEqualTo(sines[quarter]);
+      assertThat(Elementary.cosDegrees(quarters * 90.0) + 0.0).isEqualTo(sines[quarter + 1]);
+    }
+  }
+
+  @Test
+  void largeAnglesAreReducedExactly() {
+    assertThat(Elementary.sinTurns(0x1p40 + .0625)).isEqualTo(Elementary.sinTurns(.0625));
+    for (double turns : new double[] {0x1p52 + 1, 0x1p61 + 0x1p10, 1e22, 1e300, -1e308}) {
+      assertThat(Elementary.sinTurns(turns)).isZero();
+      assertThat(Elementary.cosTurns(turns)).isEqualTo(1);
+    }
+    assertThat(Elementary.sinDegrees(360e9 + 30)).isEqualTo(Elementary.sinDegrees(30));
+    assertThat(Elementary.cosDegrees(-360e9 + 30)).isEqualTo(Elementary.cosDegrees(30));
+  }
+
+  @Test
+  void degreesAreRightToTwoUlpNearTheZerosToo() {
+    assertWithinTwoUlp(Elementary.sinDegrees(30), .5);
+    assertWithinTwoUlp(Elementary.cosDegrees(60), .5);
+    assertWithinTwoUlp(Elementary.sinDegrees(45), Math.sqrt(.5));
+    double small = 0x1p-30;
+    double sine = StrictMath.sin(small * (Math.PI / 180));
+    assertWithinTwoUlp(Elementary.sinDegrees(small), sine);
+    assertWithinTwoUlp(Elementary.cosDegrees(90 - small), sine);
+    assertWithinTwoUlp(Elementary.sinDegrees(180 - small), sine);
+    assertWithinTwoUlp(Elementary.cosDegrees(-90 + small), sine);
+  }
+
+  @Test
+  void squaresOfSineAndCosineSumToOne() {
+    for (int i = 0; i < 10_000; i++) {
+      double turns = random.nextDouble(-10, 10);
+      double s = Elementary.sinTurns(turns);
+      double c = Elementary.cosTurns(turns);
+      assertThat(s * s + c * c).isCloseTo(1, within(3 * EPS));
+    }
+  }
+
+  @Test
+  void arcSineToleratesRounding() {
+    assertThat(Elementary.asin(1 + EPS)).isEqualTo(Math.PI / 2);
+    assertThat(Elementary.asin(-1 - EPS)).isEqualTo(-Math.PI / 2);
+    assertThat(Elementary.safeSqrt(-EPS)).isZero();
+    assertThat(Elementary.safeSqrt(4)).isEqualTo(2);
+  }
+}

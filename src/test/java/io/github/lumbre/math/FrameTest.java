@@ -1,0 +1,107 @@
+package io.github.lumbre.math;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class FrameTest {
+  private static final double EPS = 0x1p-52;
+
+  private final SplittableRandom random = new SplittableRandom(4);
+
+  private Vec3 direction() {
+    Vec3 v = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+    return v.normalized();
+  }
+
+  private static void assertOrthonormal(Frame frame) {
+    Vec3 t = frame.tangent();
+    Vec3 b = frame.bitangent();
+    Vec3 n = frame.normal();
+    Vec3 errors = new Vec3(t.dot(b), b.dot(n), n.dot(t));
+    assertThat(errors.maxAbs()).as("%s", frame).isLessThanOrEqualTo(4 * EPS);
+    assertThat(t.length()).isCloseTo(1, within(4 * EPS));
+    assertThat(b.length()).isCloseTo(1, within(4 * EPS));
+  }
+
+  private static double handedness(Frame frame) {
+    return frame.tangent().cross(frame.bitangent()).dot(frame.normal());
+  }
+
+  @Test
+  void framesAroundNormalsAreOrthonormalAndOfOneHandedness() {
+    for (int i = 0; i < 100_000; i++) {
+      Frame frame = Frame.around(direction());
+      assertOrthonormal(frame);
+      assertThat(handedness(frame)).isCloseTo(1, within(8 * EPS));
+    }
+  }
+
+  @Test
+  void framesAroundNormalsNearMinusZAreOrthonormal() {
+    assertOrthonormal(Frame.around(Vec3.Z.negated()));
+    assertOrthonormal(Frame.around(new Vec3(0, 0, -1 + EPS / 2)));
+    assertOrthonormal(Frame.around(new Vec3(-0.0, -0.0, -1)));
+    for (double tiny = 1e-300; tiny < .1; tiny *= 7) {
+      assertOrthonormal(Frame.around(new Vec3(tiny, -2 * tiny, -1).normalized()));
+      assertOrthonormal(Frame.around(new Vec3(1, -2, tiny).normalized()));
+      assertOrthonormal(Frame.around(new Vec3(1, -2, -tiny).normalized()));
+    }
+  }
+
+  @Test
+  void givenTangentsAreKeptWithTheirHandedness() {
+    for (int i = 0; i < 10_000; i++) {
+      Vec3 n = direction();
+      Vec3 u = direction().times(random.nextDouble(.01, 100));
+      Vec3 v = direction();
+      Frame frame = Frame.around(n, u, v);
+      assertOrthonormal(frame);
+      assertThat(frame.normal()).isEqualTo(n);
+      assertThat(frame.tangent().dot(u)).isPositive();
+      assertThat(frame.bitangent().dot(v)).isPositive();
+      // The tangent stays in the plane of u and the normal.
+      assertThat(frame.bitangent().dot(u)).isCloseTo(0, within(8 * EPS * u.length()));
+    }
+  }
+
+  @Test
+  void mirroredTangentsGiveMirroredFrames() {
+    Frame right = Frame.around(Vec3.Z, Vec3.X, Vec3.Y);
+    Frame left = Frame.around(Vec3.Z, Vec3.X, Vec3.Y.negated());
+    assertThat(handedness(right)).isEqualTo(1);
+    assertThat(handedness(left)).isEqualTo(-1);
+    assertThat(left.tangent()).isEqualTo(right.tangent());
+  }
+
+  @Test
+  void tangentsAlmostAlongTheNormalStillGiveOrthonormalFrames() {
+    for (double tilt = 1e-11; tilt < 1; tilt *= 3) {
+      Vec3 n = direction();
+      Vec3 u = n.plus(tilt, Frame.around(n).tangent());
+      assertOrthonormal(Frame.around(n, u, direction()));
+    }
+  }
+
+  @Test
+  void degenerateTangentsFallBackToTheFrameOfTheNormal() {
+    Vec3 n = direction();
+    Vec3 nan = new Vec3(Double.NaN, 0, 0);
+    Vec3 infinite = new Vec3(Double.POSITIVE_INFINITY, 0, 0);
+    for (Vec3 u : new Vec3[] {Vec3.ZERO, n, n.times(-1e9), nan, infinite}) {
+      assertThat(Frame.around(n, u, direction())).isEqualTo(Frame.around(n));
+    }
+  }
+
+  @Test
+  void localAndWorldUndoEachOther() {
+    for (int i = 0; i < 10_000; i++) {
+      Frame frame = Frame.around(direction());
+      Vec3 v = direction();
+      assertThat(frame.toWorld(frame.toLocal(v)).minus(v).length()).isLessThan(8 * EPS);
+      assertThat(frame.toLocal(frame.normal()).minus(Vec3.Z).length()).isLessThan(4 * EPS);
+    }
+  }
+}

@@ -1,0 +1,247 @@
+package io.github.lumbre.math;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class TransformTest {
+  private static final double EPS = 0x1p-52;
+
+  private final SplittableRandom random = new SplittableRandom(5);
+
+  private Vec3 vector(double size) {
+    return new Vec3(
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size));
+  }
+
+  private double decades(double n) {
+    return StrictMath.pow(10, random.nextDouble(-n, n));
+  }
+
+  private Transform rigid() {
+    return Transform.translation(vector(10)).times(Transform.rotationDegrees(vector(360)));
+  }
+
+  private static Transform rotation(double x, double y, double z) {
+    return Transform.rotationDegrees(new Vec3(x, y, z));
+  }
+
+  @Test
+  void inverseUndoesRotationsAndScales() {
+    for (int i = 0; i < 100_000; i++) {
+      Vec3 scale = new Vec3(decades(4), -decades(4), decades(4));
+      Transform t = rigid().times(Transform.scale(scale));
+      Vec3 magnitudes = new Vec3(scale.x(), -scale.y(), scale.z());
+      double smallest = Math.min(magnitudes.x(), Math.min(magnitudes.y(), magnitudes.z()));
+      double bound = 64 * EPS * magnitudes.maxAbs() / smallest;
+      for (Vec3 axis : new Vec3[] {Vec3.X, Vec3.Y, Vec3.Z}) {
+        Vec3 there = t.vector(t.inverseVector(axis));
+        Vec3 back = t.inverseVector(t.vector(axis));
+        assertThat(there.minus(axis).maxAbs()).isLessThanOrEqualTo(bound);
+        assertThat(back.minus(axis).maxAbs()).isLessThanOrEqualTo(bound);
+      }
+    }
+  }
+
+  @Test
+  void inverseOfShearsIsAsGoodAsTheirCondition() {
+    for (int i = 0; i < 10_000; i++) {
+      Vec3 outer = new Vec3(1, decades(4), decades(4));
+      Vec3 inner = new Vec3(decades(4), decades(4), 1);
+      Transform t =
+          rigid().times(Transform.scale(outer)).times(rigid()).times(Transform.scale(inner));
+      double norm = 0;
+      double inverseNorm = 0;
+      Vec3[] axes = {Vec3.X, Vec3.Y, Vec3.Z};
+      for (Vec3 axis : axes) {
+        norm += t.vector(axis).lengthSquared();
+        inverseNorm += t.inverseVector(axis).lengthSquared();
+      }
+      double bound = 64 * EPS * Math.sqrt(norm * inverseNorm);
+      for (Vec3 axis : axes) {
+        assertThat(t.inverseVector(t.vector(axis)).minus(axis).maxAbs()).isLessThan(bound);
+        assertThat(t.vector(t.inverseVector(axis)).minus(axis).maxAbs()).isLessThan(bound);
+      }
+    }
+  }
+
+  /** What rays rely on: the two directions agree however many levels the object hangs down. */
+  @Test
+  void deepHierarchiesHaveMatchingInverses() {
+    Transform t = Transform.IDENTITY;
+    for (int level = 0; level < 2000; level++) {
+      t = t.times(rigid());
+      Vec3 v = vector(1);
+      assertThat(t.inverseVector(t.vector(v)).minus(v).maxAbs()).isLessThan(16 * EPS);
+    }
+  }
+
+  @Test
+  void quarterTurnsFollowTheConventionExactly() {
+    assertThat(exact(rotation(90, 0, 0).vector(Vec3.Z))).isEqualTo(new Vec3(0, -1, 0));
+    assertThat(exact(rotation(90, 0, 0).vector(Vec3.Y))).isEqualTo(new Vec3(0, 0, 1));
+    assertThat(exact(rotation(0, 90, 0).vector(Vec3.Z))).isEqualTo(new Vec3(1, 0, 0));
+    assertThat(exact(rotation(0, 90, 0).vector(Vec3.X))).isEqualTo(new Vec3(0, 0, -1));
+    assertThat(exact(rotation(0, 0, 90).vector(Vec3.X))).isEqualTo(new Vec3(0, 1, 0));
+    assertThat(exact(rotation(0, 0, 90).vector(Vec3.Y))).isEqualTo(new Vec3(-1, 0, 0));
+    assertThat(exact(rotation(-270, 720, 360).vector(Vec3.Z))).isEqualTo(new Vec3(0, -1, 0));
+  }
+
+  /** Makes negative zeros positive. */
+  private static Vec3 exact(Vec3 v) {
+    return v.plus(Vec3.ZERO);
+  }
+
+  @Test
+  void rotationTurnsAboutZThenXThenY() {
+    // About z: x goes to y. About x: y goes to z. About y: z goes to x.
+    assertThat(exact(rotation(90, 90, 90).vector(Vec3.X))).isEqualTo(Vec3.X);
+    // In the other order, x would go to -z about y first and end elsewhere.
+    assertThat(exact(rotation(90, 90, 90).vector(Vec3.Y))).isEqualTo(new Vec3(0, 0, 1));
+    for (int i = 0; i < 1000; i++) {
+      Vec3 a = vector(360);
+      Transform all = Transform.rotationDegrees(a);
+      Transform steps = rotation(0, a.y(), 0).times(rotation(a.x(), 0, 0));
+      steps = steps.times(rotation(0, 0, a.z()));
+      Vec3 v = vector(1);
+      assertThat(all.vector(v).minus(steps.vector(v)).maxAbs()).isLessThan(8 * EPS);
+    }
+  }
+
+  @Test
+  void rotationsFollowTheirMatrices() {
+    double c = .5;
+    double s = Math.sqrt(.75);
+    Vec3 v = new Vec3(2, 3, 5);
+    assertClose(rotation(60, 0, 0).vector(v), new Vec3(2, 3 * c - 5 * s, 3 * s + 5 * c));
+    assertClose(rotation(0, 60, 0).vector(v), new Vec3(2 * c + 5 * s, 3, -2 * s + 5 * c));
+    assertClose(rotation(0, 0, 60).vector(v), new Vec3(2 * c - 3 * s, 2 * s + 3 * c, 5));
+  }
+
+  private static void assertClose(Vec3 actual, Vec3 expected) {
+    assertThat(actual.minus(expected).maxAbs()).isLessThan(16 * EPS);
+  }
+
+  @Test
+  void productAppliesTheInnerMapFirst() {
+    Transform t = Transform.translation(Vec3.X).times(Transform.scale(new Vec3(2, 3, 4)));
+    assertThat(t.point(new Vec3(1, 1, 1))).isEqualTo(new Vec3(3, 3, 4));
+    assertThat(t.vector(new Vec3(1, 1, 1))).isEqualTo(new Vec3(2, 3, 4));
+    assertThat(t.inversePoint(new Vec3(3, 3, 4))).isEqualTo(new Vec3(1, 1, 1));
+  }
+
+  @Test
+  void longChainThatUndoesItselfIsTheIdentity() {
+    int depth = 10_000;
+    Transform chain = Transform.IDENTITY;
+    for (int i = 0; i < depth / 4; i++) {
+      Vec3 offset = vector(1);
+      double angle = random.nextDouble(-180, 180);
+      chain = chain.times(Transform.translation(offset)).times(rotation(0, angle, 0));
+      chain = chain.times(rotation(0, -angle, 0)).times(Transform.translation(offset.negated()));
+    }
+    double bound = depth * 8 * EPS;
+    for (int i = 0; i < 100; i++) {
+      Vec3 p = vector(1);
+      assertThat(chain.point(p).minus(p).maxAbs()).isLessThan(bound);
+      assertThat(chain.inversePoint(p).minus(p).maxAbs()).isLessThan(bound);
+    }
+  }
+
+  @Test
+  void normalsStayAtRightAnglesToTheSurface() {
+    for (int i = 0; i < 10_000; i++) {
+      Vec3 scale = new Vec3(decades(3), decades(3), decades(3));
+      Transform t = rigid().times(Transform.scale(scale));
+      Frame frame = Frame.around(vector(1).normalized());
+      Vec3 normal = t.normal(frame.normal());
+      Vec3 tangent = t.vector(frame.tangent());
+      assertThat(normal.length()).isCloseTo(1, within(4 * EPS));
+      // What the two sum up to is the tangent's length times the error of each factor.
+      double error = 64 * EPS * scale.maxAbs();
+      assertThat(normal.dot(tangent)).isCloseTo(0, within(error));
+    }
+  }
+
+  @Test
+  void normalOfAnEllipsoidIsItsGradient() {
+    Vec3 scale = new Vec3(1e-3, 1, 1e3);
+    Transform t = Transform.scale(scale);
+    for (int i = 0; i < 1000; i++) {
+      Vec3 onSphere = vector(1).normalized();
+      Vec3 gradient =
+          new Vec3(onSphere.x() / scale.x(), onSphere.y() / scale.y(), onSphere.z() / scale.z());
+      assertThat(t.normal(onSphere).minus(gradient.normalized()).maxAbs()).isLessThan(8 * EPS);
+    }
+  }
+
+  @Test
+  void outsideStaysOutsideInMirrors() {
+    Transform mirror = Transform.scale(new Vec3(-1, 1, 1));
+    assertThat(mirror.isMirroring()).isTrue();
+    assertThat(exact(mirror.normal(Vec3.X))).isEqualTo(new Vec3(-1, 0, 0));
+    assertThat(exact(mirror.normal(Vec3.Y))).isEqualTo(Vec3.Y);
+    assertThat(Transform.scale(new Vec3(-1, -1, 1)).isMirroring()).isFalse();
+    for (int i = 0; i < 1000; i++) {
+      Transform t = rigid().times(Transform.scale(new Vec3(-decades(1), decades(1), decades(1))));
+      Vec3 outward = vector(1).normalized();
+      assertThat(t.normal(outward).dot(t.vector(outward))).isPositive();
+    }
+  }
+
+  @Test
+  void powersOfTwoScaleExactly() {
+    for (int exponent = -30; exponent <= 30; exponent++) {
+      double s = Math.scalb(1.0, exponent);
+      Transform inner = rigid().times(Transform.scale(new Vec3(decades(2), decades(2), 1)));
+      Transform outer = Transform.scale(new Vec3(s, s, s)).times(inner);
+      Vec3 p = vector(5);
+      assertThat(outer.point(p)).isEqualTo(inner.point(p).times(s));
+      assertThat(outer.inversePoint(p.times(s))).isEqualTo(inner.inversePoint(p));
+      assertThat(outer.normal(p)).isEqualTo(inner.normal(p));
+    }
+  }
+
+  @Test
+  void mapsThatCannotBeUndoneAreKnown() {
+    assertThat(Transform.IDENTITY.isInvertible()).isTrue();
+    assertThat(scale(1e-90, 1e-90, 1e-90).isInvertible()).isTrue();
+    assertThat(scale(1e90, 1e90, 1e90).isInvertible()).isTrue();
+    assertThat(scale(0, 1, 1).isInvertible()).isFalse();
+    assertThat(scale(0, 0, 0).isInvertible()).isFalse();
+    assertThat(scale(1e200, 1e200, 1).isInvertible()).isFalse();
+    assertThat(scale(1e-200, 1e-200, 1).isInvertible()).isFalse();
+    assertThat(scale(1e-320, 1, 1).isInvertible()).isFalse();
+    assertThat(scale(Double.NaN, 1, 1).isInvertible()).isFalse();
+    assertThat(Transform.translation(new Vec3(0, 1 / 0.0, 0)).isInvertible()).isFalse();
+    for (int i = 0; i < 1000; i++) {
+      Transform inner = rigid().times(scale(decades(3), decades(3), decades(3)));
+      assertThat(rigid().times(scale(1, 0, 1)).times(inner).isInvertible()).isFalse();
+      assertThat(rigid().times(scale(1, 1e-8, 1e4)).times(inner).isInvertible()).isTrue();
+    }
+  }
+
+  private static Transform scale(double x, double y, double z) {
+    return Transform.scale(new Vec3(x, y, z));
+  }
+
+  @Test
+  void boxAroundTheImageHoldsTheImageAndTouchesIt() {
+    for (int i = 0; i < 1000; i++) {
+      Transform t = rigid().times(Transform.scale(vector(3)));
+      Bounds3 local = Bounds3.of(vector(1), vector(1));
+      Bounds3 world = t.bounds(local);
+      Bounds3 corners = Bounds3.EMPTY;
+      for (int corner = 0; corner < 8; corner++) {
+        corners = corners.union(t.point(local.corner(corner)));
+      }
+      assertThat(world).isEqualTo(corners);
+      Vec3 inside = t.point(local.centre());
+      assertThat(world.union(inside)).isEqualTo(world);
+    }
+  }
+}

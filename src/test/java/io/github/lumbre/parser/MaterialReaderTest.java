@@ -1,0 +1,208 @@
+package io.github.lumbre.parser;
+
+import static io.github.lumbre.parser.SceneFixture.json;
+import static io.github.lumbre.parser.SceneFixture.mesh;
+import static io.github.lumbre.parser.SceneFixture.png;
+import static io.github.lumbre.parser.SceneFixture.scene;
+import static io.github.lumbre.parser.SceneFixture.texture;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.geometry.Box;
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.Plane;
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.Mirror;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.TexturePoint;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MaterialReaderTest {
+  private static final TexturePoint LEFT = new TexturePoint(.25, .5);
+  private static final TexturePoint RIGHT = new TexturePoint(.75, .5);
+
+  @TempDir private Path folder;
+  private SceneFixture fixture;
+
+  @BeforeEach
+  void setUp() {
+    fixture = new SceneFixture(folder);
+  }
+
+  private SceneFile parse(String material) {
+    String assets =
+        json("{'id': 2, 'assetType': 'Material', " + material + "},")
+            + texture(3, png(0xff8000, 0x0080ff), "")
+            + ","
+            + texture(4, png(0xff8000, 0x0080ff), json(", 'filter': 'bilinear'"));
+    return fixture.parse(
+        scene(json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}"), assets));
+  }
+
+  private static Primitive only(SceneFile file) {
+    assertThat(file.scene().primitives()).hasSize(1);
+    return file.scene().primitives().get(0);
+  }
+
+  private static void assertNear(Rgb found, double r, double g, double b) {
+    assertThat(found.r()).isCloseTo(r, within(1e-12));
+    assertThat(found.g()).isCloseTo(g, within(1e-12));
+    assertThat(found.b()).isCloseTo(b, within(1e-12));
+  }
+
+  @Test
+  void surfacesWithoutMaterialAreGrey() {
+    assertThat(only(parse("'materialType': 'None'")).material()).isSameAs(Matte.GREY);
+    assertThat(only(parse("'materialType': 'Diffuse'")).material()).isInstanceOf(Matte.class);
+  }
+
+  @Test
+  void coloredSurfacesGlowFromEverySide() {
+    SceneFile file = parse("'materialType': 'Color', 'color': {'r': 3, 'g': 2, 'b': 0.5}");
+    Emission emission = only(file).emission().orElseThrow();
+    assertThat(emission.twoSided()).isTrue();
+    assertThat(emission.radiance().at(LEFT)).isEqualTo(new Rgb(3, 2, .5));
+    assertThat(file.scene().lights()).isEmpty();
+    assertThat(file.scene().emitters()).hasSize(1);
+    assertThat(file.warnings()).isEmpty();
+  }
+
+  @Test
+  void channelsAreConstantTimesTextureOfLinearLight() {
+    Emission emission =
+        only(parse("'materialType': 'Color', 'color': {'r': 2}, 'colorTextureId': 3"))
+            .emission()
+            .orElseThrow();
+    // sRGB 128 is .2158605 of linear light.
+    assertNear(emission.radiance().at(LEFT), 2, .21586050011389926, 0);
+    assertNear(emission.radiance().at(RIGHT), 0, .21586050011389926, 1);
+  }
+
+  @Test
+  void channelsMapTheirTextures() {
+    Emission emission =
+        only(parse(
+                "'materialType': 'Color', 'colorTextureId': 3, 'colorOffset': {'x': 0.5},"
+                    + " 'colorScale': {'x': 2}"))
+            .emission()
+            .orElseThrow();
+    assertThat(emission.radiance().at(new TexturePoint(.1, 0)).b()).isEqualTo(1);
+    assertThat(emission.radiance().at(new TexturePoint(.3, 0)).r()).isEqualTo(1);
+  }
+
+  @Test
+  void texturesMayBeFiltered() {
+    Emission emission =
+        only(parse("'materialType': 'Color', 'colorTextureId': 4")).emission().orElseThrow();
+    assertNear(emission.radiance().at(new TexturePoint(.5, .5)), .5, .21586050011389926, .5);
+  }
+
+  @Test
+  void mirrorsReflectNoMoreThanTheyGet() {
+    SceneFile file =
+        parse("'materialType': 'Reflective', 'reflectivityColor': {'r': 1.5, 'g': 0.5, 'b': 1}");
+    assertThat(((Mirror) only(file).material()).reflectance().at(LEFT))
+        .isEqualTo(new Rgb(1, .5, 1));
+    assertThat(file.warnings())
+        .containsExactly(
+            "scene.json: $.assets[0].reflectivityColor: more than 1 is reflected; what exceeds 1"
+                + " is taken as 1");
+  }
+
+  @Test
+  void glassWarnsOnceHoweverManyOfItsColoursExceedOne() {
+    SceneFile file =
+        parse(
+            "'materialType': 'Refractive', 'ior': 1.5, 'refractionColor': {'r': 2},"
+                + " 'reflectivityColor': {'r': 2}");
+    Glass glass = (Glass) only(file).material();
+    assertThat(glass.ior().at(LEFT)).isEqualTo(1.5);
+    assertThat(glass.transmittance().at(LEFT)).isEqualTo(Rgb.WHITE);
+    assertThat(file.warnings()).hasSize(1);
+  }
+
+  @Test
+  void texturedIorIsDataAndAtLeastOne() {
+    SceneFile file = parse("'materialType': 'Refractive', 'ior': 2, 'iorTextureId': 3");
+    Glass glass = (Glass) only(file).material();
+    assertThat(glass.ior().at(LEFT)).isEqualTo(2);
+    assertThat(glass.ior().at(RIGHT)).isEqualTo(1);
+  }
+
+  private Scene shapes(String objects, String assets) {
+    return fixture.parse(scene(json(objects), assets)).scene();
+  }
+
+  private static Shape shape(Scene scene, int number) {
+    return scene.primitives().get(number).shape();
+  }
+
+  private static void assertReaches(Shape shape, Vec3 min, Vec3 max) {
+    Bounds3 bounds = shape.bounds();
+    assertThat(bounds.min().minus(min).length()).isLessThan(1e-12);
+    assertThat(bounds.max().minus(max).length()).isLessThan(1e-12);
+  }
+
+  @Test
+  void shapesHaveTheirTypesAndSizes() {
+    Scene scene =
+        shapes(
+            "{'type': 'Shape', 'shapeType': 'Sphere', 'radius': 2, 'localPosition': {'x': 1}},"
+                + "{'type': 'Shape', 'shapeType': 'Plane', 'finite': true, 'width': 2,"
+                + " 'height': 6},"
+                + "{'type': 'Shape', 'shapeType': 'Cube', 'width': 2, 'height': 4, 'depth': 6},"
+                + "{'type': 'Shape', 'shapeType': 'Plane'}",
+            "");
+    assertThat(shape(scene, 0)).isInstanceOf(Sphere.class);
+    assertReaches(shape(scene, 0), new Vec3(-1, -2, -2), new Vec3(3, 2, 2));
+    assertThat(shape(scene, 1)).isInstanceOf(Rectangle.class);
+    assertReaches(shape(scene, 1), new Vec3(-1, 0, -3), new Vec3(1, 0, 3));
+    assertThat(shape(scene, 2)).isInstanceOf(Box.class);
+    assertReaches(shape(scene, 2), new Vec3(-1, -2, -3), new Vec3(1, 2, 3));
+    assertThat(shape(scene, 3)).isInstanceOf(Plane.class);
+  }
+
+  @Test
+  void planesAreSeenFromAboveOnlyUnlessTheyAreSolid() {
+    Ray up = new Ray(new Vec3(0, -1, 0), Vec3.Y);
+    String plane = "{'type': 'Shape', 'shapeType': 'Plane'";
+    assertThat(shapes(plane + "}", "").intersect(up, new NearestHit())).isFalse();
+    assertThat(shapes(plane + ", 'twoSided': true}", "").intersect(up, new NearestHit()))
+        .isTrue();
+    assertThat(
+            shapes(plane + ", 'finite': true, 'twoSided': true}", "")
+                .intersect(up, new NearestHit()))
+        .isTrue();
+  }
+
+  @Test
+  void meshesAreBakedWhenPlacedOnceAndSharedWhenPlacedOften() {
+    String one =
+        "{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2, 'localPosition': {'x': 5},"
+            + " 'localScale': {'y': 3}}";
+    String asset = mesh(2, SceneFixture.TRIANGLE);
+    Scene once = shapes(one, asset);
+    assertThat(shape(once, 0)).isInstanceOf(Mesh.class);
+    Scene twice = shapes(one + ", {'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2}", asset);
+    assertThat(shape(twice, 0)).isInstanceOf(MeshInstance.class);
+    assertThat(shape(twice, 1)).isInstanceOf(MeshInstance.class);
+    for (Scene scene : new Scene[] {once, twice}) {
+      assertReaches(shape(scene, 0), new Vec3(5, 0, 0), new Vec3(6, 3, 0));
+    }
+  }
+}

@@ -1,0 +1,163 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Rgb;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class FilmTest {
+  private static final double GRID = 0x1p-64;
+
+  private static float develop(double... values) {
+    Film film = new Film(1, 1, false);
+    for (double value : values) {
+      film.add(0, Rgb.grey(value), true);
+    }
+    return film.develop().rgb()[0];
+  }
+
+  @Test
+  void oneSampleIsDevelopedAsItself() {
+    Random random = new Random(30);
+    for (int i = 0; i < 100_000; i++) {
+      double value = random.nextDouble() * Math.scalb(1.0, random.nextInt(45) - 12);
+      assertThat(develop(value)).isEqualTo((float) value);
+    }
+    for (double value : new double[] {0, 1, .5, .1, 255, Math.nextDown(1.0), 0x1p32, 0x1p-52}) {
+      assertThat(develop(value)).isEqualTo((float) value);
+    }
+  }
+
+  @Test
+  void smallSamplesAreRoundedToTheGrid() {
+    assertThat(develop(GRID)).isEqualTo((float) GRID);
+    assertThat(develop(1.5 * GRID)).isEqualTo((float) (2 * GRID));
+    assertThat(develop(.75 * GRID)).isEqualTo((float) GRID);
+    assertThat(develop(.25 * GRID)).isZero();
+    assertThat(develop(Double.MIN_VALUE)).isZero();
+    assertThat(develop(12345 * GRID)).isEqualTo((float) (12345 * GRID));
+  }
+
+  @Test
+  void tooLargeSamplesAreCut() {
+    assertThat(develop(0x1p33)).isEqualTo(0x1p32f);
+    assertThat(develop(1e300)).isEqualTo(0x1p32f);
+    assertThat(develop(Math.nextDown(0x1p32))).isEqualTo((float) Math.nextDown(0x1p32));
+  }
+
+  /**
+   * Samples whose exact mean lies half way between two floats: an error of the last bit of the sum,
+   * upward or downward, develops to the wrong one.
+   */
+  @Test
+  void sumIsExactInAnyOrder() {
+    Random random = new Random(31);
+    for (double tie : new double[] {1 + 0x1p-24, 1 + 0x3p-24}) {
+      List<Double> samples = new ArrayList<>();
+      for (int i = 0; i < 256; i++) {
+        double part = random.nextDouble();
+        BigDecimal rest = new BigDecimal(4 * tie).subtract(new BigDecimal(part));
+        double most = Math.nextDown(rest.doubleValue());
+        double least = rest.subtract(new BigDecimal(most)).doubleValue();
+        samples.addAll(List.of(part, most, least, 0.0));
+      }
+      for (int run = 0; run < 50; run++) {
+        Collections.shuffle(samples, random);
+        double[] values = samples.stream().mapToDouble(x -> x).toArray();
+        assertThat(develop(values)).isEqualTo((float) tie);
+      }
+    }
+  }
+
+  /** Pairs of full-length doubles around half ways between floats, as above. */
+  @Test
+  void tenMillionAdditionsLoseNothing() {
+    double[] ties = new double[3];
+    for (int i = 0; i < 3; i++) {
+      float low = new float[] {.1f, 1 / 3f, 10.7f}[i];
+      ties[i] = .5 * ((double) low + Math.nextUp(low));
+    }
+    Rgb above = new Rgb(Math.nextUp(ties[0]), Math.nextUp(ties[1]), Math.nextUp(ties[2]));
+    Rgb below = new Rgb(Math.nextDown(ties[0]), Math.nextDown(ties[1]), Math.nextDown(ties[2]));
+    Film film = new Film(1, 1, false);
+    for (int i = 0; i < 10_000_000; i++) {
+      film.add(0, i < 5_000_000 ? above : below, true);
+    }
+    assertThat(film.develop().rgb())
+        .containsExactly((float) ties[0], (float) ties[1], (float) ties[2]);
+  }
+
+  @Test
+  void everyBitOfTheFractionIsSummed() {
+    Film film = new Film(1, 1, false);
+    int n = 1 << 20;
+    for (int i = 0; i < n; i++) {
+      // 2^-44 - 2^-64 and 2^-64 in turn: 2^-44 a pair.
+      film.add(0, Rgb.grey(i % 2 == 0 ? 0x1p-44 - GRID : GRID), true);
+    }
+    assertThat(film.develop().rgb()[0]).isEqualTo(0x1p-45f);
+    Film carry = new Film(1, 1, false);
+    for (int i = 0; i < 1 << 12; i++) {
+      carry.add(0, Rgb.grey(Math.nextDown(1.0)), true);
+    }
+    assertThat(carry.develop().rgb()[0]).isEqualTo((float) Math.nextDown(1.0));
+    assertThat(develop(.75, .75, .75, .75)).isEqualTo(.75f);
+  }
+
+  @Test
+  void alphaIsTheShareThatCoversAndColourIsStraight() {
+    Film film = new Film(2, 1, true);
+    film.add(0, new Rgb(.5, .25, 1), true);
+    film.add(0, Rgb.BLACK, false);
+    film.add(0, Rgb.BLACK, false);
+    film.add(0, new Rgb(.5, .75, 0), true);
+    film.add(1, Rgb.BLACK, false);
+    Image image = film.develop();
+    assertThat(image.alpha(0, 0)).isEqualTo(.5f);
+    assertThat(image.pixel(0, 0)).isEqualTo(new Rgb(.5, .5, .5));
+    assertThat(image.alpha(1, 0)).isZero();
+    assertThat(image.pixel(1, 0)).isEqualTo(Rgb.BLACK);
+  }
+
+  @Test
+  void filmWithoutAlphaAveragesOverAllSamples() {
+    Film film = new Film(1, 1, false);
+    film.add(0, Rgb.WHITE, true);
+    film.add(0, Rgb.BLACK, false);
+    assertThat(film.develop().pixel(0, 0)).isEqualTo(Rgb.grey(.5));
+    assertThat(film.develop().hasAlpha()).isFalse();
+  }
+
+  @Test
+  void pixelsAndChannelsAreTheirOwn() {
+    Film film = new Film(3, 2, true);
+    for (int pixel = 0; pixel < 6; pixel++) {
+      film.add(pixel, new Rgb(pixel, 10 * pixel, 100 * pixel), true);
+    }
+    Image image = film.develop();
+    assertThat(image.pixel(2, 1)).isEqualTo(new Rgb(5, 50, 500));
+    assertThat(image.pixel(1, 0)).isEqualTo(new Rgb(1, 10, 100));
+  }
+
+  @Test
+  void pixelsWithoutSamplesAreBlackAndTransparent() {
+    assertThat(new Film(1, 1, false).develop().pixel(0, 0)).isEqualTo(Rgb.BLACK);
+    assertThat(new Film(1, 1, true).develop().alpha(0, 0)).isZero();
+  }
+
+  @Test
+  void valuesThatAreNoRadianceAreBugs() {
+    Film film = new Film(1, 1, false);
+    for (double value : new double[] {Double.NaN, -1, Double.POSITIVE_INFINITY}) {
+      assertThatThrownBy(() -> film.add(0, Rgb.grey(value), true))
+          .isInstanceOf(AssertionError.class);
+    }
+  }
+}

@@ -1,0 +1,20 @@
+package consumer;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
+import java.nio.file.Path;
+
+/** Renders the scene that the first argument names to the picture that the second names. */
+public final class Consumer {
+  private Consumer() {}
+
+  /** Prints nothing. */
+  public static void main(String[] args) throws Exception {
+    SceneFile file = new SceneParser().parse(Path.of(args[0]));
+    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    ImageWriter.write(image, Path.of(args[1]));
+  }
+}

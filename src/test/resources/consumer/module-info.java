@@ -1,0 +1,4 @@
+/** A program that embeds the renderer. */
+module consumer {
+  requires io.github.lumbre;
+}
