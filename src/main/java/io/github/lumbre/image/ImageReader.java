@@ -113,15 +113,9 @@ public final class ImageReader {
       return new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", thrown);
     }
+    String reason = cause.getMessage() == null ? "" : ": " + cause.getMessage();
+    String damage = cause instanceof EOFException ? " ends too early" : " is damaged" + reason;
     return new ImageFormatException(
-        ImageFormatException.Kind.MALFORMED, format + " is damaged" + reason(cause), thrown);
-  }
-
-  /** Returns what a decoder's exception adds for people, with a colon before it; maybe nothing. */
-  private static String reason(Throwable cause) {
-    if (cause instanceof EOFException) {
-      return ": it ends too early";
-    }
-    return cause.getMessage() == null ? "" : ": " + cause.getMessage();
+        ImageFormatException.Kind.MALFORMED, format + damage, thrown);
   }
 }
