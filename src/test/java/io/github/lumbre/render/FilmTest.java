@@ -76,19 +76,22 @@ class FilmTest {
     }
   }
 
-  /** Pairs of full-length doubles around half ways between floats, as above. */
+  /** Pairs of full-length doubles whose means lie half way between floats, as above. */
   @Test
   void tenMillionAdditionsLoseNothing() {
+    float[] low = {.1f, Math.nextUp(.1f), 10.7f};
     double[] ties = new double[3];
+    double[] part = new double[3];
     for (int i = 0; i < 3; i++) {
-      float low = new float[] {.1f, 1 / 3f, 10.7f}[i];
-      ties[i] = .5 * ((double) low + Math.nextUp(low));
+      ties[i] = .5 * ((double) low[i] + Math.nextUp(low[i]));
+      part[i] = ties[i] * Math.sqrt(2);
     }
-    Rgb above = new Rgb(Math.nextUp(ties[0]), Math.nextUp(ties[1]), Math.nextUp(ties[2]));
-    Rgb below = new Rgb(Math.nextDown(ties[0]), Math.nextDown(ties[1]), Math.nextDown(ties[2]));
+    Rgb one = new Rgb(part[0], part[1], part[2]);
+    // Exact, for the two are within a factor of 2 (Sterbenz 1974).
+    Rgb other = new Rgb(2 * ties[0] - part[0], 2 * ties[1] - part[1], 2 * ties[2] - part[2]);
     Film film = new Film(1, 1, false);
     for (int i = 0; i < 10_000_000; i++) {
-      film.add(0, i < 5_000_000 ? above : below, true);
+      film.add(0, i < 5_000_000 ? one : other, true);
     }
     assertThat(film.develop().rgb())
         .containsExactly((float) ties[0], (float) ties[1], (float) ties[2]);
