@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
     subcommands = {
       RenderCommand.class,
       CheckCommand.class,
+      BenchmarkCommand.class,
       CompletionCommand.class,
       HelpCommand.class
     },
