@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
       RenderCommand.class,
       CheckCommand.class,
       BenchmarkCommand.class,
+      GalleryCommand.class,
       CompletionCommand.class,
       HelpCommand.class
     },
