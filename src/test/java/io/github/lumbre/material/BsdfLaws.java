@@ -110,16 +110,13 @@ final class BsdfLaws {
     }
   }
 
-  /**
-   * Returns the mean weight of samples at n points of a lattice that fills the unit square evenly:
-   * the albedo, if one lobe is all there is.
-   */
+  /** Returns the mean weight of samples at n points of a lattice that fills the unit cube evenly. */
   static double sampledAlbedo(Bsdf bsdf, Vec3 wo, int n) {
     double sum = 0;
     for (int i = 0; i < n; i++) {
       // Roberts 2018: steps of 1/p and 1/p², p³ = p + 1.
       Point2 u = new Point2(i * .7548776662466927 % 1, i * .5698402909980532 % 1);
-      sum += bsdf.sample(wo, .5, u).weight().g();
+      sum += bsdf.sample(wo, i * .41421356237309503 % 1, u).weight().g();
     }
     return sum / n;
   }

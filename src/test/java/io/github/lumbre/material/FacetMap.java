@@ -16,7 +16,7 @@ import java.util.function.ToDoubleFunction;
  */
 record FacetMap(Kind kind, double alpha) {
   private static final int CELLS = 16;
-  private static final int POINTS = 12;
+  private static final int POINTS = 10;
 
   /** By how much the sum of the cells may be wrong. */
   private static final double ERROR = 1e-3;
