@@ -89,7 +89,8 @@ class BenchmarkCommandTest {
     benchmark("--store", "--rows", "3");
     benchmark("--store", "--scale", "0.02");
     assertThat(stored()).extracting(line -> line.substring(0, line.lastIndexOf(',')))
-        .containsExactly("row,scene,size,samples", "3,tiny,16x12,3", "3,tiny,16x12,6", "4,tiny,8x8,1");
+        .containsExactly(
+            "row,scene,size,samples", "3,tiny,16x12,3", "3,tiny,16x12,6", "4,tiny,8x8,1");
     Path table = directory.resolve(ReportTable.FILE);
     Files.writeString(table, Files.readString(table).replace("16x12", "12x16"));
     benchmark("--store", "--rows", "3");

@@ -27,7 +27,8 @@ class BenchmarkTableTest {
     String line = markdown("0.01").row(BenchmarkFixture.result(BenchmarkFixture.row(1000), 10));
     assertThat(line)
         .startsWith("| 5 | Hearts | 8x4 | 10 of 1000 | 2 | 32 | 5 | Fast\\|er | 12s 500ms | ")
-        .contains(" 20m 50s 0ms extrapolated | i7, 8 threads | 1h | 26 | 80 | `0123456789abcdef` |");
+        .contains(" 20m 50s 0ms extrapolated | i7, 8 threads | 1h | 26 | 80 |")
+        .endsWith("| `0123456789abcdef` |");
   }
 
   @Test
