@@ -14,6 +14,7 @@ record Range(
     double low, boolean openLow, double high, boolean openHigh, String ifLow, String ifHigh) {
   static final Range ANY = closed(-Double.MAX_VALUE, Double.MAX_VALUE, "a finite number");
   static final Range NOT_NEGATIVE = closed(0, Double.MAX_VALUE, "a finite number >= 0");
+  static final Range FROM_ONE = closed(1, Double.MAX_VALUE, "a finite number >= 1");
   static final Range POSITIVE =
       new Range(0, true, Double.MAX_VALUE, false, "a finite number > 0", "a finite number > 0");
 

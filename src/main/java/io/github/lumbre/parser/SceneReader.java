@@ -28,10 +28,13 @@ final class SceneReader {
   private String cameraType = "";
   private int lightCount;
 
-  SceneReader(JsonNode root, AssetTable assets, AssetData data) {
+  /**
+   * @param seed from which everything random in the world follows
+   */
+  SceneReader(JsonNode root, AssetTable assets, AssetData data, long seed) {
     this.root = root;
     tree = ObjectTree.of(root);
-    textures = new TextureReader(assets, data);
+    textures = new TextureReader(assets, data, seed);
     meshes = new MeshReader(assets, data);
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE));

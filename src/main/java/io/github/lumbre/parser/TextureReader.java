@@ -11,12 +11,12 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.parser.AssetTable.Type;
 import io.github.lumbre.parser.SceneFormatException.Kind;
-import io.github.lumbre.texture.ImageTexture;
 import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.ImageTexture.Role;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.RedChannel;
 import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TintedTexture;
 import io.github.lumbre.texture.UvMapping;
@@ -24,6 +24,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 
 /** Reads textures, each when it is first used, and the channels of materials that use them. */
 final class TextureReader {
@@ -42,27 +43,31 @@ final class TextureReader {
     Optional<Picture> read(JsonNode texture);
   }
 
-  /** A decoded texture of which it is not yet known what its values mean. */
-  private record Picture(Pixels pixels, Filter filter) {
-    ImageTexture as(Role role) {
-      return new ImageTexture(pixels, role, filter);
-    }
-  }
-
   private final AssetTable assets;
   private final AssetData data;
+  private final ProceduralReader procedurals;
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
   private final Family<Reader> family =
       new Family<Reader>("textureType", AssetTable.COMMON_KEYS)
           .with("Image", this::image, BASE64_KEY, AssetData.FILE_KEY, "filter")
-          .planned("Wood", "width", "height", "rings")
-          .planned("Marble", "width", "height")
-          .planned("Cloud", "width", "height", "density")
-          .planned("Voronoi", "width", "height", "samples", "blackAndWhite");
+          .with("Wood", t -> computed(t, ProceduralReader::wood), "width", "height", "rings")
+          .with("Marble", t -> computed(t, ProceduralReader::marble), "width", "height")
+          .with("Cloud", t -> computed(t, ProceduralReader::cloud), "width", "height", "density")
+          .with(
+              "Voronoi",
+              t -> computed(t, ProceduralReader::voronoi),
+              "width",
+              "height",
+              "samples",
+              "blackAndWhite");
 
-  TextureReader(AssetTable assets, AssetData data) {
+  /**
+   * @param seed from which everything random in textures follows, together with their ids
+   */
+  TextureReader(AssetTable assets, AssetData data, long seed) {
     this.assets = assets;
     this.data = data;
+    procedurals = new ProceduralReader(seed);
   }
 
   /** Warns of keys that no texture has. */
@@ -86,10 +91,20 @@ final class TextureReader {
   }
 
   private Optional<Picture> image(JsonNode texture) {
-    Filter filter = texture.choice("filter", FILTERS, Filter.NEAREST);
+    Filter filter = filter(texture);
     return data.read(texture, BASE64_KEY)
         .flatMap(TextureReader::decoded)
-        .map(pixels -> new Picture(pixels, filter));
+        .map(pixels -> new Picture.Decoded(pixels, filter));
+  }
+
+  private Optional<Picture> computed(
+      JsonNode texture, BiFunction<ProceduralReader, JsonNode, TexelTexture> reader) {
+    TexelTexture texels = reader.apply(procedurals, texture);
+    return Optional.of(new Picture.Computed(texels, filter(texture)));
+  }
+
+  private static Filter filter(JsonNode texture) {
+    return texture.choice("filter", FILTERS, Filter.NEAREST);
   }
 
   private static Optional<Pixels> decoded(AssetData.Content content) {
@@ -157,27 +172,29 @@ final class TextureReader {
     if (picture.isEmpty()) {
       return EnvironmentLight.uniform(radiance);
     }
-    ImageTexture image = picture.get().as(Role.COLOUR);
     return EnvironmentLight.image(
-        axes, TintedTexture.of(radiance, image), image.width(), image.height());
+        axes,
+        TintedTexture.of(radiance, picture.get().as(Role.COLOUR)),
+        picture.get().domeColumns(),
+        picture.get().domeRows());
   }
 
   /** Returns the form of a lens: white lets light through. Empty if there is no mask. */
   Optional<Aperture> mask(JsonNode camera, String key) {
-    return find(camera, key).flatMap(picture -> mask(camera, key, picture.pixels));
+    return find(camera, key).flatMap(picture -> mask(camera, key, picture));
   }
 
-  private static Optional<Aperture> mask(JsonNode camera, String key, Pixels pixels) {
-    boolean[][] white = new boolean[pixels.height()][pixels.width()];
+  private static Optional<Aperture> mask(JsonNode camera, String key, Picture picture) {
+    boolean[][] white = new boolean[picture.height()][picture.width()];
     boolean any = false;
     boolean grey = false;
-    for (int y = 0; y < pixels.height(); y++) {
-      for (int x = 0; x < pixels.width(); x++) {
-        double value = (pixels.value(x, y, 0) + pixels.value(x, y, 1) + pixels.value(x, y, 2)) / 3;
+    for (int y = 0; y < picture.height(); y++) {
+      for (int x = 0; x < picture.width(); x++) {
+        double value = picture.value(x, y);
         grey |= value > 0 && value < 1;
         any |= value >= .5;
         // Pictures have their top row first, lenses their bottom row.
-        white[pixels.height() - 1 - y][x] = value >= .5;
+        white[picture.height() - 1 - y][x] = value >= .5;
       }
     }
     if (grey) {

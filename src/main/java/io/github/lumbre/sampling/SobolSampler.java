@@ -18,18 +18,18 @@ public final class SobolSampler implements Sampler {
   private int reversedIndex;
 
   public SobolSampler(long seed) {
-    seedKey = mix(seed + 0x9e3779b97f4a7c15L);
+    seedKey = Hash.mix(seed + 0x9e3779b97f4a7c15L);
   }
 
   @Override
   public void startSample(int x, int y, int sample) {
-    pixelKey = mix(seedKey ^ ((long) y << 32 | x & 0xffffffffL));
+    pixelKey = Hash.mix(seedKey ^ ((long) y << 32 | x & 0xffffffffL));
     reversedIndex = Integer.reverse(sample);
   }
 
   @Override
   public double get1d(int dimension) {
-    long key = mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
+    long key = Hash.mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
     int reversed = scramble(reversedIndex, (int) key);
     // The base-2 radical inverse of the shuffled index is its reversed bits, which we have.
     int value = scrambleReversed(reversed, (int) (key >>> 32));
@@ -38,7 +38,7 @@ public final class SobolSampler implements Sampler {
 
   @Override
   public Point2 get2d(int dimension) {
-    long key = mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
+    long key = Hash.mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
     int reversed = scramble(reversedIndex, (int) key);
     int high = (int) (key >>> 32);
     int x = scrambleReversed(reversed, high);
@@ -78,13 +78,6 @@ public final class SobolSampler implements Sampler {
   /** Owen-scrambles a number whose most significant bit is its highest. */
   static int scrambleReversed(int x, int key) {
     return Integer.reverse(scramble(Integer.reverse(x), key));
-  }
-
-  /** The 64-bit finaliser of SplitMix64 (Steele et al. 2014; constants: Stafford's variant 13). */
-  static long mix(long z) {
-    z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;
-    z = (z ^ (z >>> 27)) * 0x94d049bb133111ebL;
-    return z ^ (z >>> 31);
   }
 
   private static int mix32(int x) {

@@ -94,55 +94,27 @@ public final class ImageTexture implements Texture<Rgb> {
 
   @Override
   public Rgb at(TexturePoint p) {
-    boolean finite = Double.isFinite(p.u()) && Double.isFinite(p.v());
-    double column = pixels.width() * (finite ? fraction(p.u()) : 0);
-    double row = pixels.height() * (finite ? fraction(p.v()) : 0);
-    return filter == Filter.NEAREST ? nearest(column, row) : bilinear(column - .5, row - .5);
+    return filter == Filter.NEAREST ? nearest(p) : bilinear(p);
   }
 
-  /** Returns u - floor(u), in [0,1]: of a tiny negative u it rounds to 1. */
-  private static double fraction(double u) {
-    return u - Math.floor(u);
-  }
-
-  private Rgb nearest(double column, double row) {
-    int x = Math.min((int) column, pixels.width() - 1);
-    int y = pixels.height() - 1 - Math.min((int) row, pixels.height() - 1);
+  private Rgb nearest(TexturePoint p) {
+    int x = Texel.column(p, pixels.width());
+    int y = Texel.row(p, pixels.height());
     return new Rgb(tint.r() * texel(x, y, 0), tint.g() * texel(x, y, 1), tint.b() * texel(x, y, 2));
   }
 
-  /**
-   * Interpolates between four centres.
-   *
-   * @param column counted from the centre of the left column, in [-½, width - ½]
-   * @param row counted from the centre of the bottom row, upwards
-   */
-  private Rgb bilinear(double column, double row) {
-    int width = pixels.width();
-    int height = pixels.height();
-    double left = Math.floor(column);
-    double bottom = Math.floor(row);
-    int x0 = left < 0 ? width - 1 : (int) left;
-    int x1 = x0 + 1 < width ? x0 + 1 : 0;
-    int fromBottom = bottom < 0 ? height - 1 : (int) bottom;
-    int y0 = height - 1 - fromBottom;
-    int y1 = y0 > 0 ? y0 - 1 : height - 1;
-    double s = column - left;
-    double t = row - bottom;
+  private Rgb bilinear(TexturePoint p) {
+    Bilinear around = Bilinear.around(p, pixels.width(), pixels.height());
     return new Rgb(
-        tint.r() * blend(x0, x1, y0, y1, s, t, 0),
-        tint.g() * blend(x0, x1, y0, y1, s, t, 1),
-        tint.b() * blend(x0, x1, y0, y1, s, t, 2));
+        tint.r() * blend(around, 0), tint.g() * blend(around, 1), tint.b() * blend(around, 2));
   }
 
-  private double blend(int x0, int x1, int y0, int y1, double s, double t, int channel) {
-    double lower = mix(texel(x0, y0, channel), texel(x1, y0, channel), s);
-    double upper = mix(texel(x0, y1, channel), texel(x1, y1, channel), s);
-    return mix(lower, upper, t);
-  }
-
-  private static double mix(double a, double b, double t) {
-    return a + t * (b - a);
+  private double blend(Bilinear around, int channel) {
+    return around.blend(
+        texel(around.x0(), around.y0(), channel),
+        texel(around.x1(), around.y0(), channel),
+        texel(around.x0(), around.y1(), channel),
+        texel(around.x1(), around.y1(), channel));
   }
 
   private double texel(int x, int y, int channel) {

@@ -489,17 +489,4 @@ class SceneParserTest {
                 scene(json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}"), assets)))
         .hasMessage("scene.json: $.assets[0]" + json(message));
   }
-
-  @Test
-  void texturesThatCannotBeMadeYetAreTold() {
-    String assets =
-        json(
-            "{'id': 2, 'assetType': 'Material', 'materialType': 'Diffuse', 'colorTextureId': 3},"
-                + "{'id': 3, 'assetType': 'Texture', 'textureType': 'Cloud'}");
-    assertThat(
-            fixture.refusal(
-                scene(json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}"), assets)))
-        .hasMessage(
-            "scene.json: $.assets[1].textureType: Cloud is not supported yet; supported: Image");
-  }
 }

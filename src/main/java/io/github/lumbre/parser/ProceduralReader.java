@@ -1,0 +1,58 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.sampling.Hash;
+import io.github.lumbre.texture.CloudTexture;
+import io.github.lumbre.texture.MarbleTexture;
+import io.github.lumbre.texture.TexelTexture;
+import io.github.lumbre.texture.VoronoiTexture;
+import io.github.lumbre.texture.WoodTexture;
+
+/** Reads the textures that are computed. */
+final class ProceduralReader {
+  private static final int DEFAULT_SIDE = 1000;
+
+  private final long seed;
+
+  /**
+   * @param seed from which everything random in the textures follows, together with their ids
+   */
+  ProceduralReader(long seed) {
+    this.seed = seed;
+  }
+
+  TexelTexture wood(JsonNode texture) {
+    double rings = texture.number("rings", 10, Range.NOT_NEGATIVE);
+    return new WoodTexture(seedOf(texture), width(texture), height(texture), rings);
+  }
+
+  TexelTexture marble(JsonNode texture) {
+    return new MarbleTexture(seedOf(texture), width(texture), height(texture));
+  }
+
+  TexelTexture cloud(JsonNode texture) {
+    double density = texture.number("density", 128, Range.FROM_ONE);
+    return new CloudTexture(seedOf(texture), width(texture), height(texture), density);
+  }
+
+  TexelTexture voronoi(JsonNode texture) {
+    return new VoronoiTexture(
+        seedOf(texture),
+        width(texture),
+        height(texture),
+        texture.integer("samples", 10, 1, VoronoiTexture.MAX_SAMPLES),
+        texture.flag("blackAndWhite", false));
+  }
+
+  private static int width(JsonNode texture) {
+    return texture.integer("width", DEFAULT_SIDE, 1, TexelTexture.MAX_SIDE);
+  }
+
+  private static int height(JsonNode texture) {
+    return texture.integer("height", DEFAULT_SIDE, 1, TexelTexture.MAX_SIDE);
+  }
+
+  /** Textures of one scene differ by their ids, and those of one id by the scene's seed. */
+  private long seedOf(JsonNode texture) {
+    return Hash.of(Hash.mix(seed), texture.id("id").orElseThrow());
+  }
+}

@@ -1,0 +1,42 @@
+package io.github.lumbre.texture;
+
+/**
+ * The four texels around a point of a texture that repeats, and where between their centres it is.
+ *
+ * @param x0 column of the left two, counted from the left
+ * @param x1 column of the right two
+ * @param y0 row of the lower two, counted from the <b>top</b>
+ * @param y1 row of the upper two
+ * @param s share of the right two, in [0,1]
+ * @param t share of the upper two, in [0,1]
+ */
+record Bilinear(int x0, int x1, int y0, int y1, double s, double t) {
+  /** Returns what surrounds a point; one that is not finite counts as (0, 0). */
+  static Bilinear around(TexturePoint p, int width, int height) {
+    boolean finite = Texel.isFinite(p);
+    // Count from the centres of the left column and the bottom row.
+    double column = width * (finite ? Texel.fraction(p.u()) : 0) - .5;
+    double row = height * (finite ? Texel.fraction(p.v()) : 0) - .5;
+    double left = Math.floor(column);
+    double bottom = Math.floor(row);
+    int x0 = left < 0 ? width - 1 : (int) left;
+    int y0 = bottom < 0 ? 0 : height - 1 - (int) bottom;
+    return new Bilinear(
+        x0,
+        x0 + 1 < width ? x0 + 1 : 0,
+        y0,
+        y0 > 0 ? y0 - 1 : height - 1,
+        column - left,
+        row - bottom);
+  }
+
+  /** Returns the interpolated value of four: lower left, lower right, upper left, upper right. */
+  double blend(double v00, double v10, double v01, double v11) {
+    return mix(mix(v00, v10, s), mix(v01, v11, s), t);
+  }
+
+  /** Returns a + t (b - a). */
+  static double mix(double a, double b, double t) {
+    return a + t * (b - a);
+  }
+}

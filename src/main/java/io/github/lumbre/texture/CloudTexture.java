@@ -1,0 +1,37 @@
+package io.github.lumbre.texture;
+
+import io.github.lumbre.image.Rgb;
+
+/** Clouds: turbulence from the blue of the sky to white. */
+public final class CloudTexture implements TexelTexture {
+  private static final double GREEN_OF_SKY = .753;
+  private static final double GREEN_OF_CLOUDS = .247;
+
+  private final Texels thickness;
+
+  /**
+   * @param seed everything random follows from it
+   * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
+   * @param height likewise
+   * @param density size of the largest clouds in texels, finite and ≥ 1
+   */
+  public CloudTexture(long seed, int width, int height, double density) {
+    thickness = new Texels(width, height, new Noise(seed, width, height, density)::turbulence);
+  }
+
+  @Override
+  public int width() {
+    return thickness.width();
+  }
+
+  @Override
+  public int height() {
+    return thickness.height();
+  }
+
+  @Override
+  public Rgb texel(int column, int row) {
+    double t = thickness.at(column, row);
+    return new Rgb(t, GREEN_OF_SKY + GREEN_OF_CLOUDS * t, 1);
+  }
+}

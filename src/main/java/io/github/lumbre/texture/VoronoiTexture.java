@@ -1,0 +1,81 @@
+package io.github.lumbre.texture;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.sampling.Hash;
+
+/**
+ * The Voronoi diagram of random points, each with a random colour. The points are stratified: the
+ * texture is cut into as many parts of equal area as there are points, each part holding one.
+ */
+public final class VoronoiTexture implements TexelTexture {
+  public static final int MAX_SAMPLES = 1_000_000;
+
+  /** Hash numbers of a sample: two for its place, three for its colour. */
+  private static final int NUMBERS = 5;
+
+  private final long seed;
+  private final boolean blackAndWhite;
+  private final ToroidalSites sites;
+  private final Texels nearest;
+
+  /**
+   * @param seed everything random follows from it
+   * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
+   * @param height likewise
+   * @param samples how many cells, 1 to {@value #MAX_SAMPLES}
+   * @param blackAndWhite whether the colours are greys
+   */
+  public VoronoiTexture(long seed, int width, int height, int samples, boolean blackAndWhite) {
+    Texels.requireSize(width, height);
+    if (samples < 1 || samples > MAX_SAMPLES) {
+      throw new IllegalArgumentException(
+          "samples: expected 1 to " + MAX_SAMPLES + ", found " + samples);
+    }
+    this.seed = seed;
+    this.blackAndWhite = blackAndWhite;
+    sites = stratified(width, height, samples);
+    nearest = new Texels(width, height, (i, j) -> sites.nearest(i + .5, j + .5));
+  }
+
+  /**
+   * Returns one point in each of the parts: bands as high as the share of the samples they get, cut
+   * into equal pieces.
+   */
+  private ToroidalSites stratified(int width, int height, int samples) {
+    double[] x = new double[samples];
+    double[] y = new double[samples];
+    double ideal = Math.rint(Math.sqrt((double) samples * height / width));
+    int bands = (int) Math.max(1, Math.min(samples, ideal));
+    for (int band = 0; band < bands; band++) {
+      int first = (int) ((long) samples * band / bands);
+      int end = (int) ((long) samples * (band + 1) / bands);
+      for (int i = first; i < end; i++) {
+        x[i] = (i - first + random(i, 0)) / (end - first) * width;
+        y[i] = (first + (end - first) * random(i, 1)) / samples * height;
+      }
+    }
+    return new ToroidalSites(x, y, width, height);
+  }
+
+  private double random(int sample, int number) {
+    return Hash.unit(Hash.of(seed, (long) NUMBERS * sample + number));
+  }
+
+  @Override
+  public int width() {
+    return nearest.width();
+  }
+
+  @Override
+  public int height() {
+    return nearest.height();
+  }
+
+  @Override
+  public Rgb texel(int column, int row) {
+    int cell = (int) nearest.at(column, row);
+    return blackAndWhite
+        ? Rgb.grey(random(cell, 2))
+        : new Rgb(random(cell, 2), random(cell, 3), random(cell, 4));
+  }
+}
