@@ -42,7 +42,11 @@ class EmbeddingIT {
   @Test
   void moduleNeedsGsonAlone() throws IOException, URISyntaxException {
     List<String> needed =
-        ModuleFinder.of(library()).find("io.github.lumbre").orElseThrow().descriptor().requires()
+        ModuleFinder.of(library())
+            .find("io.github.lumbre")
+            .orElseThrow()
+            .descriptor()
+            .requires()
             .stream()
             .filter(r -> !r.modifiers().contains(Requires.Modifier.STATIC))
             .map(Requires::name)
@@ -77,10 +81,7 @@ class EmbeddingIT {
     int result =
         ToolProvider.findFirst("javac")
             .orElseThrow()
-            .run(
-                writer,
-                writer,
-                Stream.concat(options, Stream.of(args)).toArray(String[]::new));
+            .run(writer, writer, Stream.concat(options, Stream.of(args)).toArray(String[]::new));
     assertThat(result).as(messages.toString()).isZero();
   }
 

@@ -94,7 +94,9 @@ final class FlagConverters {
         .orElseThrow(
             () -> {
               String names =
-                  Arrays.stream(values).map(FlagConverters::lower).collect(Collectors.joining(", "));
+                  Arrays.stream(values)
+                      .map(FlagConverters::lower)
+                      .collect(Collectors.joining(", "));
               return unexpected("one of " + names, text);
             });
   }

@@ -65,8 +65,7 @@ final class PictureOutput implements AutoCloseable {
       ImageWriter.write(image, file, options);
     } catch (IOException e) {
       String failure = target() + ": cannot be written: " + e.getMessage();
-      throw new CommandException(
-          ExitCodes.OUTPUT, failure + "; " + rescue(image, options), e);
+      throw new CommandException(ExitCodes.OUTPUT, failure + "; " + rescue(image, options), e);
     }
   }
 

@@ -44,7 +44,7 @@ final class ProgressBarDisplay implements ProgressDisplay {
     return line.substring(0, Math.min(line.length(), Math.max(width, 0)));
   }
 
-  /** Returns {@code 42 % [=====>     ]  1.5 M samples/s, 0:00:12 left}. */
+  /** Returns {@code 42 % [=====> ] 1.5 M samples/s, 0:00:12 left}. */
   static String line(long done, long total, Duration elapsed) {
     double fraction = total == 0 ? 1 : Math.min(1, (double) done / total);
     double seconds = elapsed.toNanos() * 1e-9;

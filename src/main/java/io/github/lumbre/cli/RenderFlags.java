@@ -104,8 +104,7 @@ final class RenderFlags {
   private void require(String flag, int low, int high, int found) {
     if (found < low || found > high) {
       throw new ParameterException(
-          spec.commandLine(),
-          flag + ": expected " + low + " to " + high + ", found " + found);
+          spec.commandLine(), flag + ": expected " + low + " to " + high + ", found " + found);
     }
   }
 

@@ -87,8 +87,7 @@ final class Summary {
   void printIfDark(Messages messages) {
     boolean isFixed = settings.exposure().stops().isPresent();
     if (isFixed && result.complete() && isDark()) {
-      messages.line(
-          "hint: 99 % of the picture is darker than " + DARK + "; try --exposure auto");
+      messages.line("hint: 99 % of the picture is darker than " + DARK + "; try --exposure auto");
     }
   }
 

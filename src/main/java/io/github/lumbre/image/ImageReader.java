@@ -115,7 +115,6 @@ public final class ImageReader {
     }
     String reason = cause.getMessage() == null ? "" : ": " + cause.getMessage();
     String damage = cause instanceof EOFException ? " ends too early" : " is damaged" + reason;
-    return new ImageFormatException(
-        ImageFormatException.Kind.MALFORMED, format + damage, thrown);
+    return new ImageFormatException(ImageFormatException.Kind.MALFORMED, format + damage, thrown);
   }
 }

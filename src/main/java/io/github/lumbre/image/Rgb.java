@@ -1,6 +1,8 @@
 package io.github.lumbre.image;
 
-/** A linear colour: a radiance, an irradiance, a reflectance or a weight, component by component. */
+/**
+ * A linear colour: a radiance, an irradiance, a reflectance or a weight, component by component.
+ */
 public record Rgb(double r, double g, double b) {
   public static final Rgb BLACK = new Rgb(0, 0, 0);
   public static final Rgb WHITE = new Rgb(1, 1, 1);
@@ -23,7 +25,9 @@ public record Rgb(double r, double g, double b) {
 
   /** Returns each component, but at most 1. */
   public Rgb clampedToOne() {
-    return r <= 1 && g <= 1 && b <= 1 ? this : new Rgb(Math.min(r, 1), Math.min(g, 1), Math.min(b, 1));
+    return r <= 1 && g <= 1 && b <= 1
+        ? this
+        : new Rgb(Math.min(r, 1), Math.min(g, 1), Math.min(b, 1));
   }
 
   /** Returns the relative luminance, by the weights of ITU-R BT.709. */

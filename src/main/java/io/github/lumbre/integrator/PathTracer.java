@@ -173,8 +173,7 @@ public final class PathTracer implements Integrator {
     Optional<LightSample> drawn =
         emitters
             .get(chosen)
-            .sample(
-                vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
+            .sample(vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
     if (drawn.isEmpty()) {
       return Rgb.BLACK;
     }
@@ -187,8 +186,7 @@ public final class PathTracer implements Integrator {
       return scattered.times(1 / probability);
     }
     double lightPdf = probability * light.pdf();
-    return scattered.times(
-        strategy.lightWeight(lightPdf, vertex.pdf(light.wi())) / lightPdf);
+    return scattered.times(strategy.lightWeight(lightPdf, vertex.pdf(light.wi())) / lightPdf);
   }
 
   private static Rgb emitted(Emission emission, SurfaceHit surface) {

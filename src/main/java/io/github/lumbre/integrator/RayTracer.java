@@ -163,7 +163,10 @@ public final class RayTracer implements Integrator {
     double reflected = glass.reflected(vertex.wo());
     Vec3 mirror = new Vec3(-vertex.wo().x(), -vertex.wo().y(), vertex.wo().z());
     pushGlass(
-        branch, vertex, vertex.frame().toWorld(mirror), glass.reflectance().times(reflected),
+        branch,
+        vertex,
+        vertex.frame().toWorld(mirror),
+        glass.reflectance().times(reflected),
         pending);
     if (reflected < 1) {
       pushGlass(

@@ -53,7 +53,8 @@ record Vertex(SurfaceHit surface, Frame frame, Bsdf bsdf, Vec3 wo) {
   }
 
   private boolean isConsistent(Vec3 wi, Vec3 local) {
-    return wi.dot(surface.geometricNormal()) * (local.z() * wo.z())
+    return wi.dot(surface.geometricNormal())
+            * (local.z() * wo.z())
             * surface.wo().dot(surface.geometricNormal())
         > 0;
   }

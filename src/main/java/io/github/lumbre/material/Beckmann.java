@@ -23,8 +23,7 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
     }
     double cos2 = m.z() * m.z();
     double tan2 = (m.x() * m.x() + m.y() * m.y()) / cos2;
-    return Elementary.exp(-tan2 / (alpha * alpha))
-        / (Math.PI * alpha * alpha * cos2 * cos2);
+    return Elementary.exp(-tan2 / (alpha * alpha)) / (Math.PI * alpha * alpha * cos2 * cos2);
   }
 
   /** Λ(a) = exp(−a²) / (2a√π) − erfc(a) / 2, a = 1 / (α tan θ) (Heitz 2014, eq. 77). */
@@ -35,8 +34,7 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
     if (a > STEEPEST) {
       return 0;
     }
-    return Math.max(
-        0, .5 * Elementary.exp(-a * a) * (INV_SQRT_PI / a - Elementary.erfcScaled(a)));
+    return Math.max(0, .5 * Elementary.exp(-a * a) * (INV_SQRT_PI / a - Elementary.erfcScaled(a)));
   }
 
   /** Stretches the surface to α = 1, draws the two slopes, and shrinks it back (Heitz 2014). */

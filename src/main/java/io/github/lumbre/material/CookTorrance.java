@@ -37,8 +37,7 @@ public record CookTorrance(
 
   @Override
   public Bsdf at(SurfaceHit hit) {
-    Reflectances colours =
-        Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
+    Reflectances colours = Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
     double alpha = roughness.at(hit.texture());
     double index = ior.at(hit.texture());
     return colours.with(

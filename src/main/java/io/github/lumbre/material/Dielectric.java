@@ -12,17 +12,7 @@ import io.github.lumbre.math.Vec3;
  * @param transmittance tints what passes, each component in [0,1]
  * @param ior index of refraction inside over the one outside, in [1e-150, 1e150]
  */
-public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements Bsdf {
-  @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return Rgb.BLACK;
-  }
-
-  @Override
-  public double pdf(Vec3 wo, Vec3 wi) {
-    return 0;
-  }
-
+public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements SpecularBsdf {
   @Override
   public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
     double fresnel = reflected(wo);
@@ -36,11 +26,6 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
         ? BsdfSample.specular(
             SpecularReflection.reflect(wo), reflectance.times(fresnel / probability))
         : BsdfSample.specular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
-  }
-
-  @Override
-  public boolean isSpecular() {
-    return true;
   }
 
   /** Returns the share of light from wo that is reflected, tint aside. */

@@ -11,28 +11,13 @@ import io.github.lumbre.math.Vec3;
  * @param specular tints the reflection, each component in [0,1]
  * @param ior index of refraction, &gt; 0
  */
-record FresnelMirror(Rgb specular, double ior) implements Lobe {
-  @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return Rgb.BLACK;
-  }
-
-  @Override
-  public double pdf(Vec3 wo, Vec3 wi) {
-    return 0;
-  }
-
+record FresnelMirror(Rgb specular, double ior) implements SpecularBsdf, Lobe {
   @Override
   public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
     Rgb weight = specular.times(Fresnel.dielectric(Math.abs(wo.z()), ior));
     return weight.isBlack()
         ? BsdfSample.ABSORBED
         : BsdfSample.specular(SpecularReflection.reflect(wo), weight);
-  }
-
-  @Override
-  public boolean isSpecular() {
-    return true;
   }
 
   @Override

@@ -23,8 +23,7 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
 
   @Override
   public Bsdf at(SurfaceHit hit) {
-    Reflectances colours =
-        Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
+    Reflectances colours = Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
     return colours.with(new PhongLobe(colours.specular(), exponent.at(hit.texture())));
   }
 }

@@ -44,8 +44,7 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
     double logCos = Elementary.log1p(-u.x()) / (exponent + 1);
     double cos = Elementary.exp(logCos);
     double sin = Math.sqrt(-Elementary.expm1(2 * logCos));
-    Vec3 around =
-        new Vec3(sin * Elementary.cosTurns(u.y()), sin * Elementary.sinTurns(u.y()), cos);
+    Vec3 around = new Vec3(sin * Elementary.cosTurns(u.y()), sin * Elementary.sinTurns(u.y()), cos);
     Vec3 wi = Frame.around(SpecularReflection.reflect(wo)).toWorld(around).normalized();
     double pdf = pdf(wo, wi);
     if (!(pdf > 0)) {

@@ -14,8 +14,7 @@ import io.github.lumbre.math.Vec3;
  * @param ior index of refraction inside over the one outside, &gt; 0 and not 1
  */
 public record RoughDielectric(
-    Rgb reflectance, Rgb transmittance, double ior, MicrofacetDistribution facets)
-    implements Bsdf {
+    Rgb reflectance, Rgb transmittance, double ior, MicrofacetDistribution facets) implements Bsdf {
   @Override
   public Rgb eval(Vec3 wo, Vec3 wi) {
     Vec3 m = facetBetween(wo, wi);

@@ -9,25 +9,10 @@ import io.github.lumbre.math.Vec3;
  *
  * @param reflectance share of light reflected, each component in [0,1]
  */
-public record SpecularReflection(Rgb reflectance) implements Bsdf {
-  @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return Rgb.BLACK;
-  }
-
-  @Override
-  public double pdf(Vec3 wo, Vec3 wi) {
-    return 0;
-  }
-
+public record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   @Override
   public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
     return BsdfSample.specular(reflect(wo), reflectance);
-  }
-
-  @Override
-  public boolean isSpecular() {
-    return true;
   }
 
   /** Returns the mirror direction in the local frame. */

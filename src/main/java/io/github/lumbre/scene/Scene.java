@@ -15,8 +15,8 @@ import java.util.Map;
 /**
  * The world: complete, immutable, and shared by all threads. Built by {@link SceneBuilder}.
  *
- * <p>Two lists of lights: {@link #lights} are those that the scene calls lights, {@link
- * #emitters} add what else shines if all light is followed (glowing surfaces, the background).
+ * <p>Two lists of lights: {@link #lights} are those that the scene calls lights, {@link #emitters}
+ * add what else shines if all light is followed (glowing surfaces, the background).
  */
 public final class Scene {
   private final Camera camera;
@@ -26,6 +26,7 @@ public final class Scene {
   private final List<Light> emitters;
   private final List<EnvironmentLight> environments;
   private final Rgb ambient;
+
   /** The index among the emitters of each primitive that is one. */
   private final int[] emitterOfPrimitive;
 

@@ -75,7 +75,9 @@ class RenderCommandTest {
     for (String mode : List.of("path", "ray")) {
       String shallow = statistic(render(TinyScene.JSON, "--mode", mode, "--depth", "0", "--stats"));
       String deep = statistic(render(TinyScene.JSON, "--mode", mode, "--depth", "9", "--stats"));
-      assertThat(shallow).as(mode).isEqualTo("rays         " + 16 * 12 * (mode.equals("ray") ? 4 : 2));
+      assertThat(shallow)
+          .as(mode)
+          .isEqualTo("rays         " + 16 * 12 * (mode.equals("ray") ? 4 : 2));
       assertThat(deep).as(mode).isNotEqualTo(shallow);
     }
   }
@@ -92,8 +94,7 @@ class RenderCommandTest {
     BufferedImage part = ImageIO.read(picture().toFile());
     assertThat(part.getWidth()).isEqualTo(8);
     assertThat(part.getHeight()).isEqualTo(4);
-    assertThat(part.getRGB(0, 0, 8, 4, null, 0, 8))
-        .isEqualTo(full.getRGB(3, 5, 8, 4, null, 0, 8));
+    assertThat(part.getRGB(0, 0, 8, 4, null, 0, 8)).isEqualTo(full.getRGB(3, 5, 8, 4, null, 0, 8));
     assertThat(bytes()).contains("Size\00016x12", "Crop\0003,5,8,4");
   }
 

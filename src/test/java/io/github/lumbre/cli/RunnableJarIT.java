@@ -53,7 +53,11 @@ class RunnableJarIT {
         bad("NaN", exchanged("\"radius\": 1", "\"radius\": NaN"), ExitCodes.SCENE, "tiny.json"),
         bad("1e400", exchanged("\"radius\": 1", "\"radius\": 1e400"), ExitCodes.SCENE, "radius"),
         bad("dangling id", exchanged("\"materialID\": 2", "\"materialID\": 77"), 3, "77"),
-        bad("no camera", exchanged("\"mainCameraId\": 1", "\"mainCameraId\": 9"), 3, "mainCameraId"),
+        bad(
+            "no camera",
+            exchanged("\"mainCameraId\": 1", "\"mainCameraId\": 9"),
+            3,
+            "mainCameraId"),
         bad("singular", exchanged("\"radius\": 1", "\"localScale\": {\"x\": 0}"), 3, "singular"),
         bad("width 0", exchanged("\"width\": 16", "\"width\": 0"), ExitCodes.SCENE, "width"),
         bad("samples 0", exchanged("\"samples\": 2", "\"samples\": 0"), 3, "samples"),

@@ -19,12 +19,9 @@ class SummaryTest {
   private static final RenderSettings SETTINGS =
       new RenderSettings.Builder().size(4, 2).samples(10).seed(5).build();
 
-
   private static Summary summary(boolean complete, List<RejectedSample> rejected) {
-    RenderStatistics statistics =
-        new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0);
-    return new Summary(
-        SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2);
+    RenderStatistics statistics = new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0);
+    return new Summary(SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2);
   }
 
   private static String lines(Consumer<Messages> print) {

@@ -7,8 +7,8 @@ import io.github.lumbre.sampling.SobolSampler;
 import java.util.Arrays;
 
 /**
- * The mean radiance along one ray, from independent replicates. Samples of one pixel are
- * stratified and so not independent; the pixels are, and each is one replicate.
+ * The mean radiance along one ray, from independent replicates. Samples of one pixel are stratified
+ * and so not independent; the pixels are, and each is one replicate.
  *
  * @param mean of the red component
  * @param error standard error of the mean
@@ -32,7 +32,8 @@ record Estimate(double mean, double error) {
         sampler.startSample(replicate, 7, sample);
         Rgb radiance = integrator.radiance(ray, sampler, scratch);
         if (!(radiance.r() >= 0) || !radiance.isFinite()) {
-          throw new AssertionError("replicate " + replicate + ", sample " + sample + ": " + radiance);
+          throw new AssertionError(
+              "replicate " + replicate + ", sample " + sample + ": " + radiance);
         }
         values[replicate] += radiance.r() / samplesEach;
       }
@@ -42,8 +43,10 @@ record Estimate(double mean, double error) {
     return new Estimate(mean, Math.sqrt(squares / REPLICATES / (REPLICATES - 1)));
   }
 
-  /** Returns the distance to a reference in standard errors; 1e-11 of it, which rounding and events
-   * too rare for any sample explain, counts as none. */
+  /**
+   * Returns the distance to a reference in standard errors; 1e-11 of it, which rounding and events
+   * too rare for any sample explain, counts as none.
+   */
   double z(double reference) {
     double distance = Math.abs(mean - reference);
     return distance <= 1e-11 * Math.abs(reference) ? 0 : distance / error;

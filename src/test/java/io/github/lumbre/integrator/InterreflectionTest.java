@@ -36,15 +36,23 @@ class InterreflectionTest {
   /** A point light of intensity π in the centre of a unit sphere: L = ρ (1−ρᴺ) / (1−ρ). */
   @ParameterizedTest
   @CsvSource({
-    ".2, 1", ".2, 2", ".2, 5", ".5, 1", ".5, 2", ".5, 3", ".5, 5", ".5, 10", ".8, 5", ".8, 10",
-    ".8, 50", ".9, 50", ".95, 100",
+    ".2, 1",
+    ".2, 2",
+    ".2, 5",
+    ".5, 1",
+    ".5, 2",
+    ".5, 3",
+    ".5, 5",
+    ".5, 10",
+    ".8, 5",
+    ".8, 10",
+    ".8, 50",
+    ".9, 50",
+    ".95, 100",
   })
   void integratingSphereIsTruncatedAtTheDepth(double albedo, int depth) {
     Scene scene =
-        empty()
-            .add(sphere(0, 0, 0, 1), matte(albedo))
-            .add(point(Vec3.ZERO, Math.PI))
-            .build();
+        empty().add(sphere(0, 0, 0, 1), matte(albedo)).add(point(Vec3.ZERO, Math.PI)).build();
     double expected = albedo * (1 - Math.pow(albedo, depth)) / (1 - albedo);
 
     Estimate estimate = Estimate.of(new PathTracer(scene, depth), FROM_THE_CENTRE, 512);
@@ -58,16 +66,12 @@ class InterreflectionTest {
   @CsvSource({"0, 1, 0, 2.5", "0, -1, 0, .7222222222", "1, 0, 0, .8577708764"})
   void integratingSphereSpreadsAnOffCentreLight(double x, double y, double z, double expected) {
     Scene scene =
-        empty()
-            .add(sphere(0, 0, 0, 1), matte(.5))
-            .add(point(new Vec3(0, .5, 0), Math.PI))
-            .build();
+        empty().add(sphere(0, 0, 0, 1), matte(.5)).add(point(new Vec3(0, .5, 0), Math.PI)).build();
     Vec3 target = new Vec3(x, y, z);
     Vec3 eye = new Vec3(.2, .1, .3);
 
     Estimate estimate =
-        Estimate.of(
-            new PathTracer(scene, 200), new Ray(eye, target.minus(eye).normalized()), 1024);
+        Estimate.of(new PathTracer(scene, 200), new Ray(eye, target.minus(eye).normalized()), 1024);
 
     assertThat(estimate.error()).isLessThan(2e-3 * expected);
     assertThat(estimate.z(expected)).isLessThan(Estimate.CRITICAL);
@@ -75,8 +79,7 @@ class InterreflectionTest {
 
   @Test
   void depthZeroShowsEmittersOnly() {
-    Scene scene =
-        empty().add(floor(), matte(.5)).addLamp(ceilingLamp(1, 1, 1), glow(3)).build();
+    Scene scene = empty().add(floor(), matte(.5)).addLamp(ceilingLamp(1, 1, 1), glow(3)).build();
 
     assertThat(radianceOnce(scene, 0, lookingDownAt(0))).isZero();
     assertThat(radianceOnce(scene, 0, new Ray(new Vec3(0, .5, 0), Vec3.Y))).isEqualTo(3);
@@ -116,15 +119,10 @@ class InterreflectionTest {
   @ParameterizedTest
   @CsvSource({"1, .04", "2, .9616", "3, .998464", "4, .99993856"})
   void glassSphereUnderADomeAddsUpItsReflections(int events, double expected) {
-    Scene scene =
-        empty()
-            .add(sphere(0, 0, 5, 1), glass(1.5))
-            .addBackground(Rgb.WHITE)
-            .build();
+    Scene scene = empty().add(sphere(0, 0, 5, 1), glass(1.5)).addBackground(Rgb.WHITE).build();
     Ray central = new Ray(Vec3.ZERO, Vec3.Z);
 
-    Rgb whitted =
-        new RayTracer(scene, 0, events).radiance(central, sampler(), new Scratch());
+    Rgb whitted = new RayTracer(scene, 0, events).radiance(central, sampler(), new Scratch());
     Estimate path = Estimate.of(new PathTracer(scene, events), central, 1024);
 
     assertThat(whitted.r()).isCloseTo(expected, within(1e-12));
@@ -145,17 +143,16 @@ class InterreflectionTest {
             .build();
     PathTracer tracer = new PathTracer(scene, 2000);
 
-    for (Vec3 eye : new Vec3[] {new Vec3(.3, .2, -4), new Vec3(.1, .02, .1), new Vec3(0, -.1, -.3)}) {
-      Estimate estimate =
-          Estimate.of(tracer, new Ray(eye, new Vec3(.05, .02, 1).normalized()), 16);
+    for (Vec3 eye :
+        new Vec3[] {new Vec3(.3, .2, -4), new Vec3(.1, .02, .1), new Vec3(0, -.1, -.3)}) {
+      Estimate estimate = Estimate.of(tracer, new Ray(eye, new Vec3(.05, .02, 1).normalized()), 16);
       assertThat(estimate.mean()).isCloseTo(1, within(ior == 2.4 ? 1e-3 : 1e-9));
     }
   }
 
   @Test
   void glassOfIndexOneIsInvisible() {
-    SceneBuilder builder =
-        empty().add(floor(), matte(.7)).addLamp(ceilingLamp(4, 4, 4), glow(1));
+    SceneBuilder builder = empty().add(floor(), matte(.7)).addLamp(ceilingLamp(4, 4, 4), glow(1));
     Ray ray = new Ray(new Vec3(.3, 2, .1), new Vec3(.05, -1, .03).normalized());
     Estimate without = Estimate.of(new PathTracer(builder.build(), 1), ray, 256);
     builder.add(sphere(.4, 1.2, .1, .5), glass(1));
@@ -174,7 +171,10 @@ class InterreflectionTest {
   void cubeIsLitByOneOfItsFaces(double nx, double ny, double nz, double expected) {
     SceneBuilder builder = empty();
     Vec3[] turns = {
-      new Vec3(180, 0, 0), new Vec3(0, 0, 90), new Vec3(0, 0, -90), new Vec3(90, 0, 0),
+      new Vec3(180, 0, 0),
+      new Vec3(0, 0, 90),
+      new Vec3(0, 0, -90),
+      new Vec3(90, 0, 0),
       new Vec3(-90, 0, 0),
     };
     for (Vec3 turn : turns) {
@@ -196,9 +196,7 @@ class InterreflectionTest {
     int n = 16;
     for (int i = 0; i < n * n; i++) {
       Vec3 onFace =
-          normal.times(.5 - 1e-6)
-              .plus((i % n + .5) / n - .5, u)
-              .plus((i / n + .5) / n - .5, v);
+          normal.times(.5 - 1e-6).plus((i % n + .5) / n - .5, u).plus((i / n + .5) / n - .5, v);
       Estimate estimate = Estimate.of(tracer, new Ray(onFace, normal), 32, i);
       sum += estimate.mean() / (n * n);
       variance += estimate.error() * estimate.error() / Math.pow(n, 4);
@@ -253,8 +251,7 @@ class InterreflectionTest {
 
   @Test
   void ambientLightReachesDiffuseSurfacesAtEveryBounce() {
-    Scene scene =
-        empty().add(sphere(0, 0, 0, 1), matte(.5)).addAmbient(Rgb.grey(Math.PI)).build();
+    Scene scene = empty().add(sphere(0, 0, 0, 1), matte(.5)).addAmbient(Rgb.grey(Math.PI)).build();
 
     assertThat(radianceOnce(scene, 1, FROM_THE_CENTRE)).isCloseTo(.5, within(1e-15));
     assertThat(radianceOnce(scene, 3, FROM_THE_CENTRE)).isCloseTo(.875, within(1e-15));

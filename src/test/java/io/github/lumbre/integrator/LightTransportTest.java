@@ -97,8 +97,7 @@ class LightTransportTest {
     "1e-3, 1, 0, 3.14159265358979e-6",
   })
   void sphereLightsAPlane(double radius, double distance, double tilt, double irradiance) {
-    Vec3 centre =
-        turned(tilt, 0, 0).vector(new Vec3(0, distance, 0));
+    Vec3 centre = turned(tilt, 0, 0).vector(new Vec3(0, distance, 0));
     Scene scene =
         empty()
             .add(floor(), matte(ALBEDO))
@@ -209,12 +208,10 @@ class LightTransportTest {
     Shape blocker = sphere(.7, .5, 0, .2);
     List<Estimate> estimates = new ArrayList<>();
     for (int mask = 1; mask <= 3; mask++) {
-      SceneBuilder builder =
-          empty().add(floor(), matte(ALBEDO)).add(blocker, matte(ALBEDO));
+      SceneBuilder builder = empty().add(floor(), matte(ALBEDO)).add(blocker, matte(ALBEDO));
       builder.addLamp(first, glow((mask & 1) == 0 ? 0 : 1));
       builder.addLamp(second, glow((mask & 2) == 0 ? 0 : 2));
-      estimates.add(
-          Estimate.of(new PathTracer(builder.build(), 3), lookingDownAt(.2), 1024, mask));
+      estimates.add(Estimate.of(new PathTracer(builder.build(), 3), lookingDownAt(.2), 1024, mask));
     }
     Estimate sum =
         new Estimate(
@@ -242,8 +239,7 @@ class LightTransportTest {
   @EnumSource(Strategy.class)
   void everyStrategyHasTheSameMean(Strategy strategy) {
     // A large near lamp, a small one, a dome and a glowing box; part of each is hidden.
-    Shape box =
-        new Box(at(-1, .3, .4).times(turned(10, 20, 30)), .3, .2, .4);
+    Shape box = new Box(at(-1, .3, .4).times(turned(10, 20, 30)), .3, .2, .4);
     Scene scene =
         empty()
             .add(floor(), matte(ALBEDO))
@@ -264,7 +260,8 @@ class LightTransportTest {
 
   @Test
   void transformedLampsKeepTheirEmissionAndGrowInArea() {
-    Transform twice = at(0, 1, 0).times(turned(180, 0, 0)).times(Transform.scale(new Vec3(2, 1, 2)));
+    Transform twice =
+        at(0, 1, 0).times(turned(180, 0, 0)).times(Transform.scale(new Vec3(2, 1, 2)));
     Scene scene =
         empty()
             .add(floor(), matte(ALBEDO))

@@ -182,8 +182,7 @@ class MaterialReaderTest {
     Ray up = new Ray(new Vec3(0, -1, 0), Vec3.Y);
     String plane = "{'type': 'Shape', 'shapeType': 'Plane'";
     assertThat(shapes(plane + "}", "").intersect(up, new NearestHit())).isFalse();
-    assertThat(shapes(plane + ", 'twoSided': true}", "").intersect(up, new NearestHit()))
-        .isTrue();
+    assertThat(shapes(plane + ", 'twoSided': true}", "").intersect(up, new NearestHit())).isTrue();
     assertThat(
             shapes(plane + ", 'finite': true, 'twoSided': true}", "")
                 .intersect(up, new NearestHit()))

@@ -63,8 +63,7 @@ class BucketRendererTest {
   void cropHasTheBitsOfTheFullFrame() throws InterruptedException {
     Image full = new BucketRenderer(small().build()).render(SCENE);
     Image crop =
-        new BucketRenderer(small().crop(new Crop(7, 5, 11, 9)).bucketSize(3).build())
-            .render(SCENE);
+        new BucketRenderer(small().crop(new Crop(7, 5, 11, 9)).bucketSize(3).build()).render(SCENE);
 
     for (int y = 0; y < 9; y++) {
       for (int x = 0; x < 11; x++) {

@@ -1,0 +1,109 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.camera.Aperture;
+import io.github.lumbre.camera.BokehCache;
+import io.github.lumbre.camera.ThinLensCamera;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.Texture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What a lens makes of a small bright ball off the plane of focus, in rendered pictures. */
+class DepthOfFieldTest {
+  private static final int SIZE = 128;
+  private static final double FOV_DEGREES = 10;
+  private static final double FOCUS = 8;
+  private static final double BALL = .06;
+
+  /** Where the light of a picture lies, in pixels from its centre, x right and y up. */
+  private record Spot(double x, double y, double meanSquare, double farthest) {}
+
+  /**
+   * The disc's radius at depth z is a|z − f|/f; uniform, its mean square is half that squared. So
+   * many samples meet the ball that the mean square has a standard error below 1 %.
+   */
+  @ParameterizedTest
+  @CsvSource({".4, 16", ".2, 16", ".1, 16", ".4, 6", ".2, 6", ".1, 6"})
+  void blurGrowsWithTheApertureAndTheDistanceFromFocus(double aperture, double depth)
+      throws InterruptedException {
+    Spot spot = spotOf(Aperture.DISK, aperture, depth);
+    double disc = pixels(aperture * Math.abs(depth - FOCUS) / FOCUS, depth);
+    double ball = pixels(BALL, depth);
+
+    // The ball's own disc and the square of a pixel add their mean squares.
+    double expected = (disc * disc + ball * ball) / 2 + 1 / 6.0;
+    assertThat(spot.meanSquare()).isCloseTo(expected, within(.04 * expected));
+    assertThat(spot.farthest()).isLessThan((disc + ball) * 1.01 + 1);
+    assertThat(spot.x()).isCloseTo(0, within(.05 * disc + .1));
+    assertThat(spot.y()).isCloseTo(0, within(.05 * disc + .1));
+  }
+
+  @Test
+  void maskIsUprightBehindTheFocusAndTurnedBeforeIt() throws InterruptedException {
+    // White is the right quarter of the lens' upper half: a mean of (3/8, 1/4) of its width.
+    boolean[][] white = {{false, false, false, false}, {false, false, false, true}};
+    Aperture mask = new BokehCache(white);
+
+    Spot behind = spotOf(mask, .4, 16);
+    double shift = pixels(.4 * 8 / FOCUS, 16);
+    assertThat(behind.x()).isCloseTo(.375 * shift, within(.03 * shift));
+    assertThat(behind.y()).isCloseTo(.25 * shift, within(.03 * shift));
+
+    Spot before = spotOf(mask, .4, 6);
+    double turned = pixels(.4 * 2 / FOCUS, 6);
+    assertThat(before.x()).isCloseTo(-.375 * turned, within(.03 * turned));
+    assertThat(before.y()).isCloseTo(-.25 * turned, within(.03 * turned));
+  }
+
+  /** Returns a length at a depth in pixels of the film. */
+  private static double pixels(double length, double depth) {
+    return length / (depth * Math.tan(Math.toRadians(FOV_DEGREES / 2))) * SIZE / 2;
+  }
+
+  private static Spot spotOf(Aperture form, double aperture, double depth)
+      throws InterruptedException {
+    Scene scene =
+        Scene.seenBy(
+                new ThinLensCamera(
+                    Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES, FOCUS, aperture, form))
+            .addGlowing(
+                new Sphere(Transform.translation(new Vec3(0, 0, depth)), BALL),
+                new Emission(Texture.constant(Rgb.WHITE), true))
+            .build();
+    RenderSettings settings = new RenderSettings.Builder().size(SIZE, SIZE).samples(256).build();
+    return spot(new BucketRenderer(settings).render(scene));
+  }
+
+  private static Spot spot(Image image) {
+    double light = 0;
+    double sumX = 0;
+    double sumY = 0;
+    double squares = 0;
+    double farthest = 0;
+    for (int row = 0; row < SIZE; row++) {
+      for (int column = 0; column < SIZE; column++) {
+        double value = image.pixel(column, row).r();
+        double x = column + .5 - SIZE / 2.0;
+        double y = SIZE / 2.0 - row - .5;
+        light += value;
+        sumX += value * x;
+        sumY += value * y;
+        squares += value * (x * x + y * y);
+        farthest = value > 0 ? Math.max(farthest, Math.hypot(x, y)) : farthest;
+      }
+    }
+    return new Spot(sumX / light, sumY / light, squares / light, farthest);
+  }
+}
