@@ -8,6 +8,9 @@ final class ExitCodes {
   /** Warnings, and they were to count as errors. */
   static final int WARNINGS = 1;
 
+  /** What was to be compared is not the same. */
+  static final int DIFFERENT = 1;
+
   /** The command line itself is wrong. */
   static final int USAGE = 2;
 

@@ -22,6 +22,8 @@ import picocli.CommandLine.Spec;
     subcommands = {
       RenderCommand.class,
       CheckCommand.class,
+      BenchmarkCommand.class,
+      GalleryCommand.class,
       CompletionCommand.class,
       HelpCommand.class
     },

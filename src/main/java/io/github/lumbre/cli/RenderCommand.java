@@ -8,8 +8,6 @@ import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -139,7 +137,7 @@ final class RenderCommand implements Callable<Integer> {
       return ExitCodes.INTERRUPTED;
     }
     Summary summary = new Summary(settings, result, seconds);
-    Map<String, String> metadata = metadata(file, seconds);
+    Map<String, String> metadata = PictureMetadata.of(options.scene(), file, settings, seconds);
     if (!result.complete()) {
       metadata.put("Partial", summary.progress());
     }
@@ -162,20 +160,5 @@ final class RenderCommand implements Callable<Integer> {
     if (stats) {
       summary.printStatistics(messages);
     }
-  }
-
-  private Map<String, String> metadata(SceneFile file, double seconds) {
-    RenderSettings settings = file.settings();
-    Map<String, String> metadata = new LinkedHashMap<>();
-    metadata.put("Software", "Lumbre " + Version.number());
-    metadata.put("Scene", Messages.printable(String.valueOf(options.scene().getFileName())));
-    metadata.put("SceneHash", file.hash());
-    metadata.put("Mode", FlagConverters.lower(settings.mode()));
-    metadata.put("Samples", String.valueOf(settings.samples()));
-    metadata.put("Seed", String.valueOf(settings.seed()));
-    metadata.put("Size", settings.width() + "x" + settings.height());
-    settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
-    metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
-    return metadata;
   }
 }

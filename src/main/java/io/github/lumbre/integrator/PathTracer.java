@@ -17,7 +17,6 @@ import io.github.lumbre.sampling.Mis;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
-import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -78,7 +77,7 @@ public final class PathTracer implements Integrator {
 
   private final Scene scene;
   private final int maxDepth;
-  private final List<Light> emitters;
+  private final Light[] emitters;
   private final LightSelector selector;
   private final Strategy strategy;
 
@@ -94,8 +93,8 @@ public final class PathTracer implements Integrator {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.maxDepth = maxDepth;
     this.strategy = strategy;
-    emitters = scene.emitters();
-    selector = LightSelector.uniform(Math.max(1, emitters.size()));
+    emitters = scene.emitters().toArray(Light[]::new);
+    selector = LightSelector.uniform(Math.max(1, emitters.length));
   }
 
   @Override
@@ -132,7 +131,7 @@ public final class PathTracer implements Integrator {
       Vertex vertex = Vertex.at(surface, primitive.material());
       int dimension = Sampler.vertex(depth);
       radiance = radiance.plus(throughput.times(ambient(vertex)));
-      if (!vertex.bsdf().isSpecular() && !emitters.isEmpty()) {
+      if (!vertex.bsdf().isSpecular() && emitters.length > 0) {
         radiance = radiance.plus(throughput.times(direct(vertex, sampler, dimension, scratch)));
       }
 
@@ -171,9 +170,8 @@ public final class PathTracer implements Integrator {
     int chosen = selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE));
     double probability = selector.probability(chosen);
     Optional<LightSample> drawn =
-        emitters
-            .get(chosen)
-            .sample(vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
+        emitters[chosen].sample(
+            vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
     if (drawn.isEmpty()) {
       return Rgb.BLACK;
     }
@@ -198,7 +196,7 @@ public final class PathTracer implements Integrator {
     if (emitter < 0 || pdf == Double.POSITIVE_INFINITY) {
       return 1;
     }
-    AreaLight light = (AreaLight) emitters.get(emitter);
+    AreaLight light = (AreaLight) emitters[emitter];
     return strategy.bsdfWeight(
         pdf, selector.probability(emitter) * light.shape().pdf(from, surface));
   }
@@ -209,8 +207,8 @@ public final class PathTracer implements Integrator {
       return scene.background(direction);
     }
     Rgb sum = Rgb.BLACK;
-    for (int i = 0; i < emitters.size(); i++) {
-      if (emitters.get(i) instanceof EnvironmentLight dome) {
+    for (int i = 0; i < emitters.length; i++) {
+      if (emitters[i] instanceof EnvironmentLight dome) {
         double lightPdf = selector.probability(i) * dome.pdf(direction);
         sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
       }

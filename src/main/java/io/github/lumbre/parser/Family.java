@@ -15,7 +15,6 @@ import java.util.Set;
 final class Family<F> {
   private final String typeKey;
   private final Map<String, F> readers = new LinkedHashMap<>();
-  private final Set<String> planned = new LinkedHashSet<>();
   private final Set<String> keys;
 
   /**
@@ -31,13 +30,6 @@ final class Family<F> {
   /** Adds a type and the keys that it knows. */
   Family<F> with(String name, F reader, String... keysOfType) {
     readers.put(name, reader);
-    keys.addAll(Set.of(keysOfType));
-    return this;
-  }
-
-  /** Adds a type that the format has and nobody can read yet. */
-  Family<F> planned(String name, String... keysOfType) {
-    planned.add(name);
     keys.addAll(Set.of(keysOfType));
     return this;
   }
@@ -64,9 +56,7 @@ final class Family<F> {
     if (name.isEmpty()) {
       return Optional.empty();
     }
-    if (planned.contains(name.get())) {
-      node.error(typeKey, name.get() + " is not supported yet; supported: " + names());
-    } else if (!readers.containsKey(name.get())) {
+    if (!readers.containsKey(name.get())) {
       node.error(typeKey, "expected one of " + names() + ", found " + Problems.quoted(name.get()));
     }
     return Optional.ofNullable(readers.get(name.get()));

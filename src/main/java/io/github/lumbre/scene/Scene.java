@@ -21,6 +21,10 @@ import java.util.Map;
 public final class Scene {
   private final Camera camera;
   private final List<Primitive> primitives;
+
+  /** The same, for the inner loop. */
+  private final Primitive[] primitiveOfShape;
+
   private final Bvh bvh;
   private final List<Light> lights;
   private final List<Light> emitters;
@@ -39,6 +43,7 @@ public final class Scene {
       Rgb ambient) {
     this.camera = camera;
     this.primitives = List.copyOf(primitives);
+    primitiveOfShape = this.primitives.toArray(Primitive[]::new);
     this.lights = List.copyOf(lights);
     this.emitters = List.copyOf(emitters);
     this.ambient = ambient;
@@ -94,7 +99,7 @@ public final class Scene {
 
   /** Returns the primitive of a hit that {@link #intersect} found. */
   public Primitive primitiveAt(NearestHit hit) {
-    return primitives.get(hit.shape());
+    return primitiveOfShape[hit.shape()];
   }
 
   /** Returns the surface of a hit that {@link #intersect} found along the same ray. */

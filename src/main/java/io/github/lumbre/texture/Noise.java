@@ -87,7 +87,7 @@ public final class Noise {
     int y0 = y / height;
     double s = (double) (x - x0 * width) / width;
     double t = (double) (y - y0 * height) / height;
-    // Between cells there is nothing to find at the finest scale.
+    // Spare three hashes where a texel is a corner of the lattice, as all are at the finest scale.
     if (s == 0 && t == 0) {
       return octave.cell(x0, y0);
     }

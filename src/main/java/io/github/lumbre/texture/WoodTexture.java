@@ -18,8 +18,8 @@ public final class WoodTexture implements TexelTexture {
    * @param seed everything random follows from it
    * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
    * @param height likewise
-   * @param rings how often the wood goes from dark to light, to dark, to light and to dark again
-   *     over the texture's width; finite and ≥ 0
+   * @param rings how many dark rings there are from the centre to the middle of a side; finite and
+   *     ≥ 0
    */
   public WoodTexture(long seed, int width, int height, double rings) {
     if (!(rings >= 0) || Double.isInfinite(rings)) {

@@ -102,4 +102,20 @@ class ElementaryTest {
     assertThat(Elementary.safeSqrt(-EPS)).isZero();
     assertThat(Elementary.safeSqrt(4)).isEqualTo(2);
   }
+
+  @Test
+  void exponentialIsRightToTwoUlp() {
+    SplittableRandom random = new SplittableRandom(17);
+    for (int i = 0; i < 1_000_000; i++) {
+      double x = i % 2 == 0 ? random.nextDouble(-745, 709) : random.nextDouble(-2, 2);
+      double expected = StrictMath.exp(x);
+      assertThat(Math.abs(Elementary.exp(x) - expected)).isLessThanOrEqualTo(2 * Math.ulp(expected));
+    }
+    assertThat(Elementary.exp(0)).isEqualTo(1);
+    assertThat(Elementary.exp(710)).isInfinite();
+    assertThat(Elementary.exp(-746)).isZero();
+    assertThat(Elementary.exp(Double.POSITIVE_INFINITY)).isInfinite();
+    assertThat(Elementary.exp(Double.NEGATIVE_INFINITY)).isZero();
+    assertThat(Elementary.exp(Double.NaN)).isNaN();
+  }
 }

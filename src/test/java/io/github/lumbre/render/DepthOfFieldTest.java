@@ -76,8 +76,7 @@ class DepthOfFieldTest {
       throws InterruptedException {
     Scene scene =
         Scene.seenBy(
-                new ThinLensCamera(
-                    Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES, FOCUS, aperture, form))
+                new ThinLensCamera(Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES, FOCUS, aperture, form))
             .addGlowing(
                 new Sphere(Transform.translation(new Vec3(0, 0, depth)), BALL),
                 new Emission(Texture.constant(Rgb.WHITE), true))

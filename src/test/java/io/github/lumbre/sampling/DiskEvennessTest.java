@@ -50,8 +50,7 @@ class DiskEvennessTest {
       List<Point2> points = points(map, set);
       for (int i = 0; i < 200; i++) {
         double radius = .1 + .3 * random.nextDouble();
-        Point2 centre =
-            Warp.concentricDisk(new Point2(random.nextDouble(), random.nextDouble()));
+        Point2 centre = Warp.concentricDisk(new Point2(random.nextDouble(), random.nextDouble()));
         double x = centre.x() * (1 - radius);
         double y = centre.y() * (1 - radius);
         long inside =

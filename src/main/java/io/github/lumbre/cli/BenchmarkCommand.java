@@ -1,0 +1,254 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre benchmark}: renders the report's table and tells the times beside its own. */
+@Command(
+    name = "benchmark",
+    header = "Render the table of the 2016 report and tell how long that takes.",
+    description =
+        "Prints the table in Markdown, a row as soon as it is rendered. What a row prescribes"
+            + " (size, mode, samples, bucket, depth) wins over its scene.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre benchmark",
+      "  lumbre benchmark --rows 1,5,14 --scale 0.001 --repeat 3",
+      "  lumbre benchmark --full --csv table.csv",
+      "  lumbre benchmark --check"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "1:Under --check, a picture differs from what is stored, or nothing is stored for it",
+      "2:The command line is wrong: also a row or a scene that does not exist",
+      "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
+      "6:The CSV file or the hashes cannot be written",
+      "7:A fault of the program",
+      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; what is rendered by then is written"
+    })
+final class BenchmarkCommand implements Callable<Integer> {
+  private static final int MAX_REPETITIONS = 1000;
+
+  @Option(
+      names = "--rows",
+      paramLabel = "N",
+      split = ",",
+      description = "Rows of the table, such as 1,5,14. Default: all.")
+  private List<Integer> rows = List.of();
+
+  @ArgGroup private Amount amount = new Amount();
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Threads; 0 means one per processor (${DEFAULT-VALUE}).")
+  private int threads;
+
+  @Option(
+      names = "--warmup",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "Renders of one sample per pixel before each row, untimed (${DEFAULT-VALUE}).")
+  private int warmup;
+
+  @Option(
+      names = "--repeat",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Timed renders of each row; the median counts (${DEFAULT-VALUE}).")
+  private int repeat;
+
+  @Option(
+      names = "--csv",
+      paramLabel = "FILE",
+      description = "Write the table as comma-separated values too.")
+  private Optional<Path> csv;
+
+  @Option(
+      names = "--scenes",
+      paramLabel = "DIR",
+      description = {
+        "The folder of the scenes, of " + ReportTable.FILE + " and of " + TableHashes.FILE + ".",
+        "Default: scenes, beside the launcher."
+      })
+  private Optional<Path> scenes;
+
+  @ArgGroup private Hashes hashes = new Hashes();
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  /** How much of the work to do; one of the two at most. */
+  static final class Amount {
+    @Option(
+        names = "--scale",
+        paramLabel = "SHARE",
+        description = "Share of each row's samples, rounded up. Default: 0.01.")
+    private BigDecimal scale = new BigDecimal("0.01");
+
+    @Option(names = "--full", description = "Render all samples, which takes days.")
+    private boolean full;
+  }
+
+  /** What to do with the pictures' hashes; one of the two at most. */
+  static final class Hashes {
+    @Option(
+        names = "--check",
+        description = "Compare the pictures' hashes with those stored beside the scenes.")
+    private boolean check;
+
+    @Option(names = "--store", description = "Store the pictures' hashes beside the scenes.")
+    private boolean store;
+  }
+
+  /** Takes a text when it is complete. */
+  @FunctionalInterface
+  private interface Sink {
+    void write(String text) throws IOException;
+  }
+
+  @Override
+  public Integer call() throws SceneFormatException, CommandException {
+    BenchmarkPlan plan = plan();
+    SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
+    List<ReportRow> selected = selected(folder);
+    TableHashes stored = TableHashes.load(folder.directory());
+    Messages out = new Messages(spec.commandLine().getOut());
+    BenchmarkReport report =
+        new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out);
+    try (Interruption interruption = Interruption.listen(() -> {})) {
+      boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
+      BenchmarkRunner runner =
+          new BenchmarkRunner(folder, plan, () -> new RenderMonitor(interruption, hasDisplay));
+      boolean complete = interruption.beginRender() && run(selected, runner, report);
+      int verdict = settle(stored, report.results());
+      return complete ? verdict : ExitCodes.INTERRUPTED;
+    }
+  }
+
+  private BenchmarkPlan plan() {
+    BigDecimal share = amount.full ? BigDecimal.ONE : amount.scale;
+    require(
+        share.signum() > 0 && share.compareTo(BigDecimal.ONE) <= 0,
+        "--scale: expected more than 0 and at most 1, found " + share);
+    requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
+    requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
+    requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
+    int used = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+    return new BenchmarkPlan(share, used, warmup, repeat);
+  }
+
+  private void requireIn(String flag, int low, int high, int found) {
+    require(
+        low <= found && found <= high,
+        flag + ": expected " + low + " to " + high + ", found " + found);
+  }
+
+  private void require(boolean condition, String message) {
+    if (!condition) {
+      throw new ParameterException(spec.commandLine(), message);
+    }
+  }
+
+  private List<ReportRow> selected(SceneFolder folder) throws CommandException {
+    List<ReportRow> table = ReportTable.load(folder.directory());
+    List<ReportRow> selected;
+    try {
+      selected = ReportTable.select(table, rows);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), "--rows: " + e.getMessage(), e);
+    }
+    for (ReportRow row : selected) {
+      Path file = folder.file(row.scene());
+      require(Files.isRegularFile(file), "row " + row.number() + ": there is no scene " + file);
+    }
+    return selected;
+  }
+
+  private boolean run(List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report)
+      throws SceneFormatException, CommandException {
+    try {
+      return csv.isPresent()
+          ? run(selected, runner, report, csv.get())
+          : run(selected, runner, report, text -> {});
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+    }
+  }
+
+  private boolean run(
+      List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report, Path target)
+      throws SceneFormatException, CommandException, IOException {
+    try (OutputFile output = OutputFile.open(target)) {
+      return run(selected, runner, report, text -> TextFile.write(output, text));
+    }
+  }
+
+  /** Renders and prints the rows; returns false if that was stopped. */
+  private boolean run(
+      List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report, Sink sink)
+      throws SceneFormatException, CommandException, IOException {
+    report.begin();
+    try {
+      for (ReportRow row : selected) {
+        Optional<BenchmarkResult> result = runner.run(row, errors());
+        if (result.isEmpty()) {
+          return false;
+        }
+        report.add(result.get());
+      }
+      return true;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    } finally {
+      // Keep what is known already, however the others ended.
+      report.end();
+      sink.write(new BenchmarkCsv(Hardware.here(), runner.plan()).text(report.results()));
+    }
+  }
+
+  /** Compares or stores the hashes, if that is wanted; returns the exit code. */
+  private int settle(TableHashes stored, List<BenchmarkResult> results) throws CommandException {
+    if (hashes.store && !results.isEmpty()) {
+      results.forEach(stored::put);
+      stored.save();
+    }
+    if (!hashes.check) {
+      return ExitCodes.OK;
+    }
+    List<String> complaints =
+        results.stream().map(stored::complaint).flatMap(Optional::stream).toList();
+    complaints.forEach(errors()::line);
+    return complaints.isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
+  }
+
+  private Messages errors() {
+    return new Messages(spec.commandLine().getErr());
+  }
+}

@@ -1,0 +1,123 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/** Renders rows of the report's table and measures how long they take. */
+final class BenchmarkRunner {
+  private final SceneFolder scenes;
+  private final BenchmarkPlan plan;
+  private final Supplier<RenderMonitor> monitors;
+
+  /** What is kept of a render. */
+  private record Timed(
+      boolean complete, double seconds, RenderStatistics statistics, String hash) {}
+
+  /**
+   * @param monitors gives each render one to report to
+   */
+  BenchmarkRunner(SceneFolder scenes, BenchmarkPlan plan, Supplier<RenderMonitor> monitors) {
+    this.scenes = scenes;
+    this.plan = plan;
+    this.monitors = monitors;
+  }
+
+  BenchmarkPlan plan() {
+    return plan;
+  }
+
+  /**
+   * Returns what a row took; nothing if it was stopped.
+   *
+   * @throws CommandException if the scene cannot be read, if the picture does not fit into memory,
+   *     or if two renders of the row differ
+   */
+  Optional<BenchmarkResult> run(ReportRow row, Messages messages)
+      throws SceneFormatException, CommandException, InterruptedException {
+    long start = System.nanoTime();
+    SceneParser parser =
+        new SceneParser().inMode(row.mode()).overriding(inScene -> settings(row, inScene));
+    SceneFile file = scenes.load(row.scene(), parser, messages);
+    double loadSeconds = secondsSince(start);
+    MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+
+    RenderSettings single = file.settings().toBuilder().samples(1).build();
+    for (int i = 0; i < plan.warmup(); i++) {
+      if (!render(file, single).complete()) {
+        return Optional.empty();
+      }
+    }
+    return measure(row, file, loadSeconds);
+  }
+
+  private RenderSettings settings(ReportRow row, RenderSettings inScene) {
+    return row.over(inScene).toBuilder()
+        .samples(row.samplesAt(plan.share()))
+        .threads(plan.threads())
+        .build();
+  }
+
+  private Optional<BenchmarkResult> measure(ReportRow row, SceneFile file, double loadSeconds)
+      throws CommandException, InterruptedException {
+    List<Timed> renders = new ArrayList<>();
+    for (int i = 0; i < plan.repeat(); i++) {
+      Timed timed = time(file);
+      if (!timed.complete) {
+        return Optional.empty();
+      }
+      renders.add(timed);
+    }
+    Timed first = renders.get(0);
+    if (!renders.stream().allMatch(timed -> timed.hash.equals(first.hash))) {
+      throw new CommandException(
+          ExitCodes.INTERNAL, "row " + row.number() + ": renders of the same scene differ");
+    }
+    return Optional.of(
+        new BenchmarkResult(
+            row,
+            file.settings().samples(),
+            plan.threads(),
+            loadSeconds,
+            median(renders.stream().mapToDouble(Timed::seconds).toArray()),
+            first.statistics,
+            file.hash(),
+            first.hash));
+  }
+
+  private Timed time(SceneFile file) throws InterruptedException {
+    long start = System.nanoTime();
+    RenderResult result = render(file, file.settings());
+    double seconds = secondsSince(start);
+    return new Timed(
+        result.complete(), seconds, result.statistics(), RasterHash.of(result.image()));
+  }
+
+  private RenderResult render(SceneFile file, RenderSettings settings)
+      throws InterruptedException {
+    try (RenderMonitor monitor = monitors.get()) {
+      return new BucketRenderer(settings).render(file.scene(), monitor);
+    }
+  }
+
+  /** Returns the middle value, or the mean of the two in the middle. */
+  static double median(double... values) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    int half = sorted.length / 2;
+    return (sorted[half] + sorted[sorted.length - 1 - half]) / 2;
+  }
+
+  private static double secondsSince(long start) {
+    return (System.nanoTime() - start) * 1e-9;
+  }
+}

@@ -1,0 +1,96 @@
+package io.github.lumbre.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** The page that shows a folder's pictures and tells how each was made. Mutable. */
+final class GalleryPage {
+  /** The page's file, which forges show when they show the folder. */
+  static final String FILE = "README.md";
+
+  private static final String HEAD =
+      """
+      # Pictures
+
+      Made by `lumbre gallery` from the scenes of the same names. The same samples give the same \
+      pixels on every machine; time is that of rendering alone.
+
+      | scene | picture | size | samples | time | threads | hardware |
+      |---|---|---|--:|--:|--:|---|
+      """;
+
+  private static final Pattern ROW = Pattern.compile("\\| \\[([^]]+)]\\(.*");
+  private static final int WIDTH = 240;
+
+  private final Path file;
+  private final Map<String, String> rows = new TreeMap<>();
+
+  private GalleryPage(Path file) {
+    this.file = file;
+  }
+
+  /**
+   * How a picture was made.
+   *
+   * @param scene its name, which is the picture's without the ending
+   */
+  record Entry(
+      String scene, String size, int samples, double seconds, int threads, Hardware hardware) {}
+
+  /**
+   * Returns a folder's page with what it tells of pictures that are still there; an empty page if
+   * there is none.
+   *
+   * @throws CommandException if there is one that cannot be read
+   */
+  static GalleryPage load(Path directory) throws CommandException {
+    GalleryPage page = new GalleryPage(directory.resolve(FILE));
+    if (Files.exists(page.file)) {
+      for (String line : TextFile.lines(page.file)) {
+        Matcher row = ROW.matcher(line);
+        if (row.matches() && Files.exists(picture(directory, row.group(1)))) {
+          page.rows.put(row.group(1), line);
+        }
+      }
+    }
+    return page;
+  }
+
+  /** Returns the file of a scene's picture. */
+  static Path picture(Path directory, String scene) {
+    return directory.resolve(scene + ".png");
+  }
+
+  /** Takes how a picture was made, instead of how the former one was. */
+  void put(Entry entry) {
+    String name = entry.scene;
+    String image = "<img src=\"" + name + ".png\" width=\"" + WIDTH + "\" alt=\"" + name + "\">";
+    rows.put(
+        name,
+        BenchmarkMarkdown.cells(
+            List.of(
+                "[" + name + "](" + name + ".png)",
+                image,
+                entry.size,
+                String.valueOf(entry.samples),
+                ReportTime.of(entry.seconds),
+                String.valueOf(entry.threads),
+                entry.hardware.line())));
+  }
+
+  /**
+   * Writes the page.
+   *
+   * @throws CommandException if that fails
+   */
+  void save() throws CommandException {
+    TextFile.write(
+        file, rows.values().stream().map(row -> row + "\n").collect(Collectors.joining("", HEAD, "")));
+  }
+}

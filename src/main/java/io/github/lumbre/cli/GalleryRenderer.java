@@ -1,0 +1,95 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+
+/** Renders the pictures of a gallery, each in about the same time. */
+final class GalleryRenderer {
+  private static final int BITS = 8;
+
+  /** Which part of a picture's time the end of its pilot takes, and how long that is at most. */
+  private static final double PILOT_SHARE = .01;
+
+  private static final double MAX_PILOT_SECONDS = 2;
+
+  private final SceneFolder scenes;
+  private final Path directory;
+  private final double seconds;
+  private final Supplier<RenderMonitor> monitors;
+
+  /**
+   * @param directory of the pictures
+   * @param seconds that each may take
+   * @param monitors gives each render one to report to
+   */
+  GalleryRenderer(
+      SceneFolder scenes, Path directory, double seconds, Supplier<RenderMonitor> monitors) {
+    this.scenes = scenes;
+    this.directory = directory;
+    this.seconds = seconds;
+    this.monitors = monitors;
+  }
+
+  /**
+   * Renders a scene on all processors and writes its picture; returns how it was made, or nothing
+   * if that was stopped and an older picture is as it was.
+   */
+  Optional<GalleryPage.Entry> render(String scene, Messages messages)
+      throws SceneFormatException, CommandException, InterruptedException {
+    try (PictureOutput output = PictureOutput.reserve(GalleryPage.picture(directory, scene))) {
+      SceneParser parser =
+          new SceneParser().overriding(inScene -> inScene.toBuilder().threads(0).build());
+      SceneFile file = scenes.load(scene, parser, messages);
+      MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+      OptionalDouble rate = rate(file);
+      return rate.isEmpty()
+          ? Optional.empty()
+          : render(scene, file, rate.getAsDouble(), output, messages);
+    }
+  }
+
+  private OptionalDouble rate(SceneFile file) throws InterruptedException {
+    double pilot = Math.min(PILOT_SHARE * seconds, MAX_PILOT_SECONDS);
+    try (RenderMonitor monitor = monitors.get()) {
+      return SampleBudget.rate(file, pilot, monitor);
+    }
+  }
+
+  private Optional<GalleryPage.Entry> render(
+      String scene, SceneFile file, double rate, PictureOutput output, Messages messages)
+      throws CommandException, InterruptedException {
+    int samples = SampleBudget.samples(rate, seconds, file.settings());
+    RenderSettings settings = file.settings().toBuilder().samples(samples).build();
+    long start = System.nanoTime();
+    RenderResult result;
+    try (RenderMonitor monitor = monitors.get()) {
+      result = new BucketRenderer(settings).render(file.scene(), monitor);
+    }
+    double taken = (System.nanoTime() - start) * 1e-9;
+    if (!result.complete()) {
+      return Optional.empty();
+    }
+    Map<String, String> metadata =
+        PictureMetadata.of(scenes.file(scene), file, settings, taken);
+    output.write(
+        result.image(),
+        new ImageWriter.Options(settings.exposure(), settings.toneCurve(), BITS, metadata));
+    Summary summary = new Summary(settings, result, taken);
+    summary.printRejected(messages);
+    summary.print(output.target(), messages);
+    Hardware hardware = Hardware.here();
+    String size = result.image().width() + "x" + result.image().height();
+    return Optional.of(
+        new GalleryPage.Entry(scene, size, samples, taken, hardware.cores(), hardware));
+  }
+}

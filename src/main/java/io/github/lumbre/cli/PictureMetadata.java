@@ -1,0 +1,35 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+
+/** What a picture file tells of itself. */
+final class PictureMetadata {
+  private PictureMetadata() {}
+
+  /**
+   * Returns texts by keyword, a map that more can be put into.
+   *
+   * @param scene the scene's path
+   * @param settings by which it was rendered
+   * @param seconds that rendering took
+   */
+  static Map<String, String> of(
+      Path scene, SceneFile file, RenderSettings settings, double seconds) {
+    Map<String, String> metadata = new LinkedHashMap<>();
+    metadata.put("Software", "Lumbre " + Version.number());
+    metadata.put("Scene", Messages.printable(String.valueOf(scene.getFileName())));
+    metadata.put("SceneHash", file.hash());
+    metadata.put("Mode", FlagConverters.lower(settings.mode()));
+    metadata.put("Samples", String.valueOf(settings.samples()));
+    metadata.put("Seed", String.valueOf(settings.seed()));
+    metadata.put("Size", settings.width() + "x" + settings.height());
+    settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
+    metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
+    return metadata;
+  }
+}

@@ -1,0 +1,65 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
+import java.util.OptionalDouble;
+
+/** How many samples fit into a given time, by a short pilot of the same scene. */
+final class SampleBudget {
+  /** The least number of samples that makes a picture worth looking at. */
+  private static final int LEAST = 64;
+
+  private static final int MULTIPLE = 16;
+
+  /** The longer side of the pilot's frame, which shows all of the scene. */
+  private static final int PILOT_SIDE = 160;
+
+  private SampleBudget() {}
+
+  /**
+   * Returns how many samples per second this machine takes of a scene; nothing if that was stopped.
+   * Renders small pictures, each with twice the samples of the last, until one takes long enough.
+   *
+   * @param seconds that the last of them takes at least
+   */
+  static OptionalDouble rate(SceneFile file, double seconds, Progress progress)
+      throws InterruptedException {
+    RenderSettings small = small(file.settings());
+    for (int samples = 1; ; samples *= 2) {
+      BucketRenderer renderer =
+          new BucketRenderer(small.toBuilder().samples(samples).build());
+      long start = System.nanoTime();
+      boolean complete = renderer.render(file.scene(), progress).complete();
+      double taken = (System.nanoTime() - start) * 1e-9;
+      if (!complete) {
+        return OptionalDouble.empty();
+      }
+      if (taken >= seconds || samples > RenderSettings.MAX_SAMPLES / 2) {
+        return OptionalDouble.of(samples * (double) small.width() * small.height() / taken);
+      }
+    }
+  }
+
+  private static RenderSettings small(RenderSettings settings) {
+    double factor =
+        Math.min(1, PILOT_SIDE / (double) Math.max(settings.width(), settings.height()));
+    return settings.toBuilder()
+        .size(
+            (int) Math.ceil(settings.width() * factor), (int) Math.ceil(settings.height() * factor))
+        .build();
+  }
+
+  /**
+   * Returns the number of samples per pixel: a multiple of 16, at least 64, and no more than the
+   * larger of 64 and what the scene asks for.
+   *
+   * @param rate in samples per second
+   */
+  static int samples(double rate, double seconds, RenderSettings settings) {
+    double fitting = rate * seconds / ((double) settings.width() * settings.height());
+    int samples = (int) Math.min(fitting, Math.max(LEAST, settings.samples()));
+    return Math.max(LEAST, samples - samples % MULTIPLE);
+  }
+}

@@ -1,0 +1,56 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** A folder of scene files. */
+record SceneFolder(Path directory) {
+  private static final String ENDING = ".json";
+
+  /**
+   * Returns the names of all scenes without their ending, in order.
+   *
+   * @throws CommandException if the folder cannot be read
+   */
+  List<String> names() throws CommandException {
+    try (Stream<Path> files = Files.list(directory)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(ENDING))
+          .map(name -> name.substring(0, name.length() - ENDING.length()))
+          .sorted()
+          .toList();
+    } catch (IOException e) {
+      throw new CommandException(
+          ExitCodes.USAGE, directory + ": expected a folder of scenes, which can be read", e);
+    }
+  }
+
+  /** Returns the file of the scene with this name. */
+  Path file(String name) {
+    return directory.resolve(name + ENDING);
+  }
+
+  /**
+   * Reads a scene and prints its warnings.
+   *
+   * @throws CommandException if the file cannot be read
+   */
+  SceneFile load(String name, SceneParser parser, Messages messages)
+      throws SceneFormatException, CommandException {
+    Path path = file(name);
+    try {
+      SceneFile scene = parser.parse(path);
+      messages.warnings(scene.warnings());
+      return scene;
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.SCENE, path + ": cannot be read: " + e.getMessage(), e);
+    }
+  }
+}

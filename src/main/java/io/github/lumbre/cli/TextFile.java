@@ -1,0 +1,54 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.OutputFile;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Files of text in UTF-8, read and written whole. */
+final class TextFile {
+  private TextFile() {}
+
+  /**
+   * Returns the lines of a file.
+   *
+   * @throws CommandException with the exit code of a wrong command line, if it cannot be read
+   */
+  static List<String> lines(Path file) throws CommandException {
+    try {
+      return Files.readAllLines(file);
+    } catch (NoSuchFileException e) {
+      throw new CommandException(ExitCodes.USAGE, file + ": does not exist", e);
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.USAGE, file + ": cannot be read: " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Writes a file, which appears complete or not at all.
+   *
+   * @throws CommandException if that fails
+   */
+  static void write(Path file, String text) throws CommandException {
+    try (OutputFile output = OutputFile.open(file)) {
+      write(output, text);
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+    }
+  }
+
+  /** Writes a file reserved before, and commits it. */
+  static void write(OutputFile output, String text) throws IOException {
+    SeekableByteChannel channel = output.restart();
+    ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
+    while (bytes.hasRemaining()) {
+      channel.write(bytes);
+    }
+    output.commit();
+  }
+}
