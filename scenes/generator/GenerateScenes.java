@@ -29,12 +29,14 @@ public final class GenerateScenes {
     Path folder = Path.of(arguments.length == 0 ? "scenes" : arguments[0]);
     Files.createDirectories(folder.resolve("textures"));
     Pictures.writeAll(folder.resolve("textures"));
+    ReliefMaps.writeAll(folder.resolve("textures"));
     Files.writeString(folder.resolve("torus-knot.obj"), TorusKnot.obj());
 
     List<Scene> scenes = new ArrayList<>(CornellBoxes.all());
     scenes.add(glassAndMirror());
     scenes.addAll(Courtyard.all());
     scenes.add(torusKnot());
+    scenes.addAll(TableScenes.all());
     for (Scene scene : scenes) {
       Files.writeString(folder.resolve(scene.name + ".json"), scene.toJson());
     }

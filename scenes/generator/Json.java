@@ -20,10 +20,13 @@ final class Json {
     return map;
   }
 
-  /** Triples are colours under the keys of colours, and vectors elsewhere. */
+  /** Pairs are points; triples are vectors under the keys of places, and colours elsewhere. */
   static Object value(String key, Object value) {
     if (!(value instanceof double[] v)) {
       return value;
+    }
+    if (v.length == 2) {
+      return map("x", v[0], "y", v[1]);
     }
     boolean vector = key.startsWith("local");
     return vector ? map("x", v[0], "y", v[1], "z", v[2]) : map("r", v[0], "g", v[1], "b", v[2]);

@@ -36,16 +36,26 @@ final class Pictures {
           Map.entry('W', "10001 10001 10001 10101 10101 11011 10001"));
 
   static void writeAll(Path folder) throws IOException {
-    PlainPng.write(folder.resolve("checker.png"), checker(0xE8E4DA, 0x4A4640));
-    PlainPng.write(folder.resolve("gold.png"), checker(0xE0A848, 0xF0E8D8));
-    PlainPng.write(folder.resolve("arrow.png"), upArrow(24));
-    PlainPng.write(folder.resolve("heart.png"), heart(128));
-    PlainPng.write(folder.resolve("sky.png"), sky(512, 256));
-    PlainPng.write(folder.resolve("banner.png"), banner("LUMBRE"));
+    write(folder.resolve("checker.png"), checker(0xE8E4DA, 0x4A4640));
+    write(folder.resolve("gold.png"), checker(0xE0A848, 0xF0E8D8));
+    write(folder.resolve("arrow.png"), upArrow(24));
+    write(folder.resolve("heart.png"), heart(128));
+    write(folder.resolve("sky.png"), sky(512, 256));
+    write(folder.resolve("banner.png"), banner("LUMBRE"));
     for (Compass side : Compass.values()) {
       String file = side.name().toLowerCase(Locale.ROOT) + ".png";
-      PlainPng.write(folder.resolve(file), sign(side.name()));
+      write(folder.resolve(file), sign(side.name()));
     }
+  }
+
+  private static void write(Path file, int[][] pixels) throws IOException {
+    Raster raster = new Raster(pixels[0].length, pixels.length);
+    for (int y = 0; y < pixels.length; y++) {
+      for (int x = 0; x < pixels[y].length; x++) {
+        raster.set(x, y, pixels[y][x]);
+      }
+    }
+    Png.writePlain(file, raster);
   }
 
   private static int[][] checker(int a, int b) {

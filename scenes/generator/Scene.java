@@ -12,9 +12,20 @@ final class Scene {
   private final List<Object> assets = new ArrayList<>();
   private final List<Object> objects = new ArrayList<>();
 
+  /** A path traced scene with so many samples per pixel. */
   Scene(String name, int width, int height, int samples) {
+    this(name, "path", width, height);
+    set("samples", samples);
+  }
+
+  private Scene(String name, String mode, int width, int height) {
     this.name = name;
-    set("mode", "path").set("width", width).set("height", height).set("samples", samples);
+    set("mode", mode).set("width", width).set("height", height);
+  }
+
+  /** A ray traced scene; 2 to the power of its antialiasing is the samples per pixel. */
+  static Scene rayTraced(String name, int width, int height, int antialiasing) {
+    return new Scene(name, "ray", width, height).set("antialiasing", antialiasing);
   }
 
   static double[] rgb(double r, double g, double b) {
@@ -76,11 +87,33 @@ final class Scene {
     return asset("Texture", name, "textureType", "Image", "file", file, "filter", "bilinear");
   }
 
+  /** A dielectric coat of microfacets over a Lambertian ground. */
+  int glossy(String name, double[] colour, double[] specular, double roughness) {
+    return material(
+        name,
+        "CookTorrance",
+        "color",
+        colour,
+        "specularColor",
+        specular,
+        "roughness",
+        roughness);
+  }
+
   int mesh(String name, String file) {
     return asset("Mesh", name, "file", file);
   }
 
-  private int material(String name, String type, Object... channels) {
+  /** A texture of an image or, of another type, computed. */
+  int texture(String name, String type, Object... keys) {
+    Object[] all = new Object[keys.length + 2];
+    all[0] = "textureType";
+    all[1] = type;
+    System.arraycopy(keys, 0, all, 2, keys.length);
+    return asset("Texture", name, all);
+  }
+
+  int material(String name, String type, Object... channels) {
     Object[] all = new Object[channels.length + 2];
     all[0] = "materialType";
     all[1] = type;
@@ -149,14 +182,23 @@ final class Scene {
         .with("textureId", texture, "intensity", intensity);
   }
 
-  /** The largest component becomes the intensity, the rest the colour. */
+  /** A light without extent, of the given irradiance at every distance. */
+  Node point(String name, double[] irradiance) {
+    return shining(new Node("Light", name, "lightType", "Point"), irradiance);
+  }
+
   private static Node light(String type, String name, double[] radiance) {
-    double intensity = Math.max(radiance[0], Math.max(radiance[1], radiance[2]));
-    double[] colour = radiance.clone();
+    Node light = new Node("Light", name, "lightType", type).with("unit", "radiance");
+    return shining(light, radiance);
+  }
+
+  /** The largest component becomes the intensity, the rest the colour. */
+  private static Node shining(Node light, double[] rgb) {
+    double intensity = Math.max(rgb[0], Math.max(rgb[1], rgb[2]));
+    double[] colour = rgb.clone();
     for (int i = 0; i < 3; i++) {
       colour[i] /= intensity;
     }
-    return new Node("Light", name, "lightType", type)
-        .with("unit", "radiance", "intensity", intensity, "color", colour);
+    return light.with("intensity", intensity, "color", colour);
   }
 }
