@@ -84,7 +84,7 @@ final class LensScenes {
         colour[c] *= brightness;
       }
       swarm.child(
-          s.rectangleLight("lamp", .08, .08, colour)
+          s.rectangleLight("lamp", .06, .06, colour)
               .at(x * height, 1.35 + y * height, distance)
               .turn(20, 180, 0));
     }
