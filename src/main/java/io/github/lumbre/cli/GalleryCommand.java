@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
     header = "Render all scenes of a folder to pictures, and write a page about them.",
     description =
         "Each picture gets as many samples as fit into the given time: a multiple of 16, at least"
-            + " 64, and not more than its scene asks for.",
+            + " 64, and beyond that not more than its scene asks for.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,

@@ -90,7 +90,8 @@ final class GalleryPage {
    * @throws CommandException if that fails
    */
   void save() throws CommandException {
-    TextFile.write(
-        file, rows.values().stream().map(row -> row + "\n").collect(Collectors.joining("", HEAD, "")));
+    String lines =
+        rows.values().stream().map(row -> row + "\n").collect(Collectors.joining());
+    TextFile.write(file, HEAD + lines);
   }
 }

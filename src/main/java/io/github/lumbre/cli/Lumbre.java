@@ -33,6 +33,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scenes/cornell-box.json",
       "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
       "  lumbre check scene.json",
+      "  lumbre benchmark --rows 1,5,14",
       "  lumbre help render"
     })
 public final class Lumbre implements Runnable {
@@ -67,6 +68,7 @@ public final class Lumbre implements Runnable {
 
   @Override
   public void run() {
-    throw new ParameterException(spec.commandLine(), "expected a command: render, check");
+    throw new ParameterException(
+        spec.commandLine(), "expected a command: render, check, benchmark, gallery");
   }
 }

@@ -81,15 +81,16 @@ final class TableHashes {
   /** Returns what is wrong with a result: nothing, or a line that says so. */
   Optional<String> complaint(BenchmarkResult result) {
     Key key = Key.of(result);
-    String what = "row " + key.row + ": " + key.scene + ", " + key.size + ", " + key.samples;
+    String what =
+        "row " + key.row + ": " + key.scene + ", " + key.size + ", " + key.samples + " samples: ";
     String found = result.imageHash();
     if (!hashes.containsKey(key)) {
-      return Optional.of(what + " samples: no hash is stored, found " + found);
+      return Optional.of(what + "no hash is stored, found " + found);
     }
     String stored = hashes.get(key);
     return stored.equals(found)
         ? Optional.empty()
-        : Optional.of(what + " samples: the picture differs, stored " + stored + ", found " + found);
+        : Optional.of(what + "the picture differs, stored " + stored + ", found " + found);
   }
 
   /** Takes a result's fingerprint as the right one; those of the row's former scene go. */

@@ -23,18 +23,21 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
     }
     double cos2 = m.z() * m.z();
     double tan2 = (m.x() * m.x() + m.y() * m.y()) / cos2;
-    return Elementary.exp(-tan2 / (alpha * alpha)) / (Math.PI * alpha * alpha * cos2 * cos2);
+    double e = Elementary.exp(-tan2 / (alpha * alpha));
+    // Near the horizon the denominator would be 0 as well.
+    return e == 0 ? 0 : e / (Math.PI * alpha * alpha * cos2 * cos2);
   }
 
-  /** Λ(a) = exp(−a²) / (2a√π) − erfc(a) / 2, a = 1 / (α tan θ) (Heitz 2014, eq. 77). */
+  /** Λ = exp(−a²) / (2a√π) − erfc(a) / 2, a = 1 / (α tan θ) (Walter et al. 2007, sec. 5.2). */
   @Override
-  public double lambda(double cosTheta) {
-    double tan = Elementary.safeSqrt(1 - cosTheta * cosTheta) / cosTheta;
-    double a = 1 / (alpha * tan);
-    if (a > STEEPEST) {
+  public double hidden(double cosTheta) {
+    double steepness = alpha * Elementary.safeSqrt(1 - cosTheta * cosTheta);
+    if (cosTheta > STEEPEST * steepness) {
       return 0;
     }
-    return Math.max(0, .5 * Elementary.exp(-a * a) * (INV_SQRT_PI / a - Elementary.erfcScaled(a)));
+    double a = cosTheta / steepness;
+    double beyond = INV_SQRT_PI - a * Elementary.erfcScaled(a);
+    return .5 * steepness * Elementary.exp(-a * a) * beyond;
   }
 
   /** Stretches the surface to α = 1, draws the two slopes, and shrinks it back (Heitz 2014). */

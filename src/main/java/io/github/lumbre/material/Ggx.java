@@ -19,10 +19,11 @@ record Ggx(double alpha) implements MicrofacetDistribution {
     return m.z() <= 0 ? 0 : Elementary.INV_PI / (root * root);
   }
 
+  /** Λ = (√(1 + α² tan² θ) − 1) / 2 (Heitz 2014, eq. 72). */
   @Override
-  public double lambda(double cosTheta) {
-    double tan2 = Math.max(0, 1 - cosTheta * cosTheta) / (cosTheta * cosTheta);
-    return .5 * (Math.sqrt(1 + alpha * alpha * tan2) - 1);
+  public double hidden(double cosTheta) {
+    double cos2 = cosTheta * cosTheta;
+    return .5 * (Math.sqrt(cos2 + alpha * alpha * (1 - cos2)) - cosTheta);
   }
 
   /** Heitz 2018, "Sampling the GGX Distribution of Visible Normals". */

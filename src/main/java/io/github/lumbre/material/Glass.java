@@ -13,7 +13,7 @@ import java.util.Objects;
  * @param transmittance tints what passes; components above 1 are taken as 1
  * @param ior index of refraction of the inside relative to the outside, &gt; 0
  * @param roughness α of the Trowbridge–Reitz distribution, in [0,1]; below {@link
- *     CookTorrance#SMOOTH}, or where the index is 1, the surface is smooth
+ *     CookTorrance#SMOOTH}, or where the index is as good as 1, the surface is smooth
  */
 public record Glass(
     Texture<Rgb> reflectance,
@@ -21,6 +21,9 @@ public record Glass(
     ScalarTexture ior,
     ScalarTexture roughness)
     implements Material {
+  /** Ground glass whose index differs from 1 by less bends light too little to be seen. */
+  private static final double LEAST_CONTRAST = 1e-8;
+
   public Glass {
     Objects.requireNonNull(reflectance, "reflectance");
     Objects.requireNonNull(transmittance, "transmittance");
@@ -34,7 +37,7 @@ public record Glass(
     Rgb passed = transmittance.at(hit.texture()).clampedToOne();
     double index = ior.at(hit.texture());
     double alpha = roughness.at(hit.texture());
-    return alpha < CookTorrance.SMOOTH || index == 1
+    return alpha < CookTorrance.SMOOTH || Math.abs(index - 1) < LEAST_CONTRAST
         ? new Dielectric(reflected, passed, index)
         : new RoughDielectric(reflected, passed, index, new Ggx(alpha));
   }

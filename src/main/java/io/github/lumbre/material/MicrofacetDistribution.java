@@ -11,21 +11,31 @@ public sealed interface MicrofacetDistribution permits Beckmann, Ggx {
   /** Returns the density D of normals, per solid angle and projected area. */
   double density(Vec3 m);
 
-  /** Returns Smith's Λ: hidden over visible area, seen under an angle. */
-  double lambda(double cosTheta);
+  /**
+   * Returns Λ(θ) · cos θ, Λ being Smith's ratio of hidden to visible area: unlike Λ itself, it
+   * stays finite towards the horizon.
+   *
+   * @param cosTheta in [0,1]
+   */
+  double hidden(double cosTheta);
 
   /** Draws a normal in proportion to its visible area: with density {@link #visibleDensity}. */
   Vec3 sampleVisible(Vec3 wo, Point2 u);
 
-  /** Returns G1 · max(0, wo·m) · D / cos θo, per solid angle. */
+  /** Returns G1 · max(0, wo·m) · D / cos θo, per solid angle, with G1 = 1 / (1 + Λ). */
   default double visibleDensity(Vec3 wo, Vec3 m) {
-    return Math.max(0, wo.dot(m)) * density(m) / (wo.z() * (1 + lambda(wo.z())));
+    return Math.max(0, wo.dot(m)) * density(m) / (wo.z() + hidden(wo.z()));
   }
 
-  /** Returns the share of facets seen from one direction that is also seen from the other. */
+  /**
+   * Returns the share of facets seen from one direction that is also seen from the other: G / G1 =
+   * (1 + Λo) / (1 + Λo + Λi), if height decides about both.
+   *
+   * @param cosO in (0,1]
+   * @param cosI in (0,1]
+   */
   default double maskingRatio(double cosO, double cosI) {
-    double lambdaO = lambda(cosO);
-    return (1 + lambdaO) / (1 + lambdaO + lambda(cosI));
+    return 1 / (1 + hidden(cosI) / cosI * (cosO / (cosO + hidden(cosO))));
   }
 
   /** Returns the distribution that a roughness α gives. */

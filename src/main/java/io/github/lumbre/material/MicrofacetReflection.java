@@ -21,10 +21,11 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     }
     Vec3 o = up(wo);
     Vec3 i = up(wi);
-    Vec3 m = o.plus(i).normalized();
-    double fresnel = Fresnel.dielectric(Math.min(1, o.dot(m)), ior);
+    Vec3 sum = o.plus(i);
+    // Half the sum is as long as the cosine at the facet; a dot product would lose digits.
+    double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), ior);
     double masking = facets.maskingRatio(o.z(), i.z());
-    return specular.times(fresnel * masking * drawn(o, m));
+    return specular.times(fresnel * masking * drawn(o, sum.normalized()));
   }
 
   @Override

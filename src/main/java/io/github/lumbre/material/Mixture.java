@@ -26,7 +26,7 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
     boolean drawsFirst = uLobe < share;
     Lobe drawn = drawsFirst ? first : second;
     BsdfSample sample = drawn.sample(wo, uLobe, u);
-    if (sample.weight().isBlack()) {
+    if (!(sample.pdf() > 0)) {
       return BsdfSample.ABSORBED;
     }
     if (sample.isSpecular()) {

@@ -15,6 +15,12 @@ import java.util.Objects;
  */
 public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture exponent)
     implements Material {
+  /**
+   * Sharper highlights than this, of a millionth of a radian, are taken as this sharp: directions
+   * have no more digits to tell their parts apart.
+   */
+  public static final double SHARPEST = 1e12;
+
   public Phong {
     Objects.requireNonNull(diffuse, "diffuse");
     Objects.requireNonNull(specular, "specular");
@@ -24,6 +30,7 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
   @Override
   public Bsdf at(SurfaceHit hit) {
     Reflectances colours = Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
-    return colours.with(new PhongLobe(colours.specular(), exponent.at(hit.texture())));
+    return colours.with(
+        new PhongLobe(colours.specular(), Math.min(exponent.at(hit.texture()), SHARPEST)));
   }
 }

@@ -11,7 +11,8 @@ import io.github.lumbre.math.Vec3;
  *
  * @param reflectance tints what is reflected, each component in [0,1]
  * @param transmittance tints what passes, each component in [0,1]
- * @param ior index of refraction inside over the one outside, &gt; 0 and not 1
+ * @param ior index of refraction inside over the one outside, &gt; 0 and not 1: 1e-8 away from it,
+ *     half the digits of a refracted direction are left
  */
 public record RoughDielectric(
     Rgb reflectance, Rgb transmittance, double ior, MicrofacetDistribution facets) implements Bsdf {
@@ -22,12 +23,11 @@ public record RoughDielectric(
     if (!(density > 0)) {
       return Rgb.BLACK;
     }
-    boolean reflects = wo.z() * wi.z() > 0;
-    double fresnel = Fresnel.dielectric(Math.min(1, up(wo, wo).dot(m)), eta(wo));
-    double masking = facets.maskingRatio(Math.abs(wo.z()), Math.abs(wi.z()));
-    return reflects
-        ? reflectance.times(fresnel * masking * density)
-        : transmittance.times((1 - fresnel) * masking * density);
+    double fresnel = fresnel(wo, wi, m);
+    double drawn = density * facets.maskingRatio(Math.abs(wo.z()), Math.abs(wi.z()));
+    return wo.z() * wi.z() > 0
+        ? reflectance.times(fresnel * drawn)
+        : transmittance.times((1 - fresnel) * drawn);
   }
 
   @Override
@@ -37,8 +37,26 @@ public record RoughDielectric(
     if (!(density > 0)) {
       return 0;
     }
-    double reflect = reflectProbability(Math.min(1, up(wo, wo).dot(m)), eta(wo));
-    return density * (wo.z() * wi.z() > 0 ? reflect : 1 - reflect);
+    double fresnel = fresnel(wo, wi, m);
+    double all = scattered(fresnel);
+    double part =
+        wo.z() * wi.z() > 0 ? fresnel * reflectance.max() : (1 - fresnel) * transmittance.max();
+    return all > 0 ? density * part / all : 0;
+  }
+
+  /** Returns how much of the light that meets a facet goes on, at most, either way. */
+  private double scattered(double fresnel) {
+    return fresnel * reflectance.max() + (1 - fresnel) * transmittance.max();
+  }
+
+  /** Returns the share that the facet between two directions reflects. */
+  private double fresnel(Vec3 wo, Vec3 wi, Vec3 m) {
+    double eta = eta(wo);
+    double cosI = up(wi, wo).dot(m);
+    // On the dense side, close to the critical angle, the share hangs on the last digits.
+    return cosI < 0 && eta < 1
+        ? Fresnel.dielectric(Math.min(1, -cosI), 1 / eta)
+        : Fresnel.dielectric(Math.min(1, up(wo, wo).dot(m)), eta);
   }
 
   /** Returns the normal, on the side of wo, that takes wo to wi by a mirror or by Snell's law. */
@@ -77,8 +95,9 @@ public record RoughDielectric(
     Vec3 m = facets.sampleVisible(o, u);
     double cosO = Math.min(1, o.dot(m));
     double eta = eta(wo);
-    double reflect = reflectProbability(cosO, eta);
-    boolean reflects = uLobe < reflect;
+    double fresnel = Fresnel.dielectric(cosO, eta);
+    double all = scattered(fresnel);
+    boolean reflects = uLobe * all < fresnel * reflectance.max();
     Vec3 i =
         reflects
             ? m.times(2 * cosO).minus(o).normalized()
@@ -93,20 +112,13 @@ public record RoughDielectric(
     if (!(pdf > 0) || pdf == Double.POSITIVE_INFINITY) {
       return BsdfSample.ABSORBED;
     }
-    double fresnel = Fresnel.dielectric(cosO, eta);
-    double masking = facets.maskingRatio(o.z(), Math.abs(i.z()));
-    Rgb weight =
+    // Divided by the probability of its kind of event, the share is the larger part of all.
+    Rgb tint =
         reflects
-            ? reflectance.times(masking * fresnel / reflect)
-            : transmittance.times(masking * (1 - fresnel) / (1 - reflect));
-    return new BsdfSample(wi, weight, pdf);
-  }
-
-  private double reflectProbability(double cosO, double eta) {
-    double fresnel = Fresnel.dielectric(cosO, eta);
-    double reflect = fresnel * reflectance.max();
-    double sum = reflect + (1 - fresnel) * transmittance.max();
-    return sum == 0 ? .5 : reflect / sum;
+            ? reflectance.times(1 / reflectance.max())
+            : transmittance.times(1 / transmittance.max());
+    double masking = facets.maskingRatio(o.z(), Math.abs(i.z()));
+    return new BsdfSample(wi, tint.times(masking * all), pdf);
   }
 
   private double eta(Vec3 wo) {

@@ -1,0 +1,95 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class GalleryCommandTest {
+  @TempDir private Path directory;
+
+  @BeforeEach
+  void writeScenes() throws IOException {
+    Files.writeString(directory.resolve("b-scene.json"), TinyScene.JSON);
+    Files.writeString(
+        directory.resolve("a-scene.json"), TinyScene.with("\"width\": 16", "\"width\": 10"));
+    Files.writeString(directory.resolve("notes.csv"), "");
+  }
+
+  private Outcome gallery(String... arguments) {
+    Stream<String> first =
+        Stream.of("gallery", "--scenes", "" + directory, "--out", "" + out(), "--seconds", "1");
+    return Outcome.of(Stream.concat(first, Stream.of(arguments)).toArray(String[]::new));
+  }
+
+  private Path out() {
+    return directory.resolve("pictures");
+  }
+
+  private List<String> rows() throws IOException {
+    return Files.readAllLines(out().resolve("README.md")).stream()
+        .filter(line -> line.startsWith("| ["))
+        .toList();
+  }
+
+  @Test
+  void everySceneBecomesAPictureAndARow() throws IOException {
+    Outcome outcome = gallery();
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(outcome.out()).isEmpty();
+    assertThat(ImageIO.read(out().resolve("a-scene.png").toFile()).getWidth()).isEqualTo(10);
+    assertThat(ImageIO.read(out().resolve("b-scene.png").toFile()).getWidth()).isEqualTo(16);
+    assertThat(Files.readString(out().resolve("b-scene.png"), StandardCharsets.ISO_8859_1))
+        .contains("Scene\000b-scene.json", "Samples\00064");
+    assertThat(rows()).hasSize(2);
+    assertThat(rows().get(0)).startsWith("| [a-scene](a-scene.png) |").contains("| 10x12 | 64 | ");
+    assertThat(rows().get(1)).contains("src=\"b-scene.png\"", Hardware.here().cpu());
+  }
+
+  @Test
+  void rowsOfOtherPicturesStayAsLongAsThePictures() throws IOException {
+    gallery();
+    String kept = rows().get(0);
+    assertThat(gallery("b-scene").exitCode()).isZero();
+    assertThat(rows()).hasSize(2).contains(kept);
+    Files.delete(out().resolve("a-scene.png"));
+    gallery("b-scene");
+    assertThat(rows()).hasSize(1).noneMatch(row -> row.contains("a-scene"));
+  }
+
+  @Test
+  void unknownScenesAndFoldersAreUsageErrors() throws IOException {
+    gallery("c-scene")
+        .assertFailed(ExitCodes.USAGE, "expected some of [a-scene, b-scene], found c-scene");
+    assertThat(out()).doesNotExist();
+    Outcome.of("gallery", "--scenes", directory + "/no").assertFailed(ExitCodes.USAGE, "no");
+    Outcome.of("gallery", "--seconds", "0").assertFailed(ExitCodes.USAGE, "--seconds");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "100,     1000, 64",
+    "7000,    1000, 64",
+    "12900,   1000, 128",
+    "100000,  1000, 992",
+    "100000,  1024, 992",
+    "1000000, 1024, 1024",
+    "1000000, 4,    64",
+    "1e300,   1073741824, 1073741824"
+  })
+  void samplesFillTheTimeInMultiplesOfSixteen(double rate, int inScene, int samples) {
+    RenderSettings settings = new RenderSettings.Builder().size(10, 20).samples(inScene).build();
+    assertThat(SampleBudget.samples(rate, 2, settings)).isEqualTo(samples);
+  }
+}

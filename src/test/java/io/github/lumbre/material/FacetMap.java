@@ -1,0 +1,168 @@
+package io.github.lumbre.material;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.ChiSquare;
+import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * Facets as points (s, v) of the unit square: 1 − s² of their area is less steep, and v turns
+ * around the normal. Seen or not, unlike the facets that the distributions themselves draw.
+ * Integrals and histograms of rough surfaces in these coordinates are smooth however small the
+ * roughness is, and at the steep end, s = 0, too.
+ */
+record FacetMap(Kind kind, double alpha) {
+  private static final int CELLS = 16;
+  private static final int POINTS = 10;
+
+  /** By how much the sum of the cells may be wrong. */
+  private static final double ERROR = 1e-3;
+
+  MicrofacetDistribution distribution() {
+    return MicrofacetDistribution.of(kind, alpha);
+  }
+
+  private Vec3 facet(double s, double v) {
+    double rest = s * s;
+    double squared = kind == Kind.BECKMANN ? -Math.log(rest) : (1 - rest) / rest;
+    double slope = alpha * Math.sqrt(squared);
+    double phi = 2 * Math.PI * v;
+    return new Vec3(slope * Math.cos(phi), slope * Math.sin(phi), 1).normalized();
+  }
+
+  /** Returns the density of normals per solid angle: D cos θ ds/d(s²). */
+  private double density(Vec3 m) {
+    double s = steepness(m);
+    double tail = kind == Kind.BECKMANN ? s * s : s * s * s * s;
+    return tail / (Math.PI * alpha * alpha * Math.pow(m.z(), 3)) / (2 * s);
+  }
+
+  /** Returns s, from 1 for a flat facet to 0 for an upright one. */
+  private double steepness(Vec3 m) {
+    double squared = (m.x() * m.x() + m.y() * m.y()) / (alpha * alpha * m.z() * m.z());
+    return kind == Kind.BECKMANN ? Math.exp(-.5 * squared) : 1 / Math.sqrt(1 + squared);
+  }
+
+  /** A direction that a facet mirrors or refracts wo into, and its density in this map. */
+  private record Scattered(Vec3 wi, double density) {
+    static final Scattered NOTHING = new Scattered(Vec3.Z, 0);
+  }
+
+  /**
+   * @param eta 0 to reflect, else to refract: index behind the facets over the one before
+   */
+  private Scattered scatter(Vec3 wo, Vec3 m, double eta) {
+    double cos = wo.dot(m);
+    if (cos <= 0) {
+      return Scattered.NOTHING;
+    }
+    if (eta == 0) {
+      return new Scattered(m.times(2 * cos).minus(wo), density(m) / (4 * cos));
+    }
+    double squared = 1 - (1 - cos * cos) / (eta * eta);
+    if (squared <= 0) {
+      return Scattered.NOTHING;
+    }
+    double cosT = Math.sqrt(squared);
+    Vec3 wi = m.times(cos / eta - cosT).minus(wo.times(1 / eta));
+    double bending = cos - eta * cosT;
+    return new Scattered(wi, density(m) * eta * eta * cosT / (bending * bending));
+  }
+
+  /**
+   * Returns the integral of a function of wi over all directions that facets mirror (eta = 0) or
+   * refract wo into.
+   *
+   * @param wo above the surface
+   */
+  double integral(Vec3 wo, double eta, int n, ToDoubleFunction<Vec3> f) {
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j < n; j++) {
+        Scattered scattered = scatter(wo, facet((i + .5) / n, (j + .5) / n), eta);
+        sum += scattered.density == 0 ? 0 : f.applyAsDouble(scattered.wi) / scattered.density;
+      }
+    }
+    return sum / (n * n);
+  }
+
+  /** Checks that samples follow their density and are refused as often as it lacks to 1. */
+  void assertSamplesFollowPdf(Bsdf bsdf, Vec3 wo, double eta, int samples, SplittableRandom random) {
+    int sheets = eta == 0 ? 1 : 2;
+    int absorbed = sheets * CELLS * CELLS;
+    long[] counts = new long[absorbed + 1];
+    double side = Math.signum(wo.z());
+    for (int i = 0; i < samples; i++) {
+      BsdfSample sample = bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random));
+      if (sample.pdf() == 0) {
+        counts[absorbed]++;
+        continue;
+      }
+      assertThat(bsdf.pdf(wo, sample.wi())).isPositive();
+      counts[cell(turned(wo, side), turned(sample.wi(), side), eta)]++;
+    }
+    double[] expected = expected(bsdf, wo, eta, samples, absorbed);
+    if (expected[absorbed] < ERROR * samples) {
+      // So few that the error of the quadrature counts.
+      assertThat(counts[absorbed]).isLessThan((long) (2 * ERROR * samples));
+      expected[absorbed] = counts[absorbed];
+    }
+    ChiSquare test = ChiSquare.of(counts, expected);
+    assertThat(test.passes()).as("%s, wo %s: %s", this, wo, test).isTrue();
+  }
+
+  private double[] expected(Bsdf bsdf, Vec3 wo, double eta, int samples, int absorbed) {
+    double[] expected = new double[absorbed + 1];
+    double side = Math.signum(wo.z());
+    Vec3 o = turned(wo, side);
+    double all = 0;
+    for (int i = 0; i < absorbed; i++) {
+      boolean passes = i >= CELLS * CELLS;
+      double integral =
+          cellIntegral(
+              i % (CELLS * CELLS),
+              m -> {
+                Scattered scattered = scatter(o, m, passes ? eta : 0);
+                return scattered.density == 0 || scattered.wi.z() < 0 != passes
+                    ? 0
+                    : bsdf.pdf(wo, turned(scattered.wi, side)) / scattered.density;
+              });
+      all += integral;
+      // In a corner too small for the quadrature, nothing is impossible.
+      expected[i] = Math.max(1e-9, samples * integral);
+    }
+    assertThat(all).isLessThan(1 + ERROR);
+    expected[absorbed] = Math.max(0, samples * (1 - all));
+    return expected;
+  }
+
+  /** Mirrors z; on an isotropic surface that is as good as turning it over. */
+  private static Vec3 turned(Vec3 w, double side) {
+    return new Vec3(w.x(), w.y(), side * w.z());
+  }
+
+  private int cell(Vec3 wo, Vec3 wi, double eta) {
+    boolean passes = wi.z() < 0;
+    Vec3 half = (passes ? wo.plus(eta, wi) : wo.plus(wi)).normalized();
+    Vec3 m = half.z() < 0 ? half.negated() : half;
+    double v = Math.atan2(m.y(), m.x()) / (2 * Math.PI);
+    int row = Math.min((int) (CELLS * steepness(m)), CELLS - 1);
+    int column = Math.min((int) (CELLS * (v - Math.floor(v))), CELLS - 1);
+    return (passes ? CELLS * CELLS : 0) + row * CELLS + column;
+  }
+
+  private double cellIntegral(int cell, ToDoubleFunction<Vec3> f) {
+    double sum = 0;
+    for (int i = 0; i < POINTS; i++) {
+      double s = (cell / CELLS + (i + .5) / POINTS) / CELLS;
+      for (int j = 0; j < POINTS; j++) {
+        double v = (cell % CELLS + (j + .5) / POINTS) / CELLS;
+        sum += f.applyAsDouble(facet(s, v));
+      }
+    }
+    return sum / (POINTS * POINTS * CELLS * CELLS);
+  }
+}

@@ -1,0 +1,190 @@
+package io.github.lumbre.material;
+
+import static io.github.lumbre.material.BsdfLaws.COSINES;
+import static io.github.lumbre.material.BsdfLaws.direction;
+import static io.github.lumbre.material.BsdfLaws.relative;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.math.Vec3;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RoughDielectricTest {
+  private static final double[] ROUGHNESSES = {1e-3, .01, .05, .1, .3, .5, 1};
+  private static final double[] BOTH_SIDES = {1, -1};
+
+  private final SplittableRandom random = new SplittableRandom(47);
+
+  private static RoughDielectric glass(double ior, double alpha) {
+    return new RoughDielectric(Rgb.WHITE, Rgb.WHITE, ior, new Ggx(alpha));
+  }
+
+  /** Returns the index behind the surface over the one on the side of a direction. */
+  private static double eta(RoughDielectric glass, Vec3 wo) {
+    return wo.z() > 0 ? glass.ior() : 1 / glass.ior();
+  }
+
+  /** Returns what is reflected, or else what passes, by quadrature. */
+  static double albedo(RoughDielectric glass, Vec3 wo, boolean passes, int n) {
+    FacetMap map = new FacetMap(Kind.GGX, ((Ggx) glass.facets()).alpha());
+    double side = Math.signum(wo.z());
+    return map.integral(
+        new Vec3(wo.x(), wo.y(), Math.abs(wo.z())),
+        passes ? eta(glass, wo) : 0,
+        n,
+        wi ->
+            wi.z() < 0 == passes
+                ? glass.eval(wo, new Vec3(wi.x(), wi.y(), side * wi.z())).g()
+                : 0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {.5, 1.5, 1e6})
+  void sampledWeightsAverageToTheAlbedoAndNeverExceedOne(double ior) {
+    for (double alpha : ROUGHNESSES) {
+      RoughDielectric glass = glass(ior, alpha);
+      for (double cos : COSINES) {
+        for (double side : BOTH_SIDES) {
+          Vec3 wo = direction(side * cos);
+          double albedo = albedo(glass, wo, false, 150) + albedo(glass, wo, true, 150);
+          double sampled = BsdfLaws.sampledAlbedo(glass, wo, 20_000);
+          assertThat(sampled).isLessThanOrEqualTo(1);
+          assertThat(sampled).as("%s %s", glass, wo).isCloseTo(albedo, within(3e-3));
+        }
+      }
+    }
+  }
+
+  @Test
+  void tintsScaleWhatIsReflectedAndWhatPasses() {
+    for (double alpha : new double[] {.1, .5}) {
+      RoughDielectric tinted =
+          new RoughDielectric(Rgb.grey(.9), Rgb.grey(.2), 1.5, new Ggx(alpha));
+      for (double cos : new double[] {.9, -.9, .3, -.3}) {
+        Vec3 wo = direction(cos);
+        double reflected = albedo(glass(1.5, alpha), wo, false, 150);
+        double passed = albedo(glass(1.5, alpha), wo, true, 150);
+        assertThat(BsdfLaws.sampledAlbedo(tinted, wo, 40_000))
+            .isCloseTo(.9 * reflected + .2 * passed, within(2e-3));
+      }
+    }
+  }
+
+  /** What is carried is radiance over squared index, so eval / (|cos θi| ηi²) is symmetric. */
+  @ParameterizedTest
+  @ValueSource(doubles = {.5, 1.5, 3})
+  void scatteringIsReciprocalButForTheIndices(double ior) {
+    for (double alpha : ROUGHNESSES) {
+      RoughDielectric glass = glass(ior, alpha);
+      for (int i = 0; i < 4000; i++) {
+        Vec3 a = direction(random);
+        BsdfSample sample = glass.sample(a, random.nextDouble(), BsdfLaws.point(random));
+        Vec3 b = i % 2 == 0 || sample.pdf() == 0 ? direction(random) : sample.wi();
+        double indexA = a.z() > 0 ? 1 : ior;
+        double indexB = b.z() > 0 ? 1 : ior;
+        double there = glass.eval(a, b).g() / (Math.abs(b.z()) * indexB * indexB);
+        double back = glass.eval(b, a).g() / (Math.abs(a.z()) * indexA * indexA);
+        assertThat(relative(there, back)).as("%s %s %s", glass, a, b).isLessThan(1e-9);
+      }
+    }
+  }
+
+  @Test
+  void sampledDirectionsFollowPdfAndThoseOnTheWrongSideAreRefused() {
+    for (double alpha : new double[] {1e-3, .1, .5, 1}) {
+      for (double ior : new double[] {.6, 1.5}) {
+        RoughDielectric glass =
+            new RoughDielectric(Rgb.grey(.9), Rgb.grey(.4), ior, new Ggx(alpha));
+        for (double cos : new double[] {1, -.9, .5, -.5, .1, -.1}) {
+          Vec3 wo = direction(cos);
+          new FacetMap(Kind.GGX, alpha)
+              .assertSamplesFollowPdf(glass, wo, eta(glass, wo), 40_000, random);
+        }
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {.5, 1 + 1e-7, 1.5, 1e6})
+  void weightIsEvalOverPdf(double ior) {
+    for (double alpha : ROUGHNESSES) {
+      RoughDielectric glass =
+          new RoughDielectric(new Rgb(.9, .5, .1), new Rgb(.2, .6, 1), ior, new Ggx(alpha));
+      for (double cos : COSINES) {
+        BsdfLaws.assertWeightIsEvalOverPdf(glass, direction(cos), 500, random, 1e-9);
+        BsdfLaws.assertWeightIsEvalOverPdf(glass, direction(-cos), 500, random, 1e-9);
+      }
+    }
+  }
+
+  @Test
+  void extremesAreHarmless() {
+    for (double alpha : ROUGHNESSES) {
+      for (double ior : new double[] {.5, 1 + 1e-7, 1.5, 1e6}) {
+        BsdfLaws.assertExtremesAreHarmless(glass(ior, alpha));
+      }
+    }
+  }
+
+  @Test
+  void nearlySmoothGlassReflectsAsSmoothGlass() {
+    for (double ior : new double[] {.5, 1.5, 2.4}) {
+      Dielectric smooth = new Dielectric(Rgb.WHITE, Rgb.WHITE, ior);
+      for (double cos : new double[] {1, .8, .5, .2}) {
+        for (double side : BOTH_SIDES) {
+          Vec3 wo = direction(side * cos);
+          double reflected = albedo(glass(ior, CookTorrance.SMOOTH), wo, false, 100);
+          double passed = albedo(glass(ior, CookTorrance.SMOOTH), wo, true, 100);
+          assertThat(reflected).isCloseTo(smooth.reflected(wo), within(.01 * reflected));
+          assertThat(reflected + passed).isCloseTo(1, within(2e-3));
+        }
+      }
+    }
+  }
+
+  @Test
+  void nearlySmoothGlassRefractsBySnellsLaw() {
+    RoughDielectric glass = glass(1.5, CookTorrance.SMOOTH);
+    Vec3 wo = direction(.6);
+    Vec3 straight = new Dielectric(Rgb.WHITE, Rgb.WHITE, 1.5).refract(wo);
+    for (int i = 0; i < 1000; i++) {
+      Vec3 wi = glass.sample(wo, .999, BsdfLaws.point(random)).wi();
+      // One facet in ten thousand is turned by more than a hundred times the roughness.
+      assertThat(wi.minus(straight).length()).isLessThan(.1);
+    }
+  }
+
+  @Test
+  void nothingPassesFacetsBeyondTheCriticalAngle() {
+    // From inside, 60° is beyond the critical angle of 41.8° for all but very steep facets.
+    RoughDielectric glass = glass(1.5, CookTorrance.SMOOTH);
+    Vec3 wo = direction(-.5);
+    for (int i = 0; i < 1000; i++) {
+      assertThat(glass.sample(wo, BsdfLaws.LAST, BsdfLaws.point(random)).wi().z()).isNegative();
+    }
+    assertThat(albedo(glass, wo, false, 100)).isCloseTo(1, within(1e-3));
+  }
+
+  @Test
+  void almostTheSameMediumIsAlmostInvisible() {
+    RoughDielectric glass = glass(1 + 1e-7, .3);
+    Vec3 wo = direction(.8);
+    for (int i = 0; i < 1000; i++) {
+      BsdfSample sample = glass.sample(wo, .5, BsdfLaws.point(random));
+      assertThat(sample.wi().plus(wo).length()).isLessThan(1e-5);
+    }
+    assertThat(BsdfLaws.sampledAlbedo(glass, wo, 1000)).isGreaterThan(.98);
+  }
+
+  @Test
+  void blackGlassAbsorbs() {
+    RoughDielectric black = new RoughDielectric(Rgb.BLACK, Rgb.BLACK, 1.5, new Ggx(.3));
+    assertThat(BsdfLaws.sampledAlbedo(black, Vec3.Z, 100)).isZero();
+    assertThat(black.eval(Vec3.Z, Vec3.Z).isBlack()).isTrue();
+  }
+}
