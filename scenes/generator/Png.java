@@ -10,13 +10,23 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
-/** Writes pictures as PNG files of 8 bits a channel, each row with the filter that suits it. */
+/** Writes pictures as PNG files of 8 bits a channel. */
 final class Png {
   private static final byte[] SIGNATURE = {(byte) 137, 80, 78, 71, 13, 10, 26, 10};
 
   private Png() {}
 
+  /** Gives each row the filter that suits it, as is best for pictures of many colours. */
   static void write(Path file, Raster raster) throws IOException {
+    write(file, raster, true);
+  }
+
+  /** Leaves the rows as they are, as is best for pictures of few colours. */
+  static void writePlain(Path file, Raster raster) throws IOException {
+    write(file, raster, false);
+  }
+
+  private static void write(Path file, Raster raster, boolean filters) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     bytes.write(SIGNATURE);
     ByteArrayOutputStream header = new ByteArrayOutputStream();
@@ -25,19 +35,19 @@ final class Png {
     fields.writeInt(raster.height);
     fields.write(new byte[] {8, 2, 0, 0, 0});
     chunk(bytes, "IHDR", header.toByteArray());
-    chunk(bytes, "IDAT", compress(raster));
+    chunk(bytes, "IDAT", compress(raster, filters));
     chunk(bytes, "IEND", new byte[0]);
     Files.write(file, bytes.toByteArray());
   }
 
-  private static byte[] compress(Raster raster) throws IOException {
+  private static byte[] compress(Raster raster, boolean filters) throws IOException {
     ByteArrayOutputStream packed = new ByteArrayOutputStream();
     Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION);
     try (DeflaterOutputStream out = new DeflaterOutputStream(packed, deflater)) {
       byte[] above = new byte[3 * raster.width];
       for (int y = 0; y < raster.height; y++) {
         byte[] row = row(raster, y);
-        out.write(filtered(row, above));
+        out.write(filtered(row, above, filters ? 3 : 1));
         above = row;
       }
     } finally {
@@ -57,11 +67,11 @@ final class Png {
     return row;
   }
 
-  /** The row after its filter byte: of the filters none, sub and up, the one of least sum. */
-  private static byte[] filtered(byte[] row, byte[] above) {
+  /** The row after its filter byte: of the first filters none, sub, up, the one of least sum. */
+  private static byte[] filtered(byte[] row, byte[] above, int filters) {
     byte[] best = new byte[0];
     long least = Long.MAX_VALUE;
-    for (int filter = 0; filter < 3; filter++) {
+    for (int filter = 0; filter < filters; filter++) {
       byte[] line = new byte[row.length + 1];
       line[0] = (byte) filter;
       long sum = 0;

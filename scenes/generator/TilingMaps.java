@@ -8,7 +8,7 @@ final class TilingMaps {
   private static final int SIZE = 512;
 
   /** A height over the unit square, in units of its side; repeats beyond it. */
-  private interface Height {
+  interface Height {
     double at(double u, double v);
   }
 
@@ -23,7 +23,7 @@ final class TilingMaps {
     Png.write(folder.resolve("star.png"), star(128));
   }
 
-  private static Raster normals(Height height) {
+  static Raster normals(Height height) {
     Raster raster = new Raster(SIZE, SIZE);
     double e = .5 / SIZE;
     for (int y = 0; y < SIZE; y++) {
@@ -39,7 +39,7 @@ final class TilingMaps {
     return raster;
   }
 
-  private static double fraction(double a) {
+  static double fraction(double a) {
     return a - Math.floor(a);
   }
 
@@ -70,7 +70,7 @@ final class TilingMaps {
   }
 
   /** Smooth noise of so many cells over the unit square, which it repeats. */
-  private static double wrapped(double u, double v, int cells) {
+  static double wrapped(double u, double v, int cells) {
     double x = fraction(u) * cells;
     double y = fraction(v) * cells;
     int i = (int) x;
