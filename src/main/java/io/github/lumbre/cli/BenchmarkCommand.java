@@ -70,8 +70,7 @@ final class BenchmarkCommand implements Callable<Integer> {
       names = "--warmup",
       paramLabel = "N",
       defaultValue = "1",
-      description =
-          "Renders of one sample per pixel before each row, untimed (${DEFAULT-VALUE}).")
+      description = "Renders of one sample per pixel before each row, untimed (${DEFAULT-VALUE}).")
   private int warmup;
 
   @Option(
@@ -139,8 +138,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     List<ReportRow> selected = selected(folder);
     TableHashes stored = TableHashes.load(folder.directory());
     Messages out = new Messages(spec.commandLine().getOut());
-    BenchmarkReport report =
-        new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out);
+    BenchmarkReport report = new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out);
     try (Interruption interruption = Interruption.listen(() -> {})) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
       BenchmarkRunner runner =

@@ -27,13 +27,27 @@ final class BenchmarkMarkdown {
     return List.of(
         "Lumbre " + Version.number() + " on " + hardware.line() + ".",
         plan.sentences(),
-        "Rays include shadow rays. Image: the first " + HASH_DIGITS + " digits of the picture's"
+        "Rays include shadow rays. Image: the first "
+            + HASH_DIGITS
+            + " digits of the picture's"
             + " SHA-256, which is the same on every machine.",
         "",
         cells(
             List.of(
-                "#", "name", "size", "samples", "threads", "bucket", "depth", "hardware", "time",
-                "time of all samples", "report's hardware", "report's time", "samples/s", "rays/s",
+                "#",
+                "name",
+                "size",
+                "samples",
+                "threads",
+                "bucket",
+                "depth",
+                "hardware",
+                "time",
+                "time of all samples",
+                "report's hardware",
+                "report's time",
+                "samples/s",
+                "rays/s",
                 "image")),
         "|--:|---|---|---|--:|--:|--:|---|---|---|---|---|--:|--:|---|");
   }
@@ -82,9 +96,7 @@ final class BenchmarkMarkdown {
             .filter(row -> !row.note().isEmpty())
             .map(row -> "- Note on row " + row.number() + ": " + row.note())
             .toList();
-    return notes.isEmpty()
-        ? notes
-        : Stream.concat(Stream.of(""), notes.stream()).toList();
+    return notes.isEmpty() ? notes : Stream.concat(Stream.of(""), notes.stream()).toList();
   }
 
   /** Returns a line of a Markdown table. */

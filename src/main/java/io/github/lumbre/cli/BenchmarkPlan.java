@@ -30,9 +30,7 @@ record BenchmarkPlan(BigDecimal share, int threads, int warmup, int repeat) {
             ? "No warm-up."
             : "Warm-up before each row: " + renders(warmup) + " of 1 sample per pixel.";
     String timed =
-        repeat == 1
-            ? "Time: of 1 render,"
-            : "Time: the median of " + renders(repeat) + ",";
+        repeat == 1 ? "Time: of 1 render," : "Time: the median of " + renders(repeat) + ",";
     return samples + " " + warm + " " + timed + " without reading the scene.";
   }
 

@@ -102,8 +102,7 @@ final class BenchmarkRunner {
         result.complete(), seconds, result.statistics(), RasterHash.of(result.image()));
   }
 
-  private RenderResult render(SceneFile file, RenderSettings settings)
-      throws InterruptedException {
+  private RenderResult render(SceneFile file, RenderSettings settings) throws InterruptedException {
     try (RenderMonitor monitor = monitors.get()) {
       return new BucketRenderer(settings).render(file.scene(), monitor);
     }

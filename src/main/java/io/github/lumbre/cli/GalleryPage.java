@@ -90,8 +90,7 @@ final class GalleryPage {
    * @throws CommandException if that fails
    */
   void save() throws CommandException {
-    String lines =
-        rows.values().stream().map(row -> row + "\n").collect(Collectors.joining());
+    String lines = rows.values().stream().map(row -> row + "\n").collect(Collectors.joining());
     TextFile.write(file, HEAD + lines);
   }
 }

@@ -79,8 +79,7 @@ final class GalleryRenderer {
     if (!result.complete()) {
       return Optional.empty();
     }
-    Map<String, String> metadata =
-        PictureMetadata.of(scenes.file(scene), file, settings, taken);
+    Map<String, String> metadata = PictureMetadata.of(scenes.file(scene), file, settings, taken);
     output.write(
         result.image(),
         new ImageWriter.Options(settings.exposure(), settings.toneCurve(), BITS, metadata));

@@ -45,8 +45,7 @@ final class ReportTable {
   private static ReportRow row(String line) {
     List<String> values = Csv.values(line);
     if (values.size() != COLUMNS) {
-      throw new IllegalArgumentException(
-          "expected " + COLUMNS + " values, found " + values.size());
+      throw new IllegalArgumentException("expected " + COLUMNS + " values, found " + values.size());
     }
     Size size = new FlagConverters.OfSize().convert(values.get(3));
     return new ReportRow(

@@ -28,8 +28,7 @@ final class SampleBudget {
       throws InterruptedException {
     RenderSettings small = small(file.settings());
     for (int samples = 1; ; samples *= 2) {
-      BucketRenderer renderer =
-          new BucketRenderer(small.toBuilder().samples(samples).build());
+      BucketRenderer renderer = new BucketRenderer(small.toBuilder().samples(samples).build());
       long start = System.nanoTime();
       boolean complete = renderer.render(file.scene(), progress).complete();
       double taken = (System.nanoTime() - start) * 1e-9;

@@ -34,6 +34,10 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
           sample.wi(), sample.weight().times(1 / (drawsFirst ? share : 1 - share)));
     }
     double pdf = pdf(wo, sample.wi());
+    if (!(pdf > 0)) {
+      // So close to the horizon that the product of two cosines is 0.
+      return BsdfSample.ABSORBED;
+    }
     return new BsdfSample(sample.wi(), eval(wo, sample.wi()).times(1 / pdf), pdf);
   }
 

@@ -101,8 +101,7 @@ public final class SceneParser {
     MessageDigest digest = sha256();
     digest.update(text);
     AssetTable assets = new AssetTable(root, lenient);
-    SceneReader world =
-        new SceneReader(root, assets, new AssetData(file, digest), settings.seed());
+    SceneReader world = new SceneReader(root, assets, new AssetData(file, digest), settings.seed());
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     return new SceneFile(

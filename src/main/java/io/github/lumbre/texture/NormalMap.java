@@ -45,12 +45,12 @@ public final class NormalMap {
     if (x == 0 && y == 0 && n.b() > 0) {
       return shading;
     }
-    Vec3 bent = shading.toWorld(new Vec3(x, y, n.b()));
-    double length = bent.length();
-    if (length == 0) {
+    Vec3 local = new Vec3(x, y, n.b());
+    if (local.maxAbs() == 0) {
       return shading;
     }
-    Vec3 normal = bent.times(1 / length);
+    // Normalize first, lest sums of huge components overflow.
+    Vec3 normal = shading.toWorld(local.normalized()).normalized();
     double height = normal.dot(geometricNormal);
     if (height < LOWEST_COSINE) {
       normal = normal.plus(LOWEST_COSINE - height, geometricNormal);

@@ -55,7 +55,8 @@ class BenchmarkCommandTest {
   @Test
   void rowsAreChosenInTheTablesOrder() {
     assertThat(rows(benchmark("--rows", "4"))).singleElement().asString().contains("Second");
-    assertThat(rows(benchmark("--rows", "4,3"))).extracting(row -> row.substring(0, 5))
+    assertThat(rows(benchmark("--rows", "4,3")))
+        .extracting(row -> row.substring(0, 5))
         .containsExactly("| 3 |", "| 4 |");
   }
 
@@ -73,7 +74,8 @@ class BenchmarkCommandTest {
     assertThat(unknown.exitCode()).isEqualTo(ExitCodes.DIFFERENT);
     assertThat(unknown.err()).contains("row 3: tiny, 16x12, 3 samples: no hash is stored");
     assertThat(benchmark("--store").exitCode()).isZero();
-    assertThat(benchmark("--check")).extracting(Outcome::exitCode, Outcome::err)
+    assertThat(benchmark("--check"))
+        .extracting(Outcome::exitCode, Outcome::err)
         .containsExactly(ExitCodes.OK, "");
     TinyScene.write(directory, TinyScene.with("\"intensity\": 3", "\"intensity\": 2"));
     Outcome changed = benchmark("--check", "--rows", "3");
@@ -88,7 +90,8 @@ class BenchmarkCommandTest {
   void storedHashesAreKeptForEachNumberOfSamplesButNotForFormerScenes() throws IOException {
     benchmark("--store", "--rows", "3");
     benchmark("--store", "--scale", "0.02");
-    assertThat(stored()).extracting(line -> line.substring(0, line.lastIndexOf(',')))
+    assertThat(stored())
+        .extracting(line -> line.substring(0, line.lastIndexOf(',')))
         .containsExactly(
             "row,scene,size,samples", "3,tiny,16x12,3", "3,tiny,16x12,6", "4,tiny,8x8,1");
     Path table = directory.resolve(ReportTable.FILE);

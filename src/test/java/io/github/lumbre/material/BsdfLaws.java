@@ -81,8 +81,14 @@ final class BsdfLaws {
         Vec3 wo = direction(sign * cosO);
         for (double cosI : EXTREME_COSINES) {
           Vec3 wi = direction(cosI);
-          Vec3[] related = {wi, wi.negated(), new Vec3(-wi.x(), -wi.y(), wi.z()),
-            new Vec3(wi.x(), wi.y(), -wi.z()), new Vec3(-wi.y(), wi.x(), wi.z()), Vec3.X};
+          Vec3[] related = {
+            wi,
+            wi.negated(),
+            new Vec3(-wi.x(), -wi.y(), wi.z()),
+            new Vec3(wi.x(), wi.y(), -wi.z()),
+            new Vec3(-wi.y(), wi.x(), wi.z()),
+            Vec3.X
+          };
           for (Vec3 each : related) {
             assertHarmless(bsdf.eval(wo, each));
             assertThat(bsdf.pdf(wo, each)).isNotNegative().isFinite();
@@ -110,7 +116,9 @@ final class BsdfLaws {
     }
   }
 
-  /** Returns the mean weight of samples at n points of a lattice that fills the unit cube evenly. */
+  /**
+   * Returns the mean weight of samples at n points of a lattice that fills the unit cube evenly.
+   */
   static double sampledAlbedo(Bsdf bsdf, Vec3 wo, int n) {
     double sum = 0;
     for (int i = 0; i < n; i++) {

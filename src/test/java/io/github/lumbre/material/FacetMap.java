@@ -90,7 +90,8 @@ record FacetMap(Kind kind, double alpha) {
   }
 
   /** Checks that samples follow their density and are refused as often as it lacks to 1. */
-  void assertSamplesFollowPdf(Bsdf bsdf, Vec3 wo, double eta, int samples, SplittableRandom random) {
+  void assertSamplesFollowPdf(
+      Bsdf bsdf, Vec3 wo, double eta, int samples, SplittableRandom random) {
     int sheets = eta == 0 ? 1 : 2;
     int absorbed = sheets * CELLS * CELLS;
     long[] counts = new long[absorbed + 1];

@@ -183,7 +183,9 @@ class MicrofacetReflectionTest {
         Vec3 wo = direction(cos);
         double sum =
             map.integral(
-                wo, 0, 300,
+                wo,
+                0,
+                300,
                 wi -> {
                   Vec3 m = wo.plus(wi).normalized();
                   return facets.visibleDensity(wo, m) / (4 * wo.dot(m));

@@ -89,9 +89,7 @@ class PhongLobeTest {
         Vec3 a = direction(random);
         double near = 2 / Math.sqrt(exponent + 1);
         Vec3 b =
-            i % 2 == 0
-                ? direction(random)
-                : mirrored(a).plus(near, direction(random)).normalized();
+            i % 2 == 0 ? direction(random) : mirrored(a).plus(near, direction(random)).normalized();
         double there = lobe(exponent).eval(a, b).g() / Math.abs(b.z());
         double back = lobe(exponent).eval(b, a).g() / Math.abs(a.z());
         if (Math.max(there, back) > 1e-290) {

@@ -38,9 +38,7 @@ class RoughDielectricTest {
         passes ? eta(glass, wo) : 0,
         n,
         wi ->
-            wi.z() < 0 == passes
-                ? glass.eval(wo, new Vec3(wi.x(), wi.y(), side * wi.z())).g()
-                : 0);
+            wi.z() < 0 == passes ? glass.eval(wo, new Vec3(wi.x(), wi.y(), side * wi.z())).g() : 0);
   }
 
   @ParameterizedTest
@@ -63,8 +61,7 @@ class RoughDielectricTest {
   @Test
   void tintsScaleWhatIsReflectedAndWhatPasses() {
     for (double alpha : new double[] {.1, .5}) {
-      RoughDielectric tinted =
-          new RoughDielectric(Rgb.grey(.9), Rgb.grey(.2), 1.5, new Ggx(alpha));
+      RoughDielectric tinted = new RoughDielectric(Rgb.grey(.9), Rgb.grey(.2), 1.5, new Ggx(alpha));
       for (double cos : new double[] {.9, -.9, .3, -.3}) {
         Vec3 wo = direction(cos);
         double reflected = albedo(glass(1.5, alpha), wo, false, 150);

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class ElementaryTest {
   private static final double EPS = 0x1p-52;
@@ -109,7 +111,8 @@ class ElementaryTest {
     for (int i = 0; i < 1_000_000; i++) {
       double x = i % 2 == 0 ? random.nextDouble(-745, 709) : random.nextDouble(-2, 2);
       double expected = StrictMath.exp(x);
-      assertThat(Math.abs(Elementary.exp(x) - expected)).isLessThanOrEqualTo(2 * Math.ulp(expected));
+      assertThat(Math.abs(Elementary.exp(x) - expected))
+          .isLessThanOrEqualTo(2 * Math.ulp(expected));
     }
     assertThat(Elementary.exp(0)).isEqualTo(1);
     assertThat(Elementary.exp(710)).isInfinite();
@@ -117,5 +120,36 @@ class ElementaryTest {
     assertThat(Elementary.exp(Double.POSITIVE_INFINITY)).isInfinite();
     assertThat(Elementary.exp(Double.NEGATIVE_INFINITY)).isZero();
     assertThat(Elementary.exp(Double.NaN)).isNaN();
+  }
+
+  /** References by series and continued fractions with 60 digits. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, 1",
+    "1e-12, .99999999999887162083",
+    ".001, .9988726200811514086",
+    ".1, .89645697996912663666",
+    ".5, .61569034419292587487",
+    "1, .42758357615580700441",
+    "2, .25539567631050574387",
+    "3.7, .14743499753718507247",
+    "5, .11070463773306862637",
+    "9, .062307724037774684147",
+    "20, .028174348741051319319",
+    "1000, .0005641893014533876542",
+    "1e8, 5.6418958354775625874e-9",
+  })
+  void scaledErrorFunctionIsRightTo14Digits(double x, double expected) {
+    assertThat(Elementary.erfcScaled(x)).isCloseTo(expected, within(1e-14 * expected));
+  }
+
+  @Test
+  void logarithmAndExponentialOfSmallNumbersKeepTheirDigits() {
+    for (double x : new double[] {1e-300, 1e-20, -1e-20, 1e-9, -1e-9, -.3, 2}) {
+      assertThat(Elementary.expm1(Elementary.log1p(x))).isCloseTo(x, within(4 * EPS * Math.abs(x)));
+    }
+    assertThat(Elementary.log1p(1e-9)).isCloseTo(1e-9 - .5e-18, within(1e-24));
+    assertThat(Elementary.expm1(1e-9)).isCloseTo(1e-9 + .5e-18, within(1e-24));
+    assertThat(Elementary.log1p(-(1 - 0x1p-53))).isCloseTo(-53 * Math.log(2), within(1e-14));
   }
 }

@@ -35,8 +35,7 @@ class ProceduralReaderTest {
   }
 
   private static String texture(int id, String typeAndKeys) {
-    return json(
-        "{'id': " + id + ", 'assetType': 'Texture', 'textureType': " + typeAndKeys + "}");
+    return json("{'id': " + id + ", 'assetType': 'Texture', 'textureType': " + typeAndKeys + "}");
   }
 
   private static String material(String keys) {
@@ -158,12 +157,10 @@ class ProceduralReaderTest {
     String size = "'Cloud', 'width': " + width + ", 'height': " + height;
     String dome = json("{'type': 'Light', 'lightType': 'Dome', 'intensity': 2, 'textureId': 3}");
     EnvironmentLight light =
-        (EnvironmentLight)
-            fixture.parse(scene(dome, texture(3, size))).scene().lights().get(0);
+        (EnvironmentLight) fixture.parse(scene(dome, texture(3, size))).scene().lights().get(0);
     Texture<Rgb> sky = glow(3, size);
     // Straight ahead is the middle.
-    assertThat(light.from(new Vec3(0, 0, 1)))
-        .isEqualTo(sky.at(new TexturePoint(.5, .5)).times(2));
+    assertThat(light.from(new Vec3(0, 0, 1))).isEqualTo(sky.at(new TexturePoint(.5, .5)).times(2));
     assertThat(light.pdf(new Vec3(0, .6, .8))).isPositive();
   }
 

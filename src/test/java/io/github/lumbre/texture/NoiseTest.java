@@ -14,7 +14,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NoiseTest {
   @ParameterizedTest
   @CsvSource({
-    "1, 64, 64", "32, 1000, 999", "100, 640, 480", "128, 500, 500", "1e6, 77, 5", "256, 1, 300"
+    "1, 64, 64",
+    "32, 1000, 999",
+    "100, 640, 480",
+    "128, 500, 500",
+    "1e6, 77, 5",
+    "256, 1, 300"
   })
   void theMeanOfAllSeedsIsHalfTheOctavesWeight(double coarsest, int width, int height) {
     int count = 20_000;

@@ -1,0 +1,131 @@
+package io.github.lumbre.material;
+
+import static io.github.lumbre.material.BsdfLaws.COSINES;
+import static io.github.lumbre.material.BsdfLaws.direction;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.ChiSquare;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class MixtureTest {
+  private static final Lambertian DIFFUSE = new Lambertian(new Rgb(.2, .5, .1));
+  private static final Rgb SPECULAR = new Rgb(.8, .4, .9);
+  private static final Lobe MIRROR = new FresnelMirror(SPECULAR, 1.5);
+  private static final Lobe[] LOBES = {
+    new PhongLobe(SPECULAR, 0),
+    new PhongLobe(SPECULAR, 10),
+    new PhongLobe(SPECULAR, 1e9),
+    new MicrofacetReflection(SPECULAR, 1.5, new Beckmann(1e-3)),
+    new MicrofacetReflection(SPECULAR, 3, new Ggx(.3)),
+    new MicrofacetReflection(SPECULAR, 1, new Ggx(.3)),
+  };
+
+  private final SplittableRandom random = new SplittableRandom(53);
+
+  @Test
+  void weightIsEvalOverPdf() {
+    for (Lobe lobe : LOBES) {
+      for (double cos : COSINES) {
+        BsdfLaws.assertWeightIsEvalOverPdf(
+            new Mixture(DIFFUSE, lobe), direction(cos), 1000, random, 1e-12);
+        BsdfLaws.assertWeightIsEvalOverPdf(
+            new Mixture(DIFFUSE, lobe), direction(-cos), 1000, random, 1e-12);
+      }
+    }
+  }
+
+  @Test
+  void albedoIsTheSumOfTheParts() {
+    for (Lobe lobe : LOBES) {
+      for (double cos : COSINES) {
+        Vec3 wo = direction(cos);
+        double sum = .5 + BsdfLaws.sampledAlbedo(lobe, wo, 5000);
+        double both = BsdfLaws.sampledAlbedo(new Mixture(DIFFUSE, lobe), wo, 5000);
+        assertThat(both).isCloseTo(sum, within(5e-3));
+        assertThat(sum).isLessThanOrEqualTo(1);
+      }
+    }
+  }
+
+  @Test
+  void sampledDirectionsFollowPdf() {
+    for (Lobe lobe : new Lobe[] {LOBES[1], LOBES[4]}) {
+      Mixture mixture = new Mixture(DIFFUSE, lobe);
+      for (double cos : new double[] {.9, -.7}) {
+        Vec3 wo = direction(cos);
+        ChiSquare test =
+            ChiSquare.ofDirections(
+                60_000,
+                () -> {
+                  BsdfSample sample =
+                      mixture.sample(wo, random.nextDouble(), BsdfLaws.point(random));
+                  return sample.pdf() > 0 ? Optional.of(sample.wi()) : Optional.empty();
+                },
+                wi -> mixture.pdf(wo, wi),
+                6);
+        assertThat(test.passes()).as("%s %s", lobe, test).isTrue();
+      }
+    }
+  }
+
+  @Test
+  void extremesAreHarmless() {
+    for (Lobe lobe : LOBES) {
+      BsdfLaws.assertExtremesAreHarmless(new Mixture(DIFFUSE, lobe));
+    }
+  }
+
+  @Test
+  void mirrorIsDrawnAsOftenAsItMattersAndBothKeepTheirEnergy() {
+    Mixture mixture = new Mixture(DIFFUSE, MIRROR);
+    for (double cos : new double[] {1, .5, .1, -.5}) {
+      Vec3 wo = direction(cos);
+      double reflected = .4 * Fresnel.dielectric(Math.abs(cos), 1.5);
+      assertThat(BsdfLaws.sampledAlbedo(mixture, wo, 20_000))
+          .isCloseTo(.5 + reflected, within(1e-3));
+      BsdfSample mirrored = mixture.sample(wo, BsdfLaws.LAST, new Point2(.5, .5));
+      assertThat(mirrored.isSpecular()).isTrue();
+      assertThat(mirrored.wi()).isEqualTo(new Vec3(-wo.x(), -wo.y(), wo.z()));
+    }
+    assertThat(mixture.isSpecular()).isFalse();
+    assertThat(mixture.diffuseAlbedo()).isEqualTo(DIFFUSE.albedo());
+  }
+
+  /** A direction that one part draws, but does not scatter into, counts for the other. */
+  @Test
+  void partThatScattersNothingTakesNoLightFromTheOther() {
+    Lobe dark =
+        new Lobe() {
+          private final Lambertian draws = new Lambertian(Rgb.WHITE);
+
+          @Override
+          public Rgb eval(Vec3 wo, Vec3 wi) {
+            return Rgb.BLACK;
+          }
+
+          @Override
+          public double pdf(Vec3 wo, Vec3 wi) {
+            return draws.pdf(wo, wi);
+          }
+
+          @Override
+          public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+            BsdfSample sample = draws.sample(wo, uLobe, u);
+            return new BsdfSample(sample.wi(), Rgb.BLACK, sample.pdf());
+          }
+
+          @Override
+          public double importance(Vec3 wo) {
+            return 1;
+          }
+        };
+    assertThat(BsdfLaws.sampledAlbedo(new Mixture(DIFFUSE, dark), Vec3.Z, 1000))
+        .isCloseTo(.5, within(1e-3));
+  }
+}

@@ -1,0 +1,124 @@
+package io.github.lumbre.texture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.ImageTexture.Filter;
+import io.github.lumbre.texture.ImageTexture.Role;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class NormalMapTest {
+  private static final double EPS = 0x1p-52;
+  private static final TexturePoint POINT = new TexturePoint(.3, .6);
+
+  private final SplittableRandom random = new SplittableRandom(59);
+
+  private Vec3 direction() {
+    Vec3 v = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+    return v.normalized();
+  }
+
+  private static Vec3 bent(Rgb normal, UvMapping mapping, double strength) {
+    NormalMap map = new NormalMap(Texture.constant(normal), mapping, strength);
+    return map.perturb(Frame.WORLD, Vec3.Z, POINT).normal();
+  }
+
+  private static UvMapping scaled(double x, double y) {
+    return new UvMapping(.1, .2, x, y);
+  }
+
+  @Test
+  void flatMapOfEightBitsChangesNothingAtAll() {
+    Pixels pixels = Pixels.of(1, 1, 3, new byte[] {(byte) 128, (byte) 128, (byte) 255});
+    for (Filter filter : Filter.values()) {
+      NormalMap map =
+          new NormalMap(new ImageTexture(pixels, Role.NORMAL, filter), UvMapping.IDENTITY, 1);
+      Frame frame = Frame.around(direction());
+      assertThat(map.perturb(frame, frame.normal(), POINT)).isSameAs(frame);
+    }
+  }
+
+  @Test
+  void componentsFollowTangentBitangentAndNormal() {
+    Vec3 normal = bent(new Rgb(.48, -.36, .8), UvMapping.IDENTITY, 1);
+    assertThat(normal.minus(new Vec3(.48, -.36, .8)).length()).isLessThan(4 * EPS);
+    // Components need not make a unit vector.
+    assertThat(bent(new Rgb(.12, -.09, .2), UvMapping.IDENTITY, 1).minus(normal).length())
+        .isLessThan(4 * EPS);
+  }
+
+  @Test
+  void negativeScalesMirrorTheBumps() {
+    Rgb tilt = new Rgb(.48, .36, .8);
+    assertThat(bent(tilt, scaled(3, 2), 1).x()).isCloseTo(.48, within(4 * EPS));
+    assertThat(bent(tilt, scaled(-3, 2), 1).x()).isCloseTo(-.48, within(4 * EPS));
+    assertThat(bent(tilt, scaled(-3, 2), 1).y()).isCloseTo(.36, within(4 * EPS));
+    assertThat(bent(tilt, scaled(3, -2), 1).y()).isCloseTo(-.36, within(4 * EPS));
+  }
+
+  @Test
+  void strengthMultipliesTheSlopes() {
+    Rgb tilt = new Rgb(.3, .4, .5);
+    assertThat(bent(tilt, UvMapping.IDENTITY, 0)).isEqualTo(Vec3.Z);
+    for (double strength : new double[] {-1, .5, 2, 10}) {
+      Vec3 normal = bent(tilt, UvMapping.IDENTITY, strength);
+      assertThat(normal.x() / normal.z()).isCloseTo(.6 * strength, within(1e-14));
+      assertThat(normal.y() / normal.z()).isCloseTo(.8 * strength, within(1e-14));
+    }
+    assertThatThrownBy(() -> bent(tilt, UvMapping.IDENTITY, Double.NaN))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("strength");
+  }
+
+  @Test
+  void normalsBelowTheHorizonAreBentBackToJustAbove() {
+    Vec3 normal = bent(new Rgb(.8, 0, -.6), UvMapping.IDENTITY, 1);
+    assertThat(normal.z()).isBetween(5e-4, 2e-3);
+    assertThat(normal.x()).isGreaterThan(.99);
+    // Straight down no side is nearer than the other.
+    assertThat(bent(new Rgb(0, 0, -1), UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
+    assertThat(bent(Rgb.BLACK, UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
+  }
+
+  @Test
+  void wildMapsGiveFramesThatRiseAboveTheSurface() {
+    for (int i = 0; i < 20_000; i++) {
+      Vec3 geometric = direction();
+      Vec3 shading = geometric.plus(.9, direction()).normalized();
+      Vec3 n = i % 2 == 0 ? direction() : new Vec3(i % 3 - 1, i % 5 - 2, i % 7 - 3);
+      NormalMap map =
+          new NormalMap(
+              Texture.constant(new Rgb(n.x(), n.y(), n.z())),
+              UvMapping.IDENTITY,
+              Math.pow(10, random.nextDouble(-308, 308)));
+      Vec3 u = direction();
+      Vec3 v = direction();
+      Frame frame = Frame.around(shading, u, v);
+      Frame bent = map.perturb(frame, geometric, POINT);
+      assertThat(bent.normal().dot(geometric)).isGreaterThan(9e-4);
+      assertThat(bent.normal().length()).isCloseTo(1, within(4 * EPS));
+      assertThat(bent.tangent().length()).isCloseTo(1, within(4 * EPS));
+      assertThat(bent.bitangent().length()).isCloseTo(1, within(8 * EPS));
+      assertThat(bent.tangent().dot(bent.normal())).isCloseTo(0, within(4 * EPS));
+      assertThat(bent.bitangent().dot(bent.normal())).isCloseTo(0, within(4 * EPS));
+      assertThat(bent.bitangent().dot(bent.tangent())).isCloseTo(0, within(4 * EPS));
+    }
+  }
+
+  @Test
+  void gentleBumpsKeepTheTangents() {
+    Frame mirrored = new Frame(Vec3.X, Vec3.Y.negated(), Vec3.Z);
+    for (Frame frame : new Frame[] {Frame.WORLD, mirrored}) {
+      NormalMap map = new NormalMap(Texture.constant(new Rgb(.3, .2, .9)), UvMapping.IDENTITY, 1);
+      Frame bent = map.perturb(frame, Vec3.Z, POINT);
+      assertThat(bent.tangent().dot(frame.tangent())).isGreaterThan(.9);
+      assertThat(bent.bitangent().dot(frame.bitangent())).isGreaterThan(.9);
+    }
+  }
+}
