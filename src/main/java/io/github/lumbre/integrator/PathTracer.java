@@ -94,7 +94,8 @@ public final class PathTracer implements Integrator {
     this.maxDepth = maxDepth;
     this.strategy = strategy;
     emitters = scene.emitters().toArray(Light[]::new);
-    selector = LightSelector.uniform(Math.max(1, emitters.length));
+    double[] powers = scene.emitters().stream().mapToDouble(e -> e.power(scene.radius())).toArray();
+    selector = LightSelector.byPower(powers.length == 0 ? new double[1] : powers);
   }
 
   @Override

@@ -36,6 +36,11 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
   }
 
   @Override
+  public double power(double sceneRadius) {
+    return emission.meanRadiance() * Math.PI * shape.area() * (emission.twoSided() ? 2 : 1);
+  }
+
+  @Override
   public boolean isBlack() {
     return emission.isBlack();
   }

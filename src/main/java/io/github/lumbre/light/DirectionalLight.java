@@ -29,6 +29,11 @@ public record DirectionalLight(Vec3 direction, Rgb irradiance) implements Light 
   }
 
   @Override
+  public double power(double sceneRadius) {
+    return irradiance.max() * Math.PI * sceneRadius * sceneRadius;
+  }
+
+  @Override
   public boolean isBlack() {
     return irradiance.isBlack();
   }

@@ -14,6 +14,8 @@ import java.util.Objects;
  * @param twoSided whether the inside shines as the outside does
  */
 public record Emission(Texture<Rgb> radiance, boolean twoSided) {
+  private static final int GRID = 16;
+
   public Emission {
     Objects.requireNonNull(radiance, "radiance");
   }
@@ -26,6 +28,17 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided) {
    */
   public Rgb towards(Vec3 direction, Vec3 normal, TexturePoint point) {
     return twoSided || direction.dot(normal) > 0 ? radiance.at(point) : Rgb.BLACK;
+  }
+
+  /** Returns about the mean radiance, by its strongest component: from a grid over the texture. */
+  double meanRadiance() {
+    double sum = 0;
+    for (int i = 0; i < GRID * GRID; i++) {
+      TexturePoint p =
+          new TexturePoint((i % GRID + .5) / GRID, (Math.floorDiv(i, GRID) + .5) / GRID);
+      sum += radiance.at(p).max();
+    }
+    return sum / (GRID * GRID);
   }
 
   /** Tells whether nothing is emitted anywhere. */

@@ -25,20 +25,23 @@ public final class EnvironmentLight implements Light {
   private final Frame axes;
   private final Texture<Rgb> radiance;
   private final Optional<Distribution2d> distribution;
-  private final boolean black;
+  private final double meanBrightness;
 
   private EnvironmentLight(
-      Frame axes, Texture<Rgb> radiance, Optional<Distribution2d> distribution, boolean black) {
+      Frame axes,
+      Texture<Rgb> radiance,
+      Optional<Distribution2d> distribution,
+      double meanBrightness) {
     this.axes = axes;
     this.radiance = radiance;
     this.distribution = distribution;
-    this.black = black;
+    this.meanBrightness = meanBrightness;
   }
 
   /** Returns a dome of one radiance in all directions. */
   public static EnvironmentLight uniform(Rgb radiance) {
     return new EnvironmentLight(
-        Frame.WORLD, Texture.constant(radiance), Optional.empty(), radiance.isBlack());
+        Frame.WORLD, Texture.constant(radiance), Optional.empty(), radiance.max());
   }
 
   /**
@@ -64,7 +67,7 @@ public final class EnvironmentLight implements Light {
       }
     }
     return new EnvironmentLight(
-        axes, radiance, Optional.of(new Distribution2d(weights)), total == 0);
+        axes, radiance, Optional.of(new Distribution2d(weights)), total / (2 * columns));
   }
 
   /** Returns a brightness that is positive wherever the cell's radiance is, filtering included. */
@@ -150,8 +153,13 @@ public final class EnvironmentLight implements Light {
   }
 
   @Override
+  public double power(double sceneRadius) {
+    return meanBrightness * Math.PI * Math.PI * sceneRadius * sceneRadius;
+  }
+
+  @Override
   public boolean isBlack() {
-    return black;
+    return meanBrightness == 0;
   }
 
   @Override

@@ -10,6 +10,12 @@ public enum Falloff {
     Rgb irradiance(Rgb intensity, double distanceSquared) {
       return intensity;
     }
+
+    @Override
+    double sphere(double sceneRadius) {
+      // As parallel light that covers the scene.
+      return Math.PI * sceneRadius * sceneRadius;
+    }
   },
 
   /** Physically: the intensity is radiant intensity, power per solid angle. */
@@ -21,8 +27,16 @@ public enum Falloff {
           intensity.g() / distanceSquared,
           intensity.b() / distanceSquared);
     }
+
+    @Override
+    double sphere(double sceneRadius) {
+      return 4 * Math.PI;
+    }
   };
 
   /** Returns the irradiance at normal incidence. */
   abstract Rgb irradiance(Rgb intensity, double distanceSquared);
+
+  /** Returns about what an intensity of 1 in all directions sends into a scene. */
+  abstract double sphere(double sceneRadius);
 }

@@ -14,6 +14,14 @@ public sealed interface Light
    */
   Optional<LightSample> sample(Vec3 reference, Point2 u);
 
+  /**
+   * Returns about how much power the light sends into the scene, by its strongest colour component:
+   * a weight for choosing among lights, not a quantity to compute with.
+   *
+   * @param sceneRadius of a sphere around all that is finite in the scene, at least 0
+   */
+  double power(double sceneRadius);
+
   /** Tells whether the light emits nothing at all, so that it need never be chosen. */
   boolean isBlack();
 

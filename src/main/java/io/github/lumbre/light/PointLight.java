@@ -30,6 +30,11 @@ public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implemen
   }
 
   @Override
+  public double power(double sceneRadius) {
+    return intensity.max() * falloff.sphere(sceneRadius);
+  }
+
+  @Override
   public boolean isBlack() {
     return intensity.isBlack();
   }

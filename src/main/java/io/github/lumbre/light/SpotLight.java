@@ -67,6 +67,12 @@ public final class SpotLight implements Light {
   }
 
   @Override
+  public double power(double sceneRadius) {
+    double shareOfSphere = .5 * (1 - Elementary.cosDegrees(halfAngleDegrees));
+    return source.power(sceneRadius) * shareOfSphere;
+  }
+
+  @Override
   public boolean isBlack() {
     return source.isBlack();
   }

@@ -7,6 +7,7 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
@@ -30,6 +31,7 @@ public final class Scene {
   private final List<Light> emitters;
   private final List<EnvironmentLight> environments;
   private final Rgb ambient;
+  private final double radius;
 
   /** The index among the emitters of each primitive that is one. */
   private final int[] emitterOfPrimitive;
@@ -47,6 +49,12 @@ public final class Scene {
     this.lights = List.copyOf(lights);
     this.emitters = List.copyOf(emitters);
     this.ambient = ambient;
+    radius =
+        this.primitives.stream()
+            .map(primitive -> primitive.shape().bounds())
+            .filter(Bounds3::isFinite)
+            .reduce(Bounds3.EMPTY, Bounds3::union)
+            .radius();
     bvh = Bvh.over(this.primitives.stream().map(Primitive::shape).toList());
     environments =
         this.emitters.stream()
@@ -85,6 +93,11 @@ public final class Scene {
   /** Returns those emitters that are infinitely far all around. */
   public List<EnvironmentLight> environments() {
     return environments;
+  }
+
+  /** Returns the radius of a sphere around everything finite; 0 if there is nothing. */
+  public double radius() {
+    return radius;
   }
 
   /** Returns the irradiance that reaches every diffuse surface from nowhere in particular. */
