@@ -62,16 +62,17 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
   private static double visibleSlope(double cos, double sin, double u) {
     double low = -STEEPEST;
     double high = cos < STEEPEST * sin ? cos / sin : STEEPEST;
-    double target = u * cumulative(cos, sin, high);
+    double target = u * cumulative(cos, sin, high, Elementary.exp(-high * high));
     double x = Math.min(0, .5 * high);
     for (int i = 0; i < 60; i++) {
-      double excess = cumulative(cos, sin, x) - target;
+      double bell = Elementary.exp(-x * x);
+      double excess = cumulative(cos, sin, x, bell) - target;
       if (excess > 0) {
         high = x;
       } else {
         low = x;
       }
-      double slope = INV_SQRT_PI * Elementary.exp(-x * x) * (cos - x * sin);
+      double slope = INV_SQRT_PI * bell * (cos - x * sin);
       double next = x - excess / slope;
       if (!(next > low && next < high)) {
         next = .5 * (low + high);
@@ -84,9 +85,8 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
     return x;
   }
 
-  private static double cumulative(double cos, double sin, double x) {
-    double e = Elementary.exp(-x * x);
-    double tail = .5 * e * Elementary.erfcScaled(Math.abs(x));
-    return cos * (x < 0 ? tail : 1 - tail) + sin * .5 * INV_SQRT_PI * e;
+  private static double cumulative(double cos, double sin, double x, double bell) {
+    double tail = .5 * bell * Elementary.erfcScaled(Math.abs(x));
+    return cos * (x < 0 ? tail : 1 - tail) + sin * .5 * INV_SQRT_PI * bell;
   }
 }
