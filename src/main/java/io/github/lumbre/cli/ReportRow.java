@@ -70,7 +70,14 @@ record ReportRow(
       OptionalInt depth) {
     RenderSettings.Builder builder =
         inScene.toBuilder().size(width, height).mode(mode).samples(samples).bucketSize(bucket);
-    depth.ifPresent(n -> builder.maxTraceDepth(n).rayDepths(n, n));
+    depth.ifPresent(
+        n -> {
+          if (mode == Mode.PATH) {
+            builder.maxTraceDepth(n);
+          } else {
+            builder.rayDepths(n, n);
+          }
+        });
     return builder.build();
   }
 }
