@@ -1,0 +1,34 @@
+package io.github.lumbre.parser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SpellingTest {
+  @ParameterizedTest
+  @CsvSource({
+    "width, width, 0",
+    "Width, width, 0",
+    "widht, width, 1",
+    "wdth, width, 1",
+    "widtth, width, 1",
+    "wigth, width, 1",
+    "raduis, radius, 1",
+    "height, width, 4",
+  })
+  void distanceCountsEditsAndSwaps(String one, String other, int edits) {
+    assertThat(Spelling.distance(one, other)).isEqualTo(edits);
+    assertThat(Spelling.distance(other, one)).isEqualTo(edits);
+  }
+
+  @Test
+  void nearestKnownWordIsSuggested() {
+    List<String> known = List.of("width", "height", "radius");
+
+    assertThat(Spelling.suggestion("widht", known)).isEqualTo("; did you mean width?");
+    assertThat(Spelling.suggestion("colour", known)).isEmpty();
+  }
+}
