@@ -13,9 +13,6 @@ import io.github.lumbre.math.Vec3;
 record Beckmann(double alpha) implements MicrofacetDistribution {
   private static final double INV_SQRT_PI = 0.5641895835477563;
 
-  /** Slopes beyond this, before the scaling by α, have a probability below 1e-36. */
-  private static final double STEEPEST = 9;
-
   @Override
   public double density(Vec3 m) {
     if (m.z() <= 0) {
@@ -32,7 +29,7 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
   @Override
   public double hidden(double cosTheta) {
     double steepness = alpha * Elementary.safeSqrt(1 - cosTheta * cosTheta);
-    if (cosTheta > STEEPEST * steepness) {
+    if (cosTheta > VisibleSlope.STEEPEST * steepness) {
       return 0;
     }
     double a = cosTheta / steepness;
@@ -47,46 +44,10 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
     double sin = Math.sqrt(v.x() * v.x() + v.y() * v.y());
     double cosPhi = sin > 0 ? v.x() / sin : 1;
     double sinPhi = sin > 0 ? v.y() / sin : 0;
-    double along = visibleSlope(v.z(), sin, u.x());
-    double across = visibleSlope(1, 0, u.y());
+    double along = VisibleSlope.at(v.z(), sin, u.x());
+    double across = VisibleSlope.at(1, 0, u.y());
     double slopeX = cosPhi * along - sinPhi * across;
     double slopeY = sinPhi * along + cosPhi * across;
     return new Vec3(-alpha * slopeX, -alpha * slopeY, 1).normalized();
-  }
-
-  /**
-   * Returns the slope along the view at which the visible slopes' cumulative distribution is u. It
-   * is proportional to {@code cos (1 + erf x)/2 + sin exp(−x²)/(2√π)} for x up to cos/sin, where
-   * facets turn away; solved by Newton's method inside a shrinking bracket.
-   */
-  private static double visibleSlope(double cos, double sin, double u) {
-    double low = -STEEPEST;
-    double high = cos < STEEPEST * sin ? cos / sin : STEEPEST;
-    double target = u * cumulative(cos, sin, high, Elementary.exp(-high * high));
-    double x = Math.min(0, .5 * high);
-    for (int i = 0; i < 60; i++) {
-      double bell = Elementary.exp(-x * x);
-      double excess = cumulative(cos, sin, x, bell) - target;
-      if (excess > 0) {
-        high = x;
-      } else {
-        low = x;
-      }
-      double slope = INV_SQRT_PI * bell * (cos - x * sin);
-      double next = x - excess / slope;
-      if (!(next > low && next < high)) {
-        next = .5 * (low + high);
-      }
-      if (Math.abs(next - x) <= 1e-12) {
-        return next;
-      }
-      x = next;
-    }
-    return x;
-  }
-
-  private static double cumulative(double cos, double sin, double x, double bell) {
-    double tail = .5 * bell * Elementary.erfcScaled(Math.abs(x));
-    return cos * (x < 0 ? tail : 1 - tail) + sin * .5 * INV_SQRT_PI * bell;
   }
 }

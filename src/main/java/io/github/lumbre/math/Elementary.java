@@ -4,8 +4,8 @@ package io.github.lumbre.math;
  * Elementary functions that give the same bits on every virtual machine and processor.
  *
  * <p>{@link Math#sin} and its kin may differ by an ulp between machines, and between interpreted
- * and compiled code; whatever stands between a sample and the film uses this class instead. Sine
- * and cosine are own kernels made of + − × alone; the rest is {@link StrictMath}.
+ * and compiled code; whatever stands between a sample and the film uses this class instead. What
+ * inner loops need is made of + − × ÷ and {@link Math#fma} alone; the rest is {@link StrictMath}.
  */
 public final class Elementary {
   public static final double TWO_PI = 2 * Math.PI;
@@ -45,40 +45,45 @@ public final class Elementary {
     -1.12708223613672298e-13, 3.81090525519374139e-16, 7.10609761360811203e-15,
   };
 
+  /** erfc(x) exp(x²) / t as a function of t = 2 / (2 + x). */
+  private static final PiecewisePolynomial ERFC_OVER_T =
+      new PiecewisePolynomial(Elementary::erfcSeries);
+
+  /** atan(t) / t. */
+  private static final PiecewisePolynomial ATAN_OVER_T =
+      new PiecewisePolynomial(t -> StrictMath.atan(t) / t);
+
   private Elementary() {}
 
   /**
    * Returns the sine of an angle of at most a quarter of π in size, by its Taylor series to the
-   * 17th power (truncation below 1e-19).
+   * 15th power (truncation below 5e-17).
    */
   public static double sinSmall(double x) {
     double s = x * x;
-    double p = 1.0 / 355687428096000.0;
-    p = p * s - 1.0 / 1307674368000.0;
-    p = p * s + 1.0 / 6227020800.0;
-    p = p * s - 1.0 / 39916800.0;
-    p = p * s + 1.0 / 362880.0;
-    p = p * s - 1.0 / 5040.0;
-    p = p * s + 1.0 / 120.0;
-    p = p * s - 1.0 / 6.0;
-    return x + x * (s * p);
+    double p = Math.fma(-1.0 / 1307674368000.0, s, 1.0 / 6227020800.0);
+    p = Math.fma(p, s, -1.0 / 39916800.0);
+    p = Math.fma(p, s, 1.0 / 362880.0);
+    p = Math.fma(p, s, -1.0 / 5040.0);
+    p = Math.fma(p, s, 1.0 / 120.0);
+    p = Math.fma(p, s, -1.0 / 6.0);
+    return Math.fma(x, s * p, x);
   }
 
   /**
-   * Returns the cosine of an angle of at most a quarter of π in size (series to the 18th power).
+   * Returns the cosine of an angle of at most a quarter of π in size (series to the 16th power,
+   * truncation below 3e-18).
    */
   public static double cosSmall(double x) {
     double s = x * x;
-    double p = -1.0 / 6402373705728000.0;
-    p = p * s + 1.0 / 20922789888000.0;
-    p = p * s - 1.0 / 87178291200.0;
-    p = p * s + 1.0 / 479001600.0;
-    p = p * s - 1.0 / 3628800.0;
-    p = p * s + 1.0 / 40320.0;
-    p = p * s - 1.0 / 720.0;
-    p = p * s + 1.0 / 24.0;
-    p = p * s - .5;
-    return 1 + s * p;
+    double p = Math.fma(1.0 / 20922789888000.0, s, -1.0 / 87178291200.0);
+    p = Math.fma(p, s, 1.0 / 479001600.0);
+    p = Math.fma(p, s, -1.0 / 3628800.0);
+    p = Math.fma(p, s, 1.0 / 40320.0);
+    p = Math.fma(p, s, -1.0 / 720.0);
+    p = Math.fma(p, s, 1.0 / 24.0);
+    p = Math.fma(p, s, -.5);
+    return Math.fma(p, s, 1);
   }
 
   /**
@@ -128,14 +133,31 @@ public final class Elementary {
     return StrictMath.tan(StrictMath.toRadians(degrees));
   }
 
-  /** Returns the angle of the point (x, y) in [-π, π]. */
+  /**
+   * Returns the angle of the point (x, y) in [-π, π], within 4 ulp; where x is not above 0, zeros
+   * of y keep their sign as in {@link Math#atan2}.
+   *
+   * @param y finite
+   * @param x finite
+   */
   public static double atan2(double y, double x) {
-    return StrictMath.atan2(y, x);
+    double ax = Math.abs(x);
+    double ay = Math.abs(y);
+    double larger = Math.max(ax, ay);
+    double ratio = larger > 0 ? Math.min(ax, ay) / larger : 0;
+    double angle = ratio * ATAN_OVER_T.at(ratio);
+    if (ay > ax) {
+      angle = .5 * Math.PI - angle;
+    }
+    if (Math.copySign(1, x) < 0) {
+      angle = Math.PI - angle;
+    }
+    return Math.copySign(angle, y);
   }
 
   /** Returns the arc sine in [-π/2, π/2]; arguments beyond ±1 by rounding are taken as ±1. */
   public static double asin(double x) {
-    return StrictMath.asin(Math.max(-1, Math.min(1, x)));
+    return atan2(x, safeSqrt((1 - x) * (1 + x)));
   }
 
   public static double log(double x) {
@@ -152,13 +174,13 @@ public final class Elementary {
     }
     int k = (int) Math.rint(x * STEPS_PER_UNIT);
     // k times the high part is exact.
-    double r = x - k * STEP_HIGH - k * STEP_LOW;
-    double series = 1.0 / 120 + r * (1.0 / 720);
-    series = 1.0 / 24 + r * series;
-    series = 1.0 / 6 + r * series;
-    series = r + r * r * (.5 + r * series);
+    double r = Math.fma(-k, STEP_LOW, Math.fma(-k, STEP_HIGH, x));
+    double series = Math.fma(r, 1.0 / 720, 1.0 / 120);
+    series = Math.fma(r, series, 1.0 / 24);
+    series = Math.fma(r, series, 1.0 / 6);
+    series = Math.fma(r * r, Math.fma(r, series, .5), r);
     double power = POWERS[k & STEPS - 1];
-    double value = power + power * series;
+    double value = Math.fma(power, series, power);
     int exponent = k >> LOG_STEPS;
     return Math.abs(exponent) < Double.MAX_EXPONENT
         ? value * Double.longBitsToDouble((long) (exponent + Double.MAX_EXPONENT) << 52)
@@ -178,6 +200,10 @@ public final class Elementary {
   /** Returns exp(x²) · erfc(x), the scaled complementary error function, for x ≥ 0. */
   public static double erfcScaled(double x) {
     double t = 2 / (2 + x);
+    return t * ERFC_OVER_T.at(t);
+  }
+
+  private static double erfcSeries(double t) {
     double y = 4 * t - 2;
     double b = 0;
     double next = 0;
@@ -187,7 +213,7 @@ public final class Elementary {
       b = y * b - next + ERFC[i];
       next = last;
     }
-    return t * exp(.5 * (y * b + ERFC[0]) - next);
+    return exp(.5 * (y * b + ERFC[0]) - next);
   }
 
   public static double pow(double base, double exponent) {

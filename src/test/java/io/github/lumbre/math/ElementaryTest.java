@@ -98,6 +98,32 @@ class ElementaryTest {
   }
 
   @Test
+  void anglesAreRightToFourUlp() {
+    for (int i = 0; i < 300_000; i++) {
+      double y = random.nextDouble(-1, 1) * Math.pow(10, random.nextInt(-6, 3));
+      double x = random.nextDouble(-1, 1) * Math.pow(10, random.nextInt(-6, 3));
+      double expected = StrictMath.atan2(y, x);
+      assertThat(Math.abs(Elementary.atan2(y, x) - expected))
+          .isLessThanOrEqualTo(4 * Math.ulp(expected));
+      double sine = i % 2 == 0 ? x / 1000 : Math.copySign(1 - Math.abs(x / 1000), x);
+      double angle = StrictMath.asin(sine);
+      assertThat(Math.abs(Elementary.asin(sine) - angle)).isLessThanOrEqualTo(4 * Math.ulp(angle));
+    }
+  }
+
+  @Test
+  void anglesOnAndNearTheAxesKeepTheirQuadrants() {
+    double[] coordinates = {0.0, -0.0, 1, -1, 1e300, -1e300, 1e-300, Double.MIN_VALUE};
+    for (double x : coordinates) {
+      for (double y : coordinates) {
+        double expected = StrictMath.atan2(y, x);
+        assertThat(Elementary.atan2(y, x)).isCloseTo(expected, within(Math.ulp(expected)));
+        assertThat(Math.copySign(1, Elementary.atan2(y, x))).isEqualTo(Math.copySign(1, y));
+      }
+    }
+  }
+
+  @Test
   void arcSineToleratesRounding() {
     assertThat(Elementary.asin(1 + EPS)).isEqualTo(Math.PI / 2);
     assertThat(Elementary.asin(-1 - EPS)).isEqualTo(-Math.PI / 2);
