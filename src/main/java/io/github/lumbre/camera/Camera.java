@@ -41,12 +41,12 @@ public abstract sealed class Camera
    *     lens and by no other
    */
   public final Optional<Ray> rayFor(Point2 film, Sampler sampler) {
-    return localRay(film, sampler)
-        .map(
-            ray ->
-                new Ray(
-                    position.plus(axes.toWorld(ray.origin())),
-                    axes.toWorld(ray.direction()).normalized()));
+    Optional<Ray> local = localRay(film, sampler);
+    if (local.isEmpty()) {
+      return local;
+    }
+    Vec3 origin = position.plus(axes.toWorld(local.get().origin()));
+    return Optional.of(new Ray(origin, axes.toWorld(local.get().direction()).normalized()));
   }
 
   /** Tells whether some film points have no ray. */

@@ -120,7 +120,7 @@ public final class Box implements Shape {
     Vec3 direction = toWorld.inverseVector(ray.direction());
     Vec3 local = onFace(hit.element, origin.plus(hit.t, direction));
     Frame frame = frames[hit.element];
-    return new SurfaceHit(
+    return hit.surface.set(
         toWorld.point(local),
         frame.normal(),
         frame,

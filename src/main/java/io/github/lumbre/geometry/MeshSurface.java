@@ -35,7 +35,7 @@ final class MeshSurface {
     Vec3 e2 = position(triangle, 2).minus(a);
     Vec3 normal = geometricNormal(triangle, e1, e2);
     Vec3 shadingNormal = shadingNormal(hit, normal);
-    return new SurfaceHit(
+    return hit.surface.set(
         a.plus(hit.b1, e1).plus(hit.b2, e2),
         normal,
         shadingFrame(triangle, e1, e2, shadingNormal),

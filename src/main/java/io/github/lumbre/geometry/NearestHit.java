@@ -30,6 +30,9 @@ public final class NearestHit {
 
   int stackTop;
 
+  /** What the shape says of its surface at the hit, once it is asked. */
+  final SurfaceHit surface = new SurfaceHit();
+
   /** Forgets the last ray. */
   void start(double tMax) {
     t = tMax;

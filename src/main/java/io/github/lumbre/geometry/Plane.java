@@ -59,7 +59,7 @@ public final class Plane implements Shape {
     double x = toWorld.inversePointX(world.x(), world.y(), world.z());
     double z = toWorld.inversePointZ(world.x(), world.y(), world.z());
     Vec3 local = new Vec3(x, 0, z);
-    return new SurfaceHit(
+    return hit.surface.set(
         toWorld.point(local),
         normal,
         shading,

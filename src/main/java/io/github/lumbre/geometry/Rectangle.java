@@ -78,7 +78,7 @@ public final class Rectangle implements Shape {
     Vec3 direction = toWorld.inverseVector(ray.direction());
     Vec3 p = origin.plus(hit.t, direction);
     Vec3 local = new Vec3(p.x(), 0, p.z());
-    return new SurfaceHit(
+    return hit.surface.set(
         toWorld.point(local),
         normal,
         shading,

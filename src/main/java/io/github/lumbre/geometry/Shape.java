@@ -17,7 +17,10 @@ public interface Shape {
    */
   boolean intersect(Ray ray, NearestHit nearest);
 
-  /** Returns the surface at the hit that {@link #intersect} stored last for the same ray. */
+  /**
+   * Returns the surface at the hit that {@link #intersect} stored last for the same ray. The result
+   * is the hit's own, and is written anew by the next call with the same {@code hit}.
+   */
   SurfaceHit surfaceAt(Ray ray, NearestHit hit);
 
   /** Returns the area in world units; infinite for infinite planes. */

@@ -99,7 +99,7 @@ public final class Sphere implements Shape {
     double sinSquared = n.x() * n.x() + n.z() * n.z();
     Vec3 alongU = toWorld.vector(new Vec3(-n.z(), 0, n.x()));
     Vec3 alongV = toWorld.vector(new Vec3(n.x() * n.y(), -sinSquared, n.z() * n.y()));
-    return new SurfaceHit(
+    return hit.surface.set(
         toWorld.point(local),
         normal,
         Frame.around(normal, alongU, alongV),

@@ -9,23 +9,124 @@ import io.github.lumbre.texture.TexturePoint;
  * The surface where a ray hit it, in world space. The only home of the error bound that rays leave
  * a surface by.
  *
- * @param position on the surface, as exactly as the shape can say
- * @param geometricNormal the true normal, outward, of unit length, whichever side was hit
- * @param shading the normal to shade with (interpolated on smooth meshes, never more than 90° from
- *     the geometric one), and tangents along growing u and v
- * @param texture texture coordinates
- * @param wo unit direction back to where the ray came from
- * @param error bound of the position's distance from the true surface along the normal
+ * <p>Mutable, one for each {@link NearestHit}, which shapes fill anew at each hit: plain numbers,
+ * because this is made for every ray. What its methods return is immutable and may be kept.
  */
-public record SurfaceHit(
-    Vec3 position,
-    Vec3 geometricNormal,
-    Frame shading,
-    TexturePoint texture,
-    Vec3 wo,
-    double error) {
+public final class SurfaceHit {
   /** How far, relative to a ray's length, its meeting with a surface may be out of place. */
   private static final double ROUNDING = 16 * 0x1p-52;
+
+  private double x, y, z;
+  private double geometricX, geometricY, geometricZ;
+  private double tangentX, tangentY, tangentZ;
+  private double bitangentX, bitangentY, bitangentZ;
+  private double normalX, normalY, normalZ;
+  private double u, v;
+  private double outX, outY, outZ;
+  private double error;
+
+  /**
+   * Describes another hit.
+   *
+   * @param position on the surface, as exactly as the shape can say
+   * @param geometricNormal the true normal, outward, of unit length, whichever side was hit
+   * @param shading the normal to shade with (interpolated on smooth meshes, never more than 90°
+   *     from the geometric one), and tangents along growing u and v
+   * @param texture texture coordinates
+   * @param wo unit direction back to where the ray came from
+   * @param newError bound of the position's distance from the true surface along the normal
+   * @return this
+   */
+  public SurfaceHit set(
+      Vec3 position,
+      Vec3 geometricNormal,
+      Frame shading,
+      TexturePoint texture,
+      Vec3 wo,
+      double newError) {
+    x = position.x();
+    y = position.y();
+    z = position.z();
+    geometricX = geometricNormal.x();
+    geometricY = geometricNormal.y();
+    geometricZ = geometricNormal.z();
+    shadeBy(shading);
+    u = texture.u();
+    v = texture.v();
+    outX = wo.x();
+    outY = wo.y();
+    outZ = wo.z();
+    error = newError;
+    return this;
+  }
+
+  /** Replaces the frame to shade with, as normal maps do. */
+  public void shadeBy(Frame frame) {
+    tangentX = frame.tangent().x();
+    tangentY = frame.tangent().y();
+    tangentZ = frame.tangent().z();
+    bitangentX = frame.bitangent().x();
+    bitangentY = frame.bitangent().y();
+    bitangentZ = frame.bitangent().z();
+    normalX = frame.normal().x();
+    normalY = frame.normal().y();
+    normalZ = frame.normal().z();
+  }
+
+  /** Returns the point of the surface. */
+  public Vec3 position() {
+    return new Vec3(x, y, z);
+  }
+
+  /** Returns the true normal, outward, of unit length. */
+  public Vec3 geometricNormal() {
+    return new Vec3(geometricX, geometricY, geometricZ);
+  }
+
+  /** Returns the frame to shade with: its tangents along growing u and v. */
+  public Frame shading() {
+    return new Frame(
+        new Vec3(tangentX, tangentY, tangentZ),
+        new Vec3(bitangentX, bitangentY, bitangentZ),
+        new Vec3(normalX, normalY, normalZ));
+  }
+
+  /** Returns a world direction in the frame to shade with. */
+  public Vec3 toLocal(Vec3 world) {
+    double dx = world.x();
+    double dy = world.y();
+    double dz = world.z();
+    return new Vec3(
+        dx * tangentX + dy * tangentY + dz * tangentZ,
+        dx * bitangentX + dy * bitangentY + dz * bitangentZ,
+        dx * normalX + dy * normalY + dz * normalZ);
+  }
+
+  /** Returns a direction in the frame to shade with in world space. */
+  public Vec3 toWorld(Vec3 local) {
+    double dx = local.x();
+    double dy = local.y();
+    double dz = local.z();
+    return new Vec3(
+        tangentX * dx + bitangentX * dy + normalX * dz,
+        tangentY * dx + bitangentY * dy + normalY * dz,
+        tangentZ * dx + bitangentZ * dy + normalZ * dz);
+  }
+
+  /** Returns the texture coordinates. */
+  public TexturePoint texture() {
+    return new TexturePoint(u, v);
+  }
+
+  /** Returns the unit direction back to where the ray came from. */
+  public Vec3 wo() {
+    return new Vec3(outX, outY, outZ);
+  }
+
+  /** Returns a bound of the position's distance from the true surface along the normal. */
+  public double error() {
+    return error;
+  }
 
   /** Returns the ray that leaves in a unit direction, on the side the direction points to. */
   public Ray spawn(Vec3 direction) {
@@ -34,19 +135,20 @@ public record SurfaceHit(
 
   /** Returns the ray to a point, which is its end and excluded: t = 1 there. */
   public Ray spawnTowards(Vec3 point) {
-    Vec3 origin = leave(point.minus(position));
+    Vec3 origin = leave(point.minus(position()));
     return new Ray(origin, point.minus(origin), 1);
   }
 
   /** Returns the ray to a point of another surface; it ends just before that surface. */
   public Ray spawnTowards(SurfaceSample sample) {
-    Vec3 way = position.minus(sample.position());
+    Vec3 way = position().minus(sample.position());
     double margin = sample.error() + ROUNDING * way.maxAbs();
     double side = Math.copySign(margin, way.dot(sample.normal()));
     return spawnTowards(sample.position().plus(side, sample.normal()));
   }
 
   private Vec3 leave(Vec3 direction) {
-    return position.plus(Math.copySign(error, direction.dot(geometricNormal)), geometricNormal);
+    Vec3 normal = geometricNormal();
+    return position().plus(Math.copySign(error, direction.dot(normal)), normal);
   }
 }

@@ -10,6 +10,7 @@ import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.LightSelector;
 import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
@@ -19,6 +20,7 @@ import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Follows paths from the camera to the lights: an unbiased estimate of all light of at most a given
@@ -78,8 +80,13 @@ public final class PathTracer implements Integrator {
   private final Scene scene;
   private final int maxDepth;
   private final Light[] emitters;
+
+  /** Which of the emitters are domes. */
+  private final int[] domes;
+
   private final LightSelector selector;
   private final Strategy strategy;
+  private final boolean hasAmbient;
 
   /**
    * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
@@ -93,77 +100,95 @@ public final class PathTracer implements Integrator {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.maxDepth = maxDepth;
     this.strategy = strategy;
+    hasAmbient = !scene.ambient().isBlack();
     emitters = scene.emitters().toArray(Light[]::new);
+    domes =
+        IntStream.range(0, emitters.length)
+            .filter(i -> emitters[i] instanceof EnvironmentLight)
+            .toArray();
     double[] powers = scene.emitters().stream().mapToDouble(e -> e.power(scene.radius())).toArray();
     selector = LightSelector.byPower(powers.length == 0 ? new double[1] : powers);
   }
 
   @Override
   public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
-    NearestHit hit = scratch.hit;
-    Rgb radiance = Rgb.BLACK;
-    Rgb throughput = Rgb.WHITE;
-    Ray ray = cameraRay;
-    // Density of the ray's direction: infinite if light sampling could not have drawn it.
-    double pdf = Double.POSITIVE_INFINITY;
-    Vec3 from = cameraRay.origin();
-
-    for (int depth = 0; ; depth++) {
-      // Find the next vertex, or the world's end.
-      scratch.rays++;
-      if (!scene.intersect(ray, hit)) {
-        return radiance.plus(throughput.times(escaped(ray.direction(), pdf)));
-      }
-      scratch.metSomething = true;
-      SurfaceHit surface = scene.surfaceAt(ray, hit);
-      Primitive primitive = scene.primitiveAt(hit);
-
-      // Add its light; what glows scatters nothing.
-      if (primitive.emission().isPresent()) {
-        Rgb emitted = emitted(primitive.emission().get(), surface);
-        double weight = emissionWeight(scene.emitterAt(hit), from, surface, pdf);
-        return radiance.plus(throughput.times(emitted.times(weight)));
-      }
-      if (depth == maxDepth) {
-        return radiance;
-      }
-
-      // Add the light that comes here straight from an emitter.
-      Vertex vertex = Vertex.at(surface, primitive.material());
-      int dimension = Sampler.vertex(depth);
-      radiance = radiance.plus(throughput.times(ambient(vertex)));
-      if (!vertex.bsdf().isSpecular() && emitters.length > 0) {
-        radiance = radiance.plus(throughput.times(direct(vertex, sampler, dimension, scratch)));
-      }
-
-      // Scatter.
-      BsdfSample scattered =
-          vertex.sample(
-              sampler.get1d(dimension + Sampler.LOBE),
-              sampler.get2d(dimension + Sampler.DIRECTION));
-      if (scattered.weight().isBlack()) {
-        return radiance;
-      }
-      throughput = throughput.times(scattered.weight());
-      pdf = scattered.pdf();
-      from = surface.position();
-      ray = surface.spawn(scattered.wi());
-
-      // End weak paths at random, and strengthen those that survive.
-      if (depth >= FIRST_ROULETTE) {
-        double survival = Math.min(1, throughput.max());
-        if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {
-          return radiance;
-        }
-        throughput = throughput.times(1 / survival);
-      }
+    Path path = scratch.path;
+    path.begin(cameraRay);
+    int depth = 0;
+    while (extend(depth, sampler, scratch)) {
+      depth++;
     }
+    return path.radiance();
+  }
+
+  /** Goes to the next vertex and gathers its light; tells whether the path goes on from there. */
+  private boolean extend(int depth, Sampler sampler, Scratch scratch) {
+    NearestHit hit = scratch.hit;
+    Path path = scratch.path;
+
+    // Find the next vertex, or the world's end.
+    Ray ray = path.ray();
+    scratch.rays++;
+    if (!scene.intersect(ray, hit)) {
+      path.gather(escaped(path.direction(), path.pdf()));
+      return false;
+    }
+    scratch.metSomething = true;
+    SurfaceHit surface = scene.surfaceAt(ray, hit);
+    Primitive primitive = scene.primitiveAt(hit);
+
+    // Add its light; what glows scatters nothing.
+    if (primitive.emission().isPresent()) {
+      Rgb emitted = emitted(primitive.emission().get(), surface);
+      double weight = emissionWeight(scene.emitterAt(hit), path.from(), surface, path.pdf());
+      path.gather(emitted.times(weight));
+      return false;
+    }
+    if (depth == maxDepth) {
+      return false;
+    }
+
+    // Add the light that comes here straight from an emitter.
+    Vertex vertex = scratch.vertex;
+    vertex.moveTo(surface, primitive.material());
+    if (hasAmbient) {
+      path.gather(ambient(vertex));
+    }
+    if (emitters.length > 0 && !vertex.bsdf().isSpecular()) {
+      path.gather(direct(vertex, sampler, Sampler.vertex(depth), scratch));
+    }
+    return scatter(depth, sampler, scratch);
+  }
+
+  /** Chooses where the path goes from its vertex; tells whether it goes on. */
+  private boolean scatter(int depth, Sampler sampler, Scratch scratch) {
+    Path path = scratch.path;
+    int dimension = Sampler.vertex(depth);
+    BsdfSample scattered = scratch.scattered;
+    scratch.vertex.sample(
+        sampler.get1d(dimension + Sampler.LOBE),
+        sampler.get2d(dimension + Sampler.DIRECTION),
+        scattered);
+    if (scattered.isAbsorbed()) {
+      return false;
+    }
+    path.weigh(scattered.weight());
+    SurfaceHit surface = scratch.vertex.surface();
+    path.follow(surface.spawn(scattered.wi()), surface.position(), scattered.pdf());
+
+    // End weak paths at random, and strengthen those that survive.
+    if (depth >= FIRST_ROULETTE) {
+      double survival = Math.min(1, path.throughput());
+      if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {
+        return false;
+      }
+      path.weigh(Rgb.grey(1 / survival));
+    }
+    return true;
   }
 
   private Rgb ambient(Vertex vertex) {
-    return scene.ambient().isBlack()
-        ? Rgb.BLACK
-        : scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
+    return scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
   }
 
   /** Returns the light of one emitter, chosen at random, over the probability of the choice. */
@@ -177,7 +202,9 @@ public final class PathTracer implements Integrator {
       return Rgb.BLACK;
     }
     LightSample light = drawn.get();
-    Rgb scattered = vertex.eval(light.wi()).times(light.radiance());
+    BsdfValue value = scratch.value;
+    vertex.evaluate(light.wi(), value);
+    Rgb scattered = value.f().times(light.radiance());
     if (scattered.isBlack() || scratch.isOccluded(scene, light.shadowRay(vertex.surface()))) {
       return Rgb.BLACK;
     }
@@ -185,7 +212,7 @@ public final class PathTracer implements Integrator {
       return scattered.times(1 / probability);
     }
     double lightPdf = probability * light.pdf();
-    return scattered.times(strategy.lightWeight(lightPdf, vertex.pdf(light.wi())) / lightPdf);
+    return scattered.times(strategy.lightWeight(lightPdf, value.pdf()) / lightPdf);
   }
 
   private static Rgb emitted(Emission emission, SurfaceHit surface) {
@@ -208,11 +235,10 @@ public final class PathTracer implements Integrator {
       return scene.background(direction);
     }
     Rgb sum = Rgb.BLACK;
-    for (int i = 0; i < emitters.length; i++) {
-      if (emitters[i] instanceof EnvironmentLight dome) {
-        double lightPdf = selector.probability(i) * dome.pdf(direction);
-        sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
-      }
+    for (int emitter : domes) {
+      EnvironmentLight dome = (EnvironmentLight) emitters[emitter];
+      double lightPdf = selector.probability(emitter) * dome.pdf(direction);
+      sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
     }
     return sum;
   }

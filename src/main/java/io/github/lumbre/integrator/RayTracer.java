@@ -86,19 +86,20 @@ public final class RayTracer implements Integrator {
                   .get()
                   .towards(surface.wo(), surface.geometricNormal(), surface.texture()));
     }
-    Vertex vertex = Vertex.at(surface, primitive.material());
+    Vertex vertex = scratch.vertex;
+    vertex.moveTo(surface, primitive.material());
     if (vertex.bsdf() instanceof Dielectric glass) {
       double lobe = sampler.get1d(Sampler.vertex(number) + Sampler.LOBE);
-      splitAtGlass(branch, vertex, glass, lobe, pending);
+      splitAtGlass(branch, glass, lobe, scratch, pending);
       return Rgb.BLACK;
     }
     if (vertex.bsdf() instanceof RoughDielectric) {
       int dimension = Sampler.vertex(number);
-      scatterInGlass(branch, vertex, sampler, dimension, pending);
+      scatterInGlass(branch, sampler, dimension, scratch, pending);
       return branch.throughput().times(direct(vertex, number, sampler, scratch));
     }
     if (vertex.bsdf().isSpecular()) {
-      reflect(branch, vertex, pending);
+      reflect(branch, scratch, pending);
       return Rgb.BLACK;
     }
     return branch.throughput().times(direct(vertex, number, sampler, scratch));
@@ -126,12 +127,13 @@ public final class RayTracer implements Integrator {
     return light.isDelta() ? scattered : scattered.times(1 / light.pdf());
   }
 
-  private void reflect(Branch branch, Vertex vertex, Deque<Branch> pending) {
-    BsdfSample mirrored = vertex.sample(0, MIDDLE);
-    if (branch.reflections() < maxReflections && !mirrored.weight().isBlack()) {
+  private void reflect(Branch branch, Scratch scratch, Deque<Branch> pending) {
+    BsdfSample mirrored = scratch.scattered;
+    scratch.vertex.sample(0, MIDDLE, mirrored);
+    if (branch.reflections() < maxReflections && !mirrored.isAbsorbed()) {
       pending.push(
           new Branch(
-              vertex.surface().spawn(mirrored.wi()),
+              scratch.vertex.surface().spawn(mirrored.wi()),
               branch.throughput().times(mirrored.weight()),
               branch.reflections() + 1,
               branch.refractions()));
@@ -140,39 +142,38 @@ public final class RayTracer implements Integrator {
 
   /** Follows one random direction through ground glass, which has no two to split into. */
   private void scatterInGlass(
-      Branch branch, Vertex vertex, Sampler sampler, int dimension, Deque<Branch> pending) {
+      Branch branch, Sampler sampler, int dimension, Scratch scratch, Deque<Branch> pending) {
     if (branch.refractions() < maxRefractions) {
-      BsdfSample either =
-          vertex.sample(
-              sampler.get1d(dimension + Sampler.LOBE),
-              sampler.get2d(dimension + Sampler.DIRECTION));
-      pushGlass(branch, vertex, either.wi(), either.weight(), pending);
+      BsdfSample either = scratch.scattered;
+      scratch.vertex.sample(
+          sampler.get1d(dimension + Sampler.LOBE),
+          sampler.get2d(dimension + Sampler.DIRECTION),
+          either);
+      pushGlass(branch, scratch.vertex, either.wi(), either.weight(), pending);
     }
   }
 
   private void splitAtGlass(
-      Branch branch, Vertex vertex, Dielectric glass, double lobe, Deque<Branch> pending) {
+      Branch branch, Dielectric glass, double lobe, Scratch scratch, Deque<Branch> pending) {
+    Vertex vertex = scratch.vertex;
     if (branch.refractions() >= maxRefractions) {
       return;
     }
     if (branch.refractions() >= MAX_SPLITS) {
-      BsdfSample either = vertex.sample(lobe, MIDDLE);
+      BsdfSample either = scratch.scattered;
+      vertex.sample(lobe, MIDDLE, either);
       pushGlass(branch, vertex, either.wi(), either.weight(), pending);
       return;
     }
     double reflected = glass.reflected(vertex.wo());
     Vec3 mirror = new Vec3(-vertex.wo().x(), -vertex.wo().y(), vertex.wo().z());
     pushGlass(
-        branch,
-        vertex,
-        vertex.frame().toWorld(mirror),
-        glass.reflectance().times(reflected),
-        pending);
+        branch, vertex, vertex.toWorld(mirror), glass.reflectance().times(reflected), pending);
     if (reflected < 1) {
       pushGlass(
           branch,
           vertex,
-          vertex.frame().toWorld(glass.refract(vertex.wo())),
+          vertex.toWorld(glass.refract(vertex.wo())),
           glass.transmittance().times(1 - reflected),
           pending);
     }

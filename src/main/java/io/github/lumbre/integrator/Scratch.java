@@ -1,12 +1,18 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.scene.Scene;
 
 /** Memory and counters that a thread reuses from sample to sample. Mutable, one for each thread. */
 public final class Scratch {
   final NearestHit hit = new NearestHit();
+  final Path path = new Path();
+  final Vertex vertex = new Vertex();
+  final BsdfSample scattered = new BsdfSample();
+  final BsdfValue value = new BsdfValue();
   private final NearestHit shadow = new NearestHit();
   long rays;
   boolean metSomething;

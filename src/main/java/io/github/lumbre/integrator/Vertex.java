@@ -4,58 +4,90 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A point where a path meets a surface: the surface's Bsdf in world directions.
+ * A point where a path meets a surface: the surface's Bsdf in world directions. Mutable: each
+ * thread moves one and the same from vertex to vertex.
  *
  * <p>Interpolated and bent normals may put a direction on one side of the shading plane and on the
  * other of the true surface. Light never passes that way: such directions scatter nothing.
- *
- * @param wo direction back along the path, in the local frame
  */
-record Vertex(SurfaceHit surface, Frame frame, Bsdf bsdf, Vec3 wo) {
+final class Vertex {
+  private SurfaceHit surface;
+  private Bsdf bsdf;
 
-  static Vertex at(SurfaceHit surface, Material material) {
-    Frame frame = material.frame(surface);
+  /** Direction back along the path, in the local frame. */
+  private Vec3 wo;
+
+  /** Moves to another point; may turn the hit's shading frame. */
+  void moveTo(SurfaceHit newSurface, Material material) {
+    surface = newSurface;
+    material.bend(surface);
     // A viewer behind the bent plane but before the true one sees the true one.
-    double side = surface.wo().dot(surface.geometricNormal());
-    if (side * surface.wo().dot(frame.normal()) <= 0) {
-      frame = Frame.around(surface.geometricNormal());
+    wo = surface.toLocal(surface.wo());
+    if (surface.wo().dot(surface.geometricNormal()) * wo.z() <= 0) {
+      surface.shadeBy(Frame.around(surface.geometricNormal()));
+      wo = surface.toLocal(surface.wo());
     }
-    return new Vertex(surface, frame, material.at(surface), frame.toLocal(surface.wo()));
+    bsdf = material.at(surface.texture());
+  }
+
+  SurfaceHit surface() {
+    return surface;
+  }
+
+  Bsdf bsdf() {
+    return bsdf;
+  }
+
+  /** Returns the direction back along the path, in the local frame. */
+  Vec3 wo() {
+    return wo;
+  }
+
+  /** Returns the world direction of a local one. */
+  Vec3 toWorld(Vec3 local) {
+    return surface.toWorld(local);
   }
 
   /** Returns f·|cos θi| for a unit world direction. */
   Rgb eval(Vec3 wi) {
-    Vec3 local = frame.toLocal(wi);
+    Vec3 local = surface.toLocal(wi);
     return isConsistent(wi, local) ? bsdf.eval(wo, local) : Rgb.BLACK;
   }
 
-  /** Returns the density per solid angle with which {@link #sample} draws a unit direction. */
-  double pdf(Vec3 wi) {
-    return bsdf.pdf(wo, frame.toLocal(wi));
+  /** Sets f·|cos θi| and the density of a unit world direction. */
+  void evaluate(Vec3 wi, BsdfValue value) {
+    Vec3 local = surface.toLocal(wi);
+    if (isConsistent(wi, local)) {
+      bsdf.evaluate(wo, local, value);
+    } else {
+      value.clear();
+    }
   }
 
   /** Draws a direction; the sample's wi is in world space. */
-  BsdfSample sample(double uLobe, Point2 u) {
-    BsdfSample local = bsdf.sample(wo, uLobe, u);
-    if (local.weight().isBlack()) {
-      return BsdfSample.ABSORBED;
+  void sample(double uLobe, Point2 u, BsdfSample drawn) {
+    bsdf.sample(wo, uLobe, u, drawn);
+    if (drawn.isAbsorbed()) {
+      return;
     }
-    Vec3 wi = frame.toWorld(local.wi());
-    return isConsistent(wi, local.wi())
-        ? new BsdfSample(wi, local.weight(), local.pdf())
-        : BsdfSample.ABSORBED;
+    Vec3 local = drawn.wi();
+    Vec3 wi = toWorld(local);
+    if (isConsistent(wi, local)) {
+      drawn.setDirection(wi);
+    } else {
+      drawn.absorb();
+    }
   }
 
   private boolean isConsistent(Vec3 wi, Vec3 local) {
-    return wi.dot(surface.geometricNormal())
-            * (local.z() * wo.z())
-            * surface.wo().dot(surface.geometricNormal())
-        > 0;
+    Vec3 normal = surface.geometricNormal();
+    return wi.dot(normal) * (local.z() * wo.z()) * surface.wo().dot(normal) > 0;
   }
 }

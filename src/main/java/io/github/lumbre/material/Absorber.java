@@ -8,7 +8,7 @@ enum Absorber implements SpecularBsdf {
   BLACK;
 
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
-    return BsdfSample.ABSORBED;
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+    drawn.absorb();
   }
 }

@@ -4,7 +4,10 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
-/** How one point of a surface scatters, in its local frame. Immutable, without state. */
+/**
+ * How one point of a surface scatters, in its local frame. All directions are of unit length and
+ * point away from the surface. Immutable.
+ */
 public interface Bsdf {
   /** Returns f·|cos θi|; mirror-like (delta) lobes contribute nothing here. */
   Rgb eval(Vec3 wo, Vec3 wi);
@@ -12,14 +15,27 @@ public interface Bsdf {
   /** Returns the density per solid angle with which {@link #sample} draws wi, delta lobes aside. */
   double pdf(Vec3 wo, Vec3 wi);
 
+  /** Sets what {@link #eval} and {@link #pdf} return, at the price of one. */
+  default void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+    value.set(eval(wo, wi), pdf(wo, wi));
+  }
+
   /**
    * Draws a direction.
    *
    * @param uLobe uniform in [0,1): chooses among lobes
    * @param u uniform in [0,1)²
-   * @return {@link BsdfSample#ABSORBED} if the light ends here
+   * @param drawn takes the result; {@linkplain BsdfSample#isAbsorbed absorbed} if the light ends
+   *     here
    */
-  BsdfSample sample(Vec3 wo, double uLobe, Point2 u);
+  void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn);
+
+  /** Draws a direction into a new sample. */
+  default BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+    BsdfSample drawn = new BsdfSample();
+    sample(wo, uLobe, u, drawn);
+    return drawn;
+  }
 
   /** Tells whether all lobes are deltas, so that light sampling is pointless. */
   default boolean isSpecular() {

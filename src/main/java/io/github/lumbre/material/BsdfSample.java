@@ -4,19 +4,73 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A direction drawn from a Bsdf.
- *
- * @param wi local, of unit length
- * @param weight f·|cos θi| / pdf, over all the lobes that could have drawn wi
- * @param pdf per solid angle; of a delta lobe, infinite
+ * A direction drawn from a {@link Bsdf}, or none if the light ends there. Mutable: each thread
+ * fills one and the same again and again.
  */
-public record BsdfSample(Vec3 wi, Rgb weight, double pdf) {
-  /** The light ends here. */
-  public static final BsdfSample ABSORBED = new BsdfSample(Vec3.Z, Rgb.BLACK, 0);
+public final class BsdfSample {
+  private double x, y, z = 1;
+  private double r, g, b;
+  private double pdf;
 
-  /** Returns a sample of a delta lobe. */
-  public static BsdfSample specular(Vec3 wi, Rgb weight) {
-    return new BsdfSample(wi, weight, Double.POSITIVE_INFINITY);
+  /** Says that the light ends here. */
+  public void absorb() {
+    set(Vec3.Z, Rgb.BLACK, 0);
+  }
+
+  /**
+   * Sets what was drawn.
+   *
+   * @param wi local, of unit length
+   * @param weight f·|cos θi| / pdf, over all the lobes that could have drawn wi
+   * @param newPdf per solid angle, delta lobes aside
+   */
+  public void set(Vec3 wi, Rgb weight, double newPdf) {
+    setDirection(wi);
+    r = weight.r();
+    g = weight.g();
+    b = weight.b();
+    pdf = newPdf;
+  }
+
+  /** Sets a sample of a delta lobe. */
+  public void setSpecular(Vec3 wi, Rgb weight) {
+    set(wi, weight, Double.POSITIVE_INFINITY);
+  }
+
+  /** Sets weight and density by what is scattered into the direction; absorbs it if nothing is. */
+  void weighBy(BsdfValue value) {
+    if (value.pdf() > 0 && value.pdf() < Double.POSITIVE_INFINITY) {
+      set(wi(), value.f().times(1 / value.pdf()), value.pdf());
+    } else {
+      // So close to the horizon that the product of two cosines is 0.
+      absorb();
+    }
+  }
+
+  /** Sets the direction alone. */
+  public void setDirection(Vec3 wi) {
+    x = wi.x();
+    y = wi.y();
+    z = wi.z();
+  }
+
+  /** Returns the unit direction; of an absorbed sample, any. */
+  public Vec3 wi() {
+    return new Vec3(x, y, z);
+  }
+
+  /** Returns f·|cos θi| / pdf; black if the light ends here. */
+  public Rgb weight() {
+    return new Rgb(r, g, b);
+  }
+
+  /** Returns the density per solid angle; of a delta lobe, infinite; of no sample, 0. */
+  public double pdf() {
+    return pdf;
+  }
+
+  public boolean isAbsorbed() {
+    return r == 0 && g == 0 && b == 0;
   }
 
   public boolean isSpecular() {

@@ -1,9 +1,9 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -36,10 +36,18 @@ public record CookTorrance(
   }
 
   @Override
-  public Bsdf at(SurfaceHit hit) {
-    Reflectances colours = Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
-    double alpha = roughness.at(hit.texture());
-    double index = ior.at(hit.texture());
+  public boolean isUniform() {
+    return diffuse.isConstant()
+        && specular.isConstant()
+        && roughness.isConstant()
+        && ior.isConstant();
+  }
+
+  @Override
+  public Bsdf at(TexturePoint point) {
+    Reflectances colours = Reflectances.of(diffuse.at(point), specular.at(point));
+    double alpha = roughness.at(point);
+    double index = ior.at(point);
     return colours.with(
         alpha < SMOOTH
             ? new FresnelMirror(colours.specular(), index)

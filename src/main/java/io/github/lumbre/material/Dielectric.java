@@ -14,18 +14,20 @@ import io.github.lumbre.math.Vec3;
  */
 public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements SpecularBsdf {
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     double fresnel = reflected(wo);
     double reflect = fresnel * reflectance.max();
     double pass = (1 - fresnel) * transmittance.max();
     if (reflect + pass == 0) {
-      return BsdfSample.ABSORBED;
+      drawn.absorb();
+      return;
     }
     double probability = reflect / (reflect + pass);
-    return uLobe < probability
-        ? BsdfSample.specular(
-            SpecularReflection.reflect(wo), reflectance.times(fresnel / probability))
-        : BsdfSample.specular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
+    if (uLobe < probability) {
+      drawn.setSpecular(SpecularReflection.reflect(wo), reflectance.times(fresnel / probability));
+    } else {
+      drawn.setSpecular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
+    }
   }
 
   /** Returns the share of light from wo that is reflected, tint aside. */

@@ -13,11 +13,9 @@ import io.github.lumbre.math.Vec3;
  */
 record FresnelMirror(Rgb specular, double ior) implements SpecularBsdf, Lobe {
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     Rgb weight = specular.times(Fresnel.dielectric(Math.abs(wo.z()), ior));
-    return weight.isBlack()
-        ? BsdfSample.ABSORBED
-        : BsdfSample.specular(SpecularReflection.reflect(wo), weight);
+    drawn.setSpecular(SpecularReflection.reflect(wo), weight);
   }
 
   @Override

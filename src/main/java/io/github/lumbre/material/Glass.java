@@ -1,9 +1,9 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -32,11 +32,19 @@ public record Glass(
   }
 
   @Override
-  public Bsdf at(SurfaceHit hit) {
-    Rgb reflected = reflectance.at(hit.texture()).clampedToOne();
-    Rgb passed = transmittance.at(hit.texture()).clampedToOne();
-    double index = ior.at(hit.texture());
-    double alpha = roughness.at(hit.texture());
+  public boolean isUniform() {
+    return reflectance.isConstant()
+        && transmittance.isConstant()
+        && ior.isConstant()
+        && roughness.isConstant();
+  }
+
+  @Override
+  public Bsdf at(TexturePoint point) {
+    Rgb reflected = reflectance.at(point).clampedToOne();
+    Rgb passed = transmittance.at(point).clampedToOne();
+    double index = ior.at(point);
+    double alpha = roughness.at(point);
     return alpha < CookTorrance.SMOOTH || Math.abs(index - 1) < LEAST_CONTRAST
         ? new Dielectric(reflected, passed, index)
         : new RoughDielectric(reflected, passed, index, new Ggx(alpha));

@@ -23,13 +23,14 @@ public record Lambertian(Rgb albedo) implements Lobe {
   }
 
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     Vec3 up = Warp.cosineHemisphere(u);
     if (up.z() == 0 || wo.z() == 0) {
-      return BsdfSample.ABSORBED;
+      drawn.absorb();
+      return;
     }
     Vec3 wi = wo.z() > 0 ? up : new Vec3(up.x(), up.y(), -up.z());
-    return new BsdfSample(wi, albedo, Warp.cosineHemispherePdf(up.z()));
+    drawn.set(wi, albedo, Warp.cosineHemispherePdf(up.z()));
   }
 
   @Override

@@ -1,15 +1,21 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
-import io.github.lumbre.math.Frame;
+import io.github.lumbre.texture.TexturePoint;
 
 /** What a surface is made of: reads its textures at a hit. Immutable. */
 public interface Material {
-  /** Returns how the surface scatters at the hit, in the frame of {@link #frame}. */
-  Bsdf at(SurfaceHit hit);
+  /** Returns how the surface scatters at a point of it, in the hit's shading frame. */
+  Bsdf at(TexturePoint point);
 
-  /** Returns the frame the Bsdf works in; a normal map bends it. */
-  default Frame frame(SurfaceHit hit) {
-    return hit.shading();
+  /** Tells whether the surface is known to scatter everywhere alike. */
+  boolean isUniform();
+
+  /** Returns a material that looks the same and does no work twice. */
+  default Material simplified() {
+    return isUniform() ? new UniformMaterial(at(new TexturePoint(0, 0))) : this;
   }
+
+  /** Turns the hit's shading frame, if a normal map bends it. */
+  default void bend(SurfaceHit hit) {}
 }

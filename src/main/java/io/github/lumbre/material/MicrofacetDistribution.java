@@ -19,12 +19,17 @@ public sealed interface MicrofacetDistribution permits Beckmann, Ggx {
    */
   double hidden(double cosTheta);
 
+  /** Returns (1 + Λ(θ)) · cos θ. */
+  default double visible(double cosTheta) {
+    return cosTheta + hidden(cosTheta);
+  }
+
   /** Draws a normal in proportion to its visible area: with density {@link #visibleDensity}. */
   Vec3 sampleVisible(Vec3 wo, Point2 u);
 
   /** Returns G1 · max(0, wo·m) · D / cos θo, per solid angle, with G1 = 1 / (1 + Λ). */
   default double visibleDensity(Vec3 wo, Vec3 m) {
-    return Math.max(0, wo.dot(m)) * density(m) / (wo.z() + hidden(wo.z()));
+    return Math.max(0, wo.dot(m)) * density(m) / visible(wo.z());
   }
 
   /**
@@ -35,7 +40,12 @@ public sealed interface MicrofacetDistribution permits Beckmann, Ggx {
    * @param cosI in (0,1]
    */
   default double maskingRatio(double cosO, double cosI) {
-    return 1 / (1 + hidden(cosI) / cosI * (cosO / (cosO + hidden(cosO))));
+    return maskingRatio(cosO, visible(cosO), cosI);
+  }
+
+  /** Returns the same, given what {@link #visible} returns for the first direction. */
+  default double maskingRatio(double cosO, double visibleO, double cosI) {
+    return 1 / (1 + hidden(cosI) / cosI * (cosO / visibleO));
   }
 
   /** Returns the distribution that a roughness α gives. */

@@ -16,50 +16,53 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     implements Lobe {
   @Override
   public Rgb eval(Vec3 wo, Vec3 wi) {
+    BsdfValue value = new BsdfValue();
+    evaluate(wo, wi, value);
+    return value.f();
+  }
+
+  @Override
+  public double pdf(Vec3 wo, Vec3 wi) {
+    BsdfValue value = new BsdfValue();
+    evaluate(wo, wi, value);
+    return value.pdf();
+  }
+
+  @Override
+  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
     if (!(wo.z() * wi.z() > 0)) {
-      return Rgb.BLACK;
+      value.clear();
+      return;
     }
     Vec3 o = up(wo);
     Vec3 i = up(wi);
     Vec3 sum = o.plus(i);
     // Half the sum is as long as the cosine at the facet; a dot product would lose digits.
     double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), ior);
-    double masking = facets.maskingRatio(o.z(), i.z());
-    return specular.times(fresnel * masking * drawn(o, sum.normalized()));
+    // Mirrors spread the density of visible normals by 4 times that cosine, which cancels.
+    double visible = facets.visible(o.z());
+    double pdf = facets.density(sum.normalized()) / (4 * visible);
+    value.set(specular.times(fresnel * facets.maskingRatio(o.z(), visible, i.z()) * pdf), pdf);
   }
 
   @Override
-  public double pdf(Vec3 wo, Vec3 wi) {
-    if (!(wo.z() * wi.z() > 0)) {
-      return 0;
-    }
-    Vec3 o = up(wo);
-    return drawn(o, o.plus(up(wi)).normalized());
-  }
-
-  /** Returns the density of the direction that a visible normal mirrors o into. */
-  private double drawn(Vec3 o, Vec3 m) {
-    double cos = o.dot(m);
-    return cos > 0 ? facets.visibleDensity(o, m) / (4 * cos) : 0;
-  }
-
-  @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
-    if (wo.z() == 0) {
-      return BsdfSample.ABSORBED;
-    }
+  public boolean draw(Vec3 wo, Point2 u, BsdfSample drawn) {
     Vec3 o = up(wo);
     Vec3 m = facets.sampleVisible(o, u);
     Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
-    double pdf = i.z() > 0 ? drawn(o, o.plus(i).normalized()) : 0;
-    if (!(pdf > 0) || pdf == Double.POSITIVE_INFINITY) {
-      return BsdfSample.ABSORBED;
+    drawn.setDirection(wo.z() > 0 ? i : i.negated());
+    return wo.z() != 0 && i.z() > 0;
+  }
+
+  @Override
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+    if (draw(wo, u, drawn)) {
+      BsdfValue value = new BsdfValue();
+      evaluate(wo, drawn.wi(), value);
+      drawn.weighBy(value);
+    } else {
+      drawn.absorb();
     }
-    double fresnel = Fresnel.dielectric(Math.min(1, o.dot(m)), ior);
-    return new BsdfSample(
-        wo.z() > 0 ? i : i.negated(),
-        specular.times(fresnel * facets.maskingRatio(o.z(), i.z())),
-        pdf);
   }
 
   @Override

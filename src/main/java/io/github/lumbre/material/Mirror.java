@@ -1,8 +1,8 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -16,7 +16,12 @@ public record Mirror(Texture<Rgb> reflectance) implements Material {
   }
 
   @Override
-  public Bsdf at(SurfaceHit hit) {
-    return new SpecularReflection(reflectance.at(hit.texture()).clampedToOne());
+  public boolean isUniform() {
+    return reflectance.isConstant();
+  }
+
+  @Override
+  public Bsdf at(TexturePoint point) {
+    return new SpecularReflection(reflectance.at(point).clampedToOne());
   }
 }

@@ -21,24 +21,30 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   }
 
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+    double share = shareOfFirst(wo);
+    first.evaluate(wo, wi, value);
+    Rgb f = value.f();
+    double pdf = share * value.pdf();
+    second.evaluate(wo, wi, value);
+    value.set(f.plus(value.f()), pdf + (1 - share) * value.pdf());
+  }
+
+  @Override
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     double share = shareOfFirst(wo);
     boolean drawsFirst = uLobe < share;
-    Lobe drawn = drawsFirst ? first : second;
-    BsdfSample sample = drawn.sample(wo, uLobe, u);
-    if (!(sample.pdf() > 0)) {
-      return BsdfSample.ABSORBED;
+    Lobe chosen = drawsFirst ? first : second;
+    if (!chosen.draw(wo, u, drawn)) {
+      drawn.absorb();
+    } else if (chosen.isSpecular()) {
+      drawn.setSpecular(drawn.wi(), drawn.weight().times(1 / (drawsFirst ? share : 1 - share)));
+    } else {
+      // Both lobes count for the direction that one of them gave.
+      BsdfValue value = new BsdfValue();
+      evaluate(wo, drawn.wi(), value);
+      drawn.weighBy(value);
     }
-    if (sample.isSpecular()) {
-      return BsdfSample.specular(
-          sample.wi(), sample.weight().times(1 / (drawsFirst ? share : 1 - share)));
-    }
-    double pdf = pdf(wo, sample.wi());
-    if (!(pdf > 0)) {
-      // So close to the horizon that the product of two cosines is 0.
-      return BsdfSample.ABSORBED;
-    }
-    return new BsdfSample(sample.wi(), eval(wo, sample.wi()).times(1 / pdf), pdf);
   }
 
   private double shareOfFirst(Vec3 wo) {

@@ -1,8 +1,8 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
-import io.github.lumbre.math.Frame;
 import io.github.lumbre.texture.NormalMap;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /** Any material on a surface whose normals a map bends. */
@@ -13,12 +13,23 @@ public record NormalMapped(Material material, NormalMap map) implements Material
   }
 
   @Override
-  public Bsdf at(SurfaceHit hit) {
-    return material.at(hit);
+  public boolean isUniform() {
+    return material.isUniform();
   }
 
   @Override
-  public Frame frame(SurfaceHit hit) {
-    return map.perturb(material.frame(hit), hit.geometricNormal(), hit.texture());
+  public Bsdf at(TexturePoint point) {
+    return material.at(point);
+  }
+
+  @Override
+  public void bend(SurfaceHit hit) {
+    material.bend(hit);
+    hit.shadeBy(map.perturb(hit.shading(), hit.geometricNormal(), hit.texture()));
+  }
+
+  @Override
+  public Material simplified() {
+    return new NormalMapped(material.simplified(), map);
   }
 }

@@ -1,9 +1,9 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -28,9 +28,13 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
   }
 
   @Override
-  public Bsdf at(SurfaceHit hit) {
-    Reflectances colours = Reflectances.of(diffuse.at(hit.texture()), specular.at(hit.texture()));
-    return colours.with(
-        new PhongLobe(colours.specular(), Math.min(exponent.at(hit.texture()), SHARPEST)));
+  public boolean isUniform() {
+    return diffuse.isConstant() && specular.isConstant() && exponent.isConstant();
+  }
+
+  @Override
+  public Bsdf at(TexturePoint point) {
+    Reflectances colours = Reflectances.of(diffuse.at(point), specular.at(point));
+    return colours.with(new PhongLobe(colours.specular(), Math.min(exponent.at(point), SHARPEST)));
   }
 }

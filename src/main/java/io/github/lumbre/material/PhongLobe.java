@@ -39,7 +39,7 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   }
 
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     // cos α = (1−u)^(1/(n+1)), and the sine without cancellation.
     double logCos = Elementary.log1p(-u.x()) / (exponent + 1);
     double cos = Elementary.exp(logCos);
@@ -48,10 +48,11 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
     Vec3 wi = Frame.around(SpecularReflection.reflect(wo)).toWorld(around).normalized();
     double pdf = pdf(wo, wi);
     if (!(pdf > 0)) {
-      return BsdfSample.ABSORBED;
+      drawn.absorb();
+      return;
     }
     double weight = (exponent + 2) / (exponent + 1) * Math.abs(wi.z());
-    return new BsdfSample(wi, specular.times(weight), pdf);
+    drawn.set(wi, specular.times(weight), pdf);
   }
 
   @Override

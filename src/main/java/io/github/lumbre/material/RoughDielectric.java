@@ -87,9 +87,10 @@ public record RoughDielectric(
   }
 
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     if (wo.z() == 0) {
-      return BsdfSample.ABSORBED;
+      drawn.absorb();
+      return;
     }
     Vec3 o = up(wo, wo);
     Vec3 m = facets.sampleVisible(o, u);
@@ -105,12 +106,14 @@ public record RoughDielectric(
                 .plus(-1 / eta, o)
                 .normalized();
     if (reflects ? !(i.z() > 0) : !(i.z() < 0)) {
-      return BsdfSample.ABSORBED;
+      drawn.absorb();
+      return;
     }
     Vec3 wi = up(i, wo);
     double pdf = pdf(wo, wi);
     if (!(pdf > 0) || pdf == Double.POSITIVE_INFINITY) {
-      return BsdfSample.ABSORBED;
+      drawn.absorb();
+      return;
     }
     // Divided by the probability of its kind of event, the share is the larger part of all.
     Rgb tint =
@@ -118,7 +121,7 @@ public record RoughDielectric(
             ? reflectance.times(1 / reflectance.max())
             : transmittance.times(1 / transmittance.max());
     double masking = facets.maskingRatio(o.z(), Math.abs(i.z()));
-    return new BsdfSample(wi, tint.times(masking * all), pdf);
+    drawn.set(wi, tint.times(masking * all), pdf);
   }
 
   private double eta(Vec3 wo) {

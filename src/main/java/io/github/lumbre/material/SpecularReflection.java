@@ -11,8 +11,8 @@ import io.github.lumbre.math.Vec3;
  */
 public record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   @Override
-  public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
-    return BsdfSample.specular(reflect(wo), reflectance);
+  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+    drawn.setSpecular(reflect(wo), reflectance);
   }
 
   /** Returns the mirror direction in the local frame. */

@@ -30,20 +30,21 @@ public final class SobolSampler implements Sampler {
   @Override
   public double get1d(int dimension) {
     long key = Hash.mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
-    int reversed = scramble(reversedIndex, (int) key);
-    // The base-2 radical inverse of the shuffled index is its reversed bits, which we have.
-    int value = scrambleReversed(reversed, (int) (key >>> 32));
-    return unit(value);
+    int index = Integer.reverse(scramble(reversedIndex, (int) key));
+    // The base-2 radical inverse of the shuffled index is its reversed bits.
+    return unit(Integer.reverse(scramble(index, (int) (key >>> 32))));
   }
 
   @Override
   public Point2 get2d(int dimension) {
     long key = Hash.mix(pixelKey + dimension * 0xd1b54a32d192ed03L);
-    int reversed = scramble(reversedIndex, (int) key);
+    int index = Integer.reverse(scramble(reversedIndex, (int) key));
     int high = (int) (key >>> 32);
-    int x = scrambleReversed(reversed, high);
-    int y = scrambleReversed(secondSobolDimension(Integer.reverse(reversed)), mix32(high));
-    return new Point2(unit(x), unit(y));
+    int x = scramble(index, high);
+    int y = scramble(reversedSecondDimension(index), mix32(high));
+    // Reverse both at once.
+    long both = Long.reverse((long) y << 32 | x & 0xffffffffL);
+    return new Point2(unit((int) (both >>> 32)), unit((int) both));
   }
 
   /** Returns the middle of the 2^-32 that 32 random bits stand for, so that means are exact. */
@@ -52,17 +53,18 @@ public final class SobolSampler implements Sampler {
   }
 
   /**
-   * Returns the index's bits times the second Sobol matrix. That matrix is Pascal's triangle modulo
-   * 2, which is a Kronecker power of [1 1; 0 1], so five shifts replace 32 table rows.
+   * Returns the index's bits times the second Sobol matrix, the most significant bit lowest. That
+   * matrix is Pascal's triangle modulo 2, which is a Kronecker power of [1 1; 0 1], so five shifts
+   * replace 32 table rows.
    */
-  static int secondSobolDimension(int index) {
+  static int reversedSecondDimension(int index) {
     int v = index;
     v ^= (v & 0xaaaaaaaa) >>> 1;
     v ^= (v & 0xcccccccc) >>> 2;
     v ^= (v & 0xf0f0f0f0) >>> 4;
     v ^= (v & 0xff00ff00) >>> 8;
     v ^= v >>> 16;
-    return Integer.reverse(v);
+    return v;
   }
 
   /** Owen-scrambles a number whose most significant bit is its lowest: the Laine–Karras hash. */
@@ -73,11 +75,6 @@ public final class SobolSampler implements Sampler {
     x ^= x * 0x05526c56;
     x ^= x * 0x53a22864;
     return x;
-  }
-
-  /** Owen-scrambles a number whose most significant bit is its highest. */
-  static int scrambleReversed(int x, int key) {
-    return Integer.reverse(scramble(Integer.reverse(x), key));
   }
 
   private static int mix32(int x) {

@@ -23,7 +23,7 @@ public final class Scene {
   private final Camera camera;
   private final List<Primitive> primitives;
 
-  /** The same, for the inner loop. */
+  /** The same, simplified for the inner loop. */
   private final Primitive[] primitiveOfShape;
 
   private final Bvh bvh;
@@ -45,7 +45,8 @@ public final class Scene {
       Rgb ambient) {
     this.camera = camera;
     this.primitives = List.copyOf(primitives);
-    primitiveOfShape = this.primitives.toArray(Primitive[]::new);
+    primitiveOfShape =
+        this.primitives.stream().map(Primitive::simplified).toArray(Primitive[]::new);
     this.lights = List.copyOf(lights);
     this.emitters = List.copyOf(emitters);
     this.ambient = ambient;

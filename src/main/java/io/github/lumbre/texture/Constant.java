@@ -9,6 +9,11 @@ public record Constant<T>(T value) implements Texture<T> {
   }
 
   @Override
+  public boolean isConstant() {
+    return true;
+  }
+
+  @Override
   public T at(TexturePoint p) {
     return value;
   }

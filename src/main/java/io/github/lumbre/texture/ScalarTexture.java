@@ -5,8 +5,13 @@ package io.github.lumbre.texture;
 public interface ScalarTexture {
   double at(TexturePoint p);
 
+  /** Tells whether the texture is known to have one value everywhere. */
+  default boolean isConstant() {
+    return false;
+  }
+
   /** Returns the texture that has one value everywhere. */
   static ScalarTexture constant(double value) {
-    return p -> value;
+    return new ConstantScalar(value);
   }
 }

@@ -5,6 +5,11 @@ package io.github.lumbre.texture;
 public interface Texture<T> {
   T at(TexturePoint p);
 
+  /** Tells whether the texture is known to have one value everywhere. */
+  default boolean isConstant() {
+    return false;
+  }
+
   /** Returns the texture that has one value everywhere. */
   static <T> Texture<T> constant(T value) {
     return new Constant<>(value);

@@ -41,7 +41,9 @@ class BvhTest {
         assertThat(found.t()).isEqualTo(expected.t());
         assertThat(found.element).isEqualTo(expected.element);
         SurfaceHit surface = shapes.get(found.shape()).surfaceAt(ray, found);
-        assertThat(surface).isEqualTo(shapes.get(found.shape()).surfaceAt(ray, expected));
+        assertThat(surface)
+            .usingRecursiveComparison()
+            .isEqualTo(shapes.get(found.shape()).surfaceAt(ray, expected));
       }
     }
     assertThat(hits).isGreaterThan(rays / 20);

@@ -115,9 +115,9 @@ class MixtureTest {
           }
 
           @Override
-          public BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
-            BsdfSample sample = draws.sample(wo, uLobe, u);
-            return new BsdfSample(sample.wi(), Rgb.BLACK, sample.pdf());
+          public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+            draws.sample(wo, uLobe, u, drawn);
+            drawn.set(drawn.wi(), Rgb.BLACK, drawn.pdf());
           }
 
           @Override

@@ -54,7 +54,11 @@ class NormalMappedTest {
 
   private static Vec3 normal(SurfaceHit hit, Rgb tilt, UvMapping mapping) {
     NormalMap map = new NormalMap(Texture.constant(tilt), mapping, 1);
-    return new NormalMapped(Matte.GREY, map).frame(hit).normal();
+    Frame unbent = hit.shading();
+    new NormalMapped(Matte.GREY, map).bend(hit);
+    Vec3 bent = hit.shading().normal();
+    hit.shadeBy(unbent);
+    return bent;
   }
 
   /** Returns by how much u and v grow on a small step along a tangential direction. */

@@ -3,10 +3,8 @@ package io.github.lumbre.material;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MicrofacetDistribution.Kind;
-import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.ScalarTexture;
@@ -18,8 +16,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** What materials make of their colours and numbers at a hit. */
 class ReflectancesTest {
-  private static final SurfaceHit HIT =
-      new SurfaceHit(Vec3.ZERO, Vec3.Z, Frame.WORLD, new TexturePoint(0, 0), Vec3.Z, 0);
+  private static final TexturePoint HIT = new TexturePoint(0, 0);
   private static final double JUST_BELOW = Math.nextDown(CookTorrance.SMOOTH);
 
   private static Texture<Rgb> colour(double r, double g, double b) {

@@ -1,0 +1,91 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+
+/**
+ * A path on its way from the camera: what it has gathered, what more light would count for, and
+ * where it goes next. Mutable, in plain numbers, since every vertex changes all of it.
+ */
+final class Path {
+  private double red, green, blue;
+  private double throughputRed, throughputGreen, throughputBlue;
+  private double originX, originY, originZ;
+  private double directionX, directionY, directionZ;
+  private double fromX, fromY, fromZ;
+  private double pdf;
+
+  /** Begins a path along a ray from the camera, which light sampling could not have drawn. */
+  void begin(Ray ray) {
+    red = 0;
+    green = 0;
+    blue = 0;
+    throughputRed = 1;
+    throughputGreen = 1;
+    throughputBlue = 1;
+    follow(ray, ray.origin(), Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * Goes on along a ray.
+   *
+   * @param from the point of the surface that it leaves
+   * @param newPdf density of its direction; infinite if light sampling could not have drawn it
+   */
+  void follow(Ray ray, Vec3 from, double newPdf) {
+    originX = ray.origin().x();
+    originY = ray.origin().y();
+    originZ = ray.origin().z();
+    directionX = ray.direction().x();
+    directionY = ray.direction().y();
+    directionZ = ray.direction().z();
+    fromX = from.x();
+    fromY = from.y();
+    fromZ = from.z();
+    pdf = newPdf;
+  }
+
+  /** Returns the ray that leads on. */
+  Ray ray() {
+    return new Ray(new Vec3(originX, originY, originZ), direction());
+  }
+
+  Vec3 direction() {
+    return new Vec3(directionX, directionY, directionZ);
+  }
+
+  /** Returns the point of the surface that the ray left. */
+  Vec3 from() {
+    return new Vec3(fromX, fromY, fromZ);
+  }
+
+  /** Returns the density of the ray's direction; infinite if light sampling could not draw it. */
+  double pdf() {
+    return pdf;
+  }
+
+  /** Adds light that arrives where the path is. */
+  void gather(Rgb radiance) {
+    red += throughputRed * radiance.r();
+    green += throughputGreen * radiance.g();
+    blue += throughputBlue * radiance.b();
+  }
+
+  /** Lets the rest of the path count for less, or more. */
+  void weigh(Rgb weight) {
+    throughputRed *= weight.r();
+    throughputGreen *= weight.g();
+    throughputBlue *= weight.b();
+  }
+
+  /** Returns the largest component of what more light counts for. */
+  double throughput() {
+    return Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));
+  }
+
+  /** Returns the light gathered so far. */
+  Rgb radiance() {
+    return new Rgb(red, green, blue);
+  }
+}

@@ -1,0 +1,40 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+
+/**
+ * What a {@link Bsdf} says of a pair of directions. Mutable: each thread fills one and the same
+ * again and again.
+ */
+public final class BsdfValue {
+  private double r, g, b;
+  private double pdf;
+
+  /** Says that nothing is scattered that way. */
+  public void clear() {
+    set(Rgb.BLACK, 0);
+  }
+
+  /**
+   * Sets both values.
+   *
+   * @param f f·|cos θi|, delta lobes aside
+   * @param newPdf density per solid angle with which wi would be drawn, delta lobes aside
+   */
+  public void set(Rgb f, double newPdf) {
+    r = f.r();
+    g = f.g();
+    b = f.b();
+    pdf = newPdf;
+  }
+
+  /** Returns f·|cos θi|. */
+  public Rgb f() {
+    return new Rgb(r, g, b);
+  }
+
+  /** Returns the density per solid angle with which wi would be drawn. */
+  public double pdf() {
+    return pdf;
+  }
+}

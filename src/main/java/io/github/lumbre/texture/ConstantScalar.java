@@ -1,0 +1,14 @@
+package io.github.lumbre.texture;
+
+/** The number that is the same everywhere. */
+record ConstantScalar(double value) implements ScalarTexture {
+  @Override
+  public double at(TexturePoint p) {
+    return value;
+  }
+
+  @Override
+  public boolean isConstant() {
+    return true;
+  }
+}
