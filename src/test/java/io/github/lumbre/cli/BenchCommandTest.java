@@ -2,6 +2,8 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonElement;
+import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -59,6 +61,31 @@ class BenchCommandTest {
     String line =
         other.out().lines().filter(row -> row.startsWith("| 3")).findFirst().orElseThrow();
     assertThat(json).content().contains("\"image_sha256\": \"" + hash(line));
+  }
+
+  @Test
+  void noiseIsThatOfOtherSeedsAndFallsWithSamples() throws IOException {
+    List<Double> few = relativeMses("-s", "1");
+    List<Double> many = relativeMses("-s", "64");
+    assertThat(few).hasSize(2).doesNotHaveDuplicates();
+    // Independent samples would make it 64 times less.
+    assertThat(many).hasSize(2).allMatch(error -> error > 0 && error < few.get(0) / 32);
+  }
+
+  private List<Double> relativeMses(String... flags) throws IOException {
+    Path json = directory.resolve("out.json");
+    Stream<String> first = Stream.of("--threads", "1", "--warmup", "0", "--json", json.toString());
+    bench(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
+    return JsonParser.parseString(Files.readString(json))
+        .getAsJsonObject()
+        .getAsJsonArray("results")
+        .get(0)
+        .getAsJsonObject()
+        .getAsJsonArray("relative_mse")
+        .asList()
+        .stream()
+        .map(JsonElement::getAsDouble)
+        .toList();
   }
 
   @Test
