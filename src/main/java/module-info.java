@@ -10,6 +10,7 @@ module io.github.lumbre {
   // The command line's alone.
   requires static info.picocli;
   requires static java.management;
+  requires static jdk.management;
   requires static me.tongfei.progressbar;
 
   exports io.github.lumbre.math;

@@ -51,7 +51,12 @@ class LayersTest {
   private static final Map<String, List<String>> LIBRARIES =
       Map.of(
           "parser", List.of("com.google.gson.."),
-          "cli", List.of("picocli..", "me.tongfei.progressbar.."));
+          "cli",
+              List.of(
+                  "com.google.gson..",
+                  "com.sun.management..",
+                  "picocli..",
+                  "me.tongfei.progressbar.."));
 
   private static final Set<String> TRANSCENDENTAL =
       Set.of(

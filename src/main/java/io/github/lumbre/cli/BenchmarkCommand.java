@@ -1,9 +1,7 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
-import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -125,12 +123,6 @@ final class BenchmarkCommand implements Callable<Integer> {
     private boolean store;
   }
 
-  /** Takes a text when it is complete. */
-  @FunctionalInterface
-  private interface Sink {
-    void write(String text) throws IOException;
-  }
-
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     BenchmarkPlan plan = plan();
@@ -150,27 +142,16 @@ final class BenchmarkCommand implements Callable<Integer> {
   }
 
   private BenchmarkPlan plan() {
+    FlagChecks checks = new FlagChecks(spec);
     BigDecimal share = amount.full ? BigDecimal.ONE : amount.scale;
-    require(
+    checks.require(
         share.signum() > 0 && share.compareTo(BigDecimal.ONE) <= 0,
         "--scale: expected more than 0 and at most 1, found " + share);
-    requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
-    requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
+    checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
+    checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
+    checks.requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
     int used = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
     return new BenchmarkPlan(share, used, warmup, repeat);
-  }
-
-  private void requireIn(String flag, int low, int high, int found) {
-    require(
-        low <= found && found <= high,
-        flag + ": expected " + low + " to " + high + ", found " + found);
-  }
-
-  private void require(boolean condition, String message) {
-    if (!condition) {
-      throw new ParameterException(spec.commandLine(), message);
-    }
   }
 
   private List<ReportRow> selected(SceneFolder folder) throws CommandException {
@@ -183,34 +164,24 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
     for (ReportRow row : selected) {
       Path file = folder.file(row.scene());
-      require(Files.isRegularFile(file), "row " + row.number() + ": there is no scene " + file);
+      new FlagChecks(spec)
+          .require(
+              Files.isRegularFile(file), "row " + row.number() + ": there is no scene " + file);
     }
     return selected;
   }
 
+  /** Renders and prints the rows; returns false if that was stopped. */
   private boolean run(List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report)
       throws SceneFormatException, CommandException {
-    try {
-      return csv.isPresent()
-          ? run(selected, runner, report, csv.get())
-          : run(selected, runner, report, text -> {});
-    } catch (IOException e) {
-      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+    try (TextOutput output = TextOutput.reserve(csv)) {
+      return run(selected, runner, report, output);
     }
   }
 
   private boolean run(
-      List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report, Path target)
-      throws SceneFormatException, CommandException, IOException {
-    try (OutputFile output = OutputFile.open(target)) {
-      return run(selected, runner, report, text -> TextFile.write(output, text));
-    }
-  }
-
-  /** Renders and prints the rows; returns false if that was stopped. */
-  private boolean run(
-      List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report, Sink sink)
-      throws SceneFormatException, CommandException, IOException {
+      List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report, TextOutput output)
+      throws SceneFormatException, CommandException {
     report.begin();
     try {
       for (ReportRow row : selected) {
@@ -227,7 +198,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     } finally {
       // Keep what is known already, however the others ended.
       report.end();
-      sink.write(new BenchmarkCsv(Hardware.here(), runner.plan()).text(report.results()));
+      output.write(new BenchmarkCsv(Hardware.here(), runner.plan()).text(report.results()));
     }
   }
 

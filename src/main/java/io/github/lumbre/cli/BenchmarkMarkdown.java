@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 /** The report's table with this machine's times, in Markdown, in parts as they become known. */
 final class BenchmarkMarkdown {
   /** How much of a fingerprint is shown: enough to tell any two pictures apart. */
-  private static final int HASH_DIGITS = 16;
+  static final int HASH_DIGITS = 16;
 
   private static final String ABOUT =
       Charset.defaultCharset().newEncoder().canEncode('≈') ? "≈" : "~";

@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
@@ -53,7 +52,7 @@ final class BenchmarkRunner {
 
     RenderSettings single = file.settings().toBuilder().samples(1).build();
     for (int i = 0; i < plan.warmup(); i++) {
-      if (!render(file, single).complete()) {
+      if (!render(file, single).result().complete()) {
         return Optional.empty();
       }
     }
@@ -95,16 +94,15 @@ final class BenchmarkRunner {
   }
 
   private Timed time(SceneFile file) throws InterruptedException {
-    long start = System.nanoTime();
-    RenderResult result = render(file, file.settings());
-    double seconds = secondsSince(start);
+    TimedRender render = render(file, file.settings());
+    RenderResult result = render.result();
     return new Timed(
-        result.complete(), seconds, result.statistics(), RasterHash.of(result.image()));
+        result.complete(), render.seconds(), result.statistics(), RasterHash.of(result.image()));
   }
 
-  private RenderResult render(SceneFile file, RenderSettings settings) throws InterruptedException {
+  private TimedRender render(SceneFile file, RenderSettings settings) throws InterruptedException {
     try (RenderMonitor monitor = monitors.get()) {
-      return new BucketRenderer(settings).render(file.scene(), monitor);
+      return TimedRender.of(file.scene(), settings, monitor);
     }
   }
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.BenchComparison.Clock;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -76,6 +77,14 @@ final class FlagConverters {
     @Override
     public Mode convert(String text) {
       return oneOf(Mode.values(), text);
+    }
+  }
+
+  /** {@code cpu} or {@code wall}. */
+  static final class OfClock implements ITypeConverter<Clock> {
+    @Override
+    public Clock convert(String text) {
+      return oneOf(Clock.values(), text);
     }
   }
 

@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
       RenderCommand.class,
       CheckCommand.class,
       BenchmarkCommand.class,
+      BenchCommand.class,
       GalleryCommand.class,
       CompletionCommand.class,
       HelpCommand.class
@@ -34,6 +35,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
       "  lumbre check scene.json",
       "  lumbre benchmark --rows 1,5,14",
+      "  lumbre bench scenes/cornell-box.json",
       "  lumbre help render"
     })
 public final class Lumbre implements Runnable {
@@ -69,6 +71,6 @@ public final class Lumbre implements Runnable {
   @Override
   public void run() {
     throw new ParameterException(
-        spec.commandLine(), "expected a command: render, check, benchmark, gallery");
+        spec.commandLine(), "expected a command: render, check, benchmark, bench, gallery");
   }
 }

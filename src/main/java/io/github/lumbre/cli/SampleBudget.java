@@ -26,7 +26,7 @@ final class SampleBudget {
    */
   static OptionalDouble rate(SceneFile file, double seconds, Progress progress)
       throws InterruptedException {
-    RenderSettings small = small(file.settings());
+    RenderSettings small = shrunk(file.settings(), PILOT_SIDE);
     for (int samples = 1; ; samples *= 2) {
       BucketRenderer renderer = new BucketRenderer(small.toBuilder().samples(samples).build());
       long start = System.nanoTime();
@@ -41,9 +41,9 @@ final class SampleBudget {
     }
   }
 
-  private static RenderSettings small(RenderSettings settings) {
-    double factor =
-        Math.min(1, PILOT_SIDE / (double) Math.max(settings.width(), settings.height()));
+  /** Returns settings of the same view in a frame whose longer side is at most so many pixels. */
+  static RenderSettings shrunk(RenderSettings settings, int side) {
+    double factor = Math.min(1, side / (double) Math.max(settings.width(), settings.height()));
     return settings.toBuilder()
         .size(
             (int) Math.ceil(settings.width() * factor), (int) Math.ceil(settings.height() * factor))

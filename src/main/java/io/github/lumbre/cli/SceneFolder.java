@@ -21,9 +21,8 @@ record SceneFolder(Path directory) {
   List<String> names() throws CommandException {
     try (Stream<Path> files = Files.list(directory)) {
       return files
-          .map(file -> file.getFileName().toString())
-          .filter(name -> name.endsWith(ENDING))
-          .map(name -> name.substring(0, name.length() - ENDING.length()))
+          .filter(file -> file.getFileName().toString().endsWith(ENDING))
+          .map(SceneFolder::name)
           .sorted()
           .toList();
     } catch (IOException e) {
@@ -32,19 +31,34 @@ record SceneFolder(Path directory) {
     }
   }
 
+  /** Returns the name of a scene file, without its ending. */
+  static String name(Path file) {
+    String name = String.valueOf(file.getFileName());
+    return name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name;
+  }
+
   /** Returns the file of the scene with this name. */
   Path file(String name) {
     return directory.resolve(name + ENDING);
   }
 
   /**
-   * Reads a scene and prints its warnings.
+   * Reads the scene with this name and prints its warnings.
    *
    * @throws CommandException if the file cannot be read
    */
   SceneFile load(String name, SceneParser parser, Messages messages)
       throws SceneFormatException, CommandException {
-    Path path = file(name);
+    return load(file(name), parser, messages);
+  }
+
+  /**
+   * Reads a scene, of whatever folder, and prints its warnings.
+   *
+   * @throws CommandException if the file cannot be read
+   */
+  static SceneFile load(Path path, SceneParser parser, Messages messages)
+      throws SceneFormatException, CommandException {
     try {
       SceneFile scene = parser.parse(path);
       messages.warnings(scene.warnings());

@@ -1,0 +1,198 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.cli.BenchComparison.Clock;
+import io.github.lumbre.cli.FlagConverters.Size;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre bench}: measures what scenes take, and compares two such measurements. */
+@Command(
+    name = "bench",
+    header = "Measure how fast scenes render, or compare two measurements.",
+    description =
+        "Prints a table in Markdown: rates, CPU time, memory allocated, warm-up and noise of each"
+            + " scene with each number of threads. With --compare, prints how two measurements"
+            + " differ instead.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre bench scenes/cornell-box.json",
+      "  lumbre bench scenes/cornell-box.json scenes/torus-knot.json -s 4 --json before.json",
+      "  lumbre bench --compare before.json after.json"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "1:Under --compare, a scene is slower or a picture differs",
+      "2:The command line is wrong: also a scene or measurement that does not exist",
+      "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
+      "6:The JSON file cannot be written",
+      "7:A fault of the program",
+      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; what is measured by then is written"
+    })
+final class BenchCommand implements Callable<Integer> {
+  private static final int MAX_REPETITIONS = 1000;
+
+  @Parameters(paramLabel = "SCENE", arity = "0..*", description = "Scenes, JSON files.")
+  private List<Path> scenes = List.of();
+
+  @Option(
+      names = "--compare",
+      paramLabel = "FILE",
+      arity = "2",
+      description = "Tell whether the second file's measurement is faster than the first's.")
+  private List<Path> compared = List.of();
+
+  @Option(
+      names = "--by",
+      paramLabel = "CLOCK",
+      converter = FlagConverters.OfClock.class,
+      defaultValue = "cpu",
+      description = "Compare by cpu time or by time on the wall (${DEFAULT-VALUE}).")
+  private Clock clock;
+
+  @Option(
+      names = {"-s", "--samples"},
+      paramLabel = "N",
+      defaultValue = "16",
+      description = "Samples per pixel (${DEFAULT-VALUE}).")
+  private int samples;
+
+  @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      converter = FlagConverters.OfSize.class,
+      description = "Size of the frame. Default: the scene's, shrunk to 320 pixels at most.")
+  private Optional<Size> size;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      split = ",",
+      description = "Numbers of threads, such as 1,2; 0 means one per processor (1,0).")
+  private List<Integer> threads = List.of(1, 0);
+
+  @Option(
+      names = "--warmup",
+      paramLabel = "N",
+      defaultValue = "10",
+      description = "Renders of one sample per pixel before the timed ones (${DEFAULT-VALUE}).")
+  private int warmup;
+
+  @Option(
+      names = "--repeat",
+      paramLabel = "N",
+      defaultValue = "5",
+      description = "Timed renders; the median counts (${DEFAULT-VALUE}).")
+  private int repeat;
+
+  @Option(
+      names = "--pairs",
+      paramLabel = "N",
+      defaultValue = "2",
+      description = "Pairs of seeds that tell the noise (${DEFAULT-VALUE}).")
+  private int pairs;
+
+  @Option(
+      names = "--json",
+      paramLabel = "FILE",
+      description = "Write every repetition, for programs and for --compare.")
+  private Optional<Path> json;
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, CommandException {
+    FlagChecks checks = new FlagChecks(spec);
+    checks.require(
+        scenes.isEmpty() != compared.isEmpty(), "expected scenes, or --compare and two files");
+    Messages out = new Messages(spec.commandLine().getOut());
+    if (!compared.isEmpty()) {
+      BenchComparison comparison =
+          BenchComparison.of(
+              BenchTimes.load(compared.get(0)), BenchTimes.load(compared.get(1)), clock);
+      comparison.lines().forEach(out::line);
+      return comparison.isWorse() ? ExitCodes.DIFFERENT : ExitCodes.OK;
+    }
+    BenchPlan plan = plan(checks);
+    requireDistinctFiles(checks);
+    try (TextOutput output = TextOutput.reserve(json);
+        Interruption interruption = Interruption.listen(() -> {});
+        RenderMonitor monitor = new RenderMonitor(interruption, false)) {
+      BenchRunner runner = new BenchRunner(plan, monitor);
+      boolean complete = interruption.beginRender() && run(runner, plan, out, output);
+      return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
+    }
+  }
+
+  private BenchPlan plan(FlagChecks checks) {
+    checks.requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, samples);
+    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.width()));
+    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
+    threads.forEach(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
+    checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
+    checks.requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
+    checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
+    int processors = Runtime.getRuntime().availableProcessors();
+    List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
+    return new BenchPlan(size, samples, used, warmup, repeat, pairs);
+  }
+
+  /** Results bear their scene's name, so no two may have the same. */
+  private void requireDistinctFiles(FlagChecks checks) {
+    Set<String> names = new HashSet<>();
+    for (Path scene : scenes) {
+      checks.require(Files.isRegularFile(scene), "there is no scene " + scene);
+      String name = SceneFolder.name(scene);
+      checks.require(names.add(name), "expected scenes of different names, found two " + name);
+    }
+  }
+
+  /** Measures and prints the scenes; returns false if that was stopped. */
+  private boolean run(BenchRunner runner, BenchPlan plan, Messages out, TextOutput output)
+      throws SceneFormatException, CommandException {
+    Messages errors = new Messages(spec.commandLine().getErr());
+    BenchMachine machine = BenchMachine.here();
+    BenchMarkdown table = new BenchMarkdown(machine, plan);
+    List<BenchResult> results = new ArrayList<>();
+    table.head().forEach(out::line);
+    try {
+      for (Path scene : scenes) {
+        Optional<List<BenchResult>> measured = runner.run(scene, errors);
+        if (measured.isEmpty()) {
+          return false;
+        }
+        results.addAll(measured.get());
+        measured.get().forEach(result -> out.line(table.row(result)));
+      }
+      return true;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    } finally {
+      // Keep what is known already, however the others ended.
+      output.write(BenchJson.text(machine, plan, results));
+    }
+  }
+}

@@ -1,0 +1,56 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.scene.RenderSettings;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/**
+ * How scenes are rendered and timed.
+ *
+ * @param size of the frame; empty means the scene's, shrunk to {@link #SIDE}
+ * @param samples per pixel, at least 1
+ * @param threads how many, each at least 1; every scene is timed with each number
+ * @param warmup how many renders of one sample per pixel come before the timed ones
+ * @param repeat how many renders are timed, at least 1
+ * @param pairs of renders with seeds of their own that tell the noise, at least 1
+ */
+record BenchPlan(
+    Optional<FlagConverters.Size> size,
+    int samples,
+    List<Integer> threads,
+    int warmup,
+    int repeat,
+    int pairs) {
+  /** The longer side, in pixels, that frames are shrunk to. */
+  static final int SIDE = 320;
+
+  /** How many renders of one sample per pixel come after the timed ones, if any came before. */
+  static final int WARM_RENDERS = 5;
+
+  BenchPlan {
+    threads = List.copyOf(threads);
+  }
+
+  /** Returns a scene's settings as the plan changes them, but for the number of threads. */
+  RenderSettings over(RenderSettings inScene) {
+    RenderSettings sized =
+        size.map(s -> inScene.toBuilder().size(s.width(), s.height()).build())
+            .orElseGet(() -> SampleBudget.shrunk(inScene, SIDE));
+    return sized.toBuilder().samples(samples).build();
+  }
+
+  /** Returns all of it as sentences. */
+  String sentences() {
+    String counts = threads.stream().map(String::valueOf).collect(Collectors.joining(", "));
+    return "Threads: "
+        + counts
+        + ". Warm-up renders of 1 sample per pixel: "
+        + warmup
+        + ". Timed renders: "
+        + repeat
+        + ", of which the median counts. Pairs of seeds for the noise: "
+        + pairs
+        + ".";
+  }
+}

@@ -1,0 +1,143 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.cli.BenchResult.Repetition;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Renders scenes as a plan has it, and measures what they take. */
+final class BenchRunner {
+  private final BenchPlan plan;
+  private final Progress progress;
+
+  /** Ends a benchmark that was cancelled, from wherever it is. */
+  private static final class Stopped extends Exception {
+    private static final long serialVersionUID = 1;
+  }
+
+  /** What is known of a scene with one number of threads, and one of its pictures. */
+  private record Timed(
+      RenderSettings settings, WarmUp warmUp, List<Repetition> repetitions, TimedRender render) {}
+
+  /**
+   * @param progress hears of every render and may cancel
+   */
+  BenchRunner(BenchPlan plan, Progress progress) {
+    this.plan = plan;
+    this.progress = progress;
+  }
+
+  /**
+   * Returns what a scene took, a result for each number of threads; nothing if it was stopped.
+   *
+   * @throws CommandException if the scene cannot be read, if the picture does not fit into memory,
+   *     or if two renders of the scene differ
+   */
+  Optional<List<BenchResult>> run(Path scene, Messages messages)
+      throws SceneFormatException, CommandException, InterruptedException {
+    long start = System.nanoTime();
+    SceneFile file = SceneFolder.load(scene, new SceneParser().overriding(plan::over), messages);
+    double loadSeconds = (System.nanoTime() - start) * 1e-9;
+    MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+    try {
+      return Optional.of(run(SceneFolder.name(scene), file, loadSeconds));
+    } catch (Stopped e) {
+      return Optional.empty();
+    }
+  }
+
+  private List<BenchResult> run(String scene, SceneFile file, double loadSeconds)
+      throws CommandException, InterruptedException, Stopped {
+    List<Timed> all = new ArrayList<>();
+    for (int threads : plan.threads()) {
+      all.add(time(scene, file, file.settings().toBuilder().threads(threads).build()));
+    }
+    Image picture = all.get(0).render.result().image();
+    String hash = RasterHash.of(picture);
+    for (Timed timed : all) {
+      requireSame(scene, hash, timed.render);
+    }
+    // Only now: renders in between would have warmed up what is to be timed.
+    Noise noise = noise(file, picture);
+    return all.stream()
+        .map(
+            timed ->
+                new BenchResult(
+                    scene,
+                    file.hash(),
+                    timed.settings,
+                    loadSeconds,
+                    timed.warmUp,
+                    timed.repetitions,
+                    timed.render.result().statistics(),
+                    hash,
+                    noise))
+        .toList();
+  }
+
+  private Timed time(String scene, SceneFile file, RenderSettings settings)
+      throws CommandException, InterruptedException, Stopped {
+    List<Double> cold = shortRenders(file, settings, plan.warmup());
+    List<Repetition> repetitions = new ArrayList<>();
+    TimedRender first = render(file, settings);
+    repetitions.add(repetition(first));
+    String hash = RasterHash.of(first.result().image());
+    while (repetitions.size() < plan.repeat()) {
+      TimedRender render = render(file, settings);
+      requireSame(scene, hash, render);
+      repetitions.add(repetition(render));
+    }
+    int warmRenders = cold.isEmpty() ? 0 : BenchPlan.WARM_RENDERS;
+    WarmUp warmUp = new WarmUp(cold, shortRenders(file, settings, warmRenders));
+    return new Timed(settings, warmUp, repetitions, first);
+  }
+
+  /** Returns the seconds that renders of one sample per pixel took. */
+  private List<Double> shortRenders(SceneFile file, RenderSettings settings, int count)
+      throws InterruptedException, Stopped {
+    RenderSettings single = settings.toBuilder().samples(1).build();
+    List<Double> seconds = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      seconds.add(render(file, single).seconds());
+    }
+    return seconds;
+  }
+
+  private Noise noise(SceneFile file, Image first) throws InterruptedException, Stopped {
+    RenderSettings settings = file.settings().toBuilder().threads(0).build();
+    List<Image> pictures = new ArrayList<>(List.of(first));
+    while (pictures.size() < 2 * plan.pairs()) {
+      long seed = settings.seed() + pictures.size();
+      RenderSettings other = settings.toBuilder().seed(seed).build();
+      pictures.add(render(file, other).result().image());
+    }
+    return Noise.of(pictures);
+  }
+
+  private TimedRender render(SceneFile file, RenderSettings settings)
+      throws InterruptedException, Stopped {
+    TimedRender render = TimedRender.of(file.scene(), settings, progress);
+    if (!render.result().complete()) {
+      throw new Stopped();
+    }
+    return render;
+  }
+
+  private static Repetition repetition(TimedRender render) {
+    return new Repetition(render.seconds(), render.cpuSeconds(), render.allocatedBytes());
+  }
+
+  private static void requireSame(String scene, String hash, TimedRender render)
+      throws CommandException {
+    if (!RasterHash.of(render.result().image()).equals(hash)) {
+      throw new CommandException(ExitCodes.INTERNAL, scene + ": renders of the same scene differ");
+    }
+  }
+}

@@ -1,0 +1,130 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The program does no more work than it did: rays are counted, which needs no clock, and compared
+ * with what is stored. Less work passes; store it too, to keep what was gained.
+ */
+class WorkCountersTest {
+  private static final Path STORED = Path.of("src", "test", "resources", "work-counters.csv");
+
+  /** How much the counters of rays may grow. */
+  private static final double GROWTH = .005;
+
+  /** How much memory may grow: Java's own classes allocate, and differ from version to version. */
+  private static final double GROWTH_OF_BYTES = .02;
+
+  private static final String ADVICE =
+      "If that is explained, store it: ./mvnw test -Dtest=WorkCountersTest -Dlumbre.counters=store";
+
+  @TempDir private Path directory;
+
+  @Test
+  void workHasNotGrown() throws IOException, InterruptedException {
+    List<WorkCounters> found = count();
+    if ("store".equals(System.getProperty("lumbre.counters"))) {
+      store(found);
+    }
+    assertThat(complaints(stored(), found)).as(ADVICE).isEmpty();
+  }
+
+  /** Counts in a virtual machine of its own, by the compiler that keeps all allocations. */
+  private List<WorkCounters> count() throws IOException, InterruptedException {
+    Outcome outcome =
+        Program.run(
+            directory,
+            List.of(
+                Program.java("java"),
+                "-XX:TieredStopAtLevel=1",
+                "-Djava.awt.headless=true",
+                "-cp",
+                System.getProperty("java.class.path"),
+                WorkCounters.class.getName(),
+                Path.of("scenes").toAbsolutePath().toString()));
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    return outcome.out().lines().map(WorkCounters::parse).toList();
+  }
+
+  private static List<WorkCounters> stored() throws IOException {
+    return Files.readAllLines(STORED).stream().skip(1).map(WorkCounters::parse).toList();
+  }
+
+  private static void store(List<WorkCounters> found) throws IOException {
+    Stream<String> lines = found.stream().map(WorkCounters::line);
+    Files.writeString(
+        STORED,
+        Stream.concat(Stream.of(WorkCounters.HEADER), lines)
+            .map(line -> line + "\n")
+            .collect(Collectors.joining()));
+  }
+
+  private static List<String> complaints(List<WorkCounters> stored, List<WorkCounters> found) {
+    List<String> complaints = new ArrayList<>();
+    for (WorkCounters now : found) {
+      stored.stream()
+          .filter(now::isOfSame)
+          .findFirst()
+          .ifPresentOrElse(
+              before -> complain(before, now, complaints),
+              () -> complaints.add(now.scene() + ", " + now.mode() + ": nothing is stored"));
+    }
+    return complaints;
+  }
+
+  private static void complain(WorkCounters before, WorkCounters now, List<String> complaints) {
+    String what = now.scene() + ", " + now.mode() + ": ";
+    complain(what + "samples", before.samples(), now.samples(), GROWTH, complaints);
+    complain(what + "rays", before.rays(), now.rays(), GROWTH, complaints);
+    complain(what + "shadow rays", before.shadowRays(), now.shadowRays(), GROWTH, complaints);
+    complain(
+        what + "bytes per ray",
+        before.bytesPerRay(),
+        now.bytesPerRay(),
+        GROWTH_OF_BYTES,
+        complaints);
+  }
+
+  private static void complain(
+      String what, long before, long now, double growth, List<String> complaints) {
+    if (now > before * (1 + growth)) {
+      complaints.add(
+          String.format(
+              Locale.ROOT,
+              "%s grew from %d to %d, by %.2f %%, and may by %.1f %%",
+              what,
+              before,
+              now,
+              100 * (now / (double) before - 1),
+              100 * growth));
+    }
+  }
+
+  @Test
+  void growthIsNoticedCounterByCounter() {
+    WorkCounters before = new WorkCounters("tiny", "path", 100, 1000, 2000, 100);
+    assertThat(complaints(List.of(before), List.of(before))).isEmpty();
+    WorkCounters within = new WorkCounters("tiny", "path", 100, 1004, 1900, 102);
+    assertThat(complaints(List.of(before), List.of(within))).isEmpty();
+    WorkCounters beyond = new WorkCounters("tiny", "path", 101, 1006, 2011, 103);
+    assertThat(complaints(List.of(before), List.of(beyond)))
+        .containsExactly(
+            "tiny, path: samples grew from 100 to 101, by 1.00 %, and may by 0.5 %",
+            "tiny, path: rays grew from 1000 to 1006, by 0.60 %, and may by 0.5 %",
+            "tiny, path: shadow rays grew from 2000 to 2011, by 0.55 %, and may by 0.5 %",
+            "tiny, path: bytes per ray grew from 100 to 103, by 3.00 %, and may by 2.0 %");
+    assertThat(complaints(List.of(), List.of(before)))
+        .containsExactly("tiny, path: nothing is stored");
+  }
+}
