@@ -165,10 +165,9 @@ public final class PathTracer implements Integrator {
     Path path = scratch.path;
     int dimension = Sampler.vertex(depth);
     BsdfSample scattered = scratch.scattered;
-    scratch.vertex.sample(
-        sampler.get1d(dimension + Sampler.LOBE),
-        sampler.get2d(dimension + Sampler.DIRECTION),
-        scattered);
+    double lobe =
+        scratch.vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
+    scratch.vertex.sample(lobe, sampler.get2d(dimension + Sampler.DIRECTION), scattered);
     if (scattered.isAbsorbed()) {
       return false;
     }

@@ -23,12 +23,17 @@ public interface Bsdf {
   /**
    * Draws a direction.
    *
-   * @param uLobe uniform in [0,1): chooses among lobes
+   * @param uLobe uniform in [0,1): chooses among lobes, if {@link #choosesLobe} says so
    * @param u uniform in [0,1)²
    * @param drawn takes the result; {@linkplain BsdfSample#isAbsorbed absorbed} if the light ends
    *     here
    */
   void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn);
+
+  /** Tells whether {@link #sample} looks at the number that chooses among lobes. */
+  default boolean choosesLobe() {
+    return false;
+  }
 
   /** Draws a direction into a new sample. */
   default BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {

@@ -14,6 +14,11 @@ import io.github.lumbre.math.Vec3;
  */
 public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements SpecularBsdf {
   @Override
+  public boolean choosesLobe() {
+    return true;
+  }
+
+  @Override
   public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     double fresnel = reflected(wo);
     double reflect = fresnel * reflectance.max();

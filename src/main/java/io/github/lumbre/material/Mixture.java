@@ -31,6 +31,11 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   }
 
   @Override
+  public boolean choosesLobe() {
+    return true;
+  }
+
+  @Override
   public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     double share = shareOfFirst(wo);
     boolean drawsFirst = uLobe < share;

@@ -87,6 +87,11 @@ public record RoughDielectric(
   }
 
   @Override
+  public boolean choosesLobe() {
+    return true;
+  }
+
+  @Override
   public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     if (wo.z() == 0) {
       drawn.absorb();
