@@ -7,6 +7,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
+import java.util.Optional;
 
 /**
  * A rectangle around the local origin in the xz plane, with normal +y and its border included. Rays
@@ -115,6 +116,11 @@ public final class Rectangle implements Shape {
 
   private TexturePoint texture(Vec3 local) {
     return new TexturePoint((halfWidth - local.x()) / width, (halfHeight - local.z()) / height);
+  }
+
+  @Override
+  public Optional<Vec3> onlyNormal() {
+    return Optional.of(normal);
   }
 
   @Override

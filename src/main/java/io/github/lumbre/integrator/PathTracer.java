@@ -19,6 +19,7 @@ import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Follows paths from the camera to the lights: an unbiased estimate of all light of at most a given
@@ -78,6 +79,10 @@ public final class PathTracer implements Integrator {
   private final Scene scene;
   private final int maxDepth;
   private final Light[] emitters;
+
+  /** Which of the emitters are domes: of ten thousand lamps an escaped ray asks none. */
+  private final int[] domes;
+
   private final LightSelector selector;
   private final Strategy strategy;
 
@@ -90,12 +95,19 @@ public final class PathTracer implements Integrator {
   }
 
   PathTracer(Scene scene, int maxDepth, Strategy strategy) {
+    this(scene, maxDepth, strategy, LightSelector.over(scene.emitters(), scene.radius()));
+  }
+
+  PathTracer(Scene scene, int maxDepth, Strategy strategy, LightSelector selector) {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.maxDepth = maxDepth;
     this.strategy = strategy;
     emitters = scene.emitters().toArray(Light[]::new);
-    double[] powers = scene.emitters().stream().mapToDouble(e -> e.power(scene.radius())).toArray();
-    selector = LightSelector.byPower(powers.length == 0 ? new double[1] : powers);
+    domes =
+        IntStream.range(0, emitters.length)
+            .filter(i -> emitters[i] instanceof EnvironmentLight)
+            .toArray();
+    this.selector = selector;
   }
 
   @Override
@@ -107,12 +119,13 @@ public final class PathTracer implements Integrator {
     // Density of the ray's direction: infinite if light sampling could not have drawn it.
     double pdf = Double.POSITIVE_INFINITY;
     Vec3 from = cameraRay.origin();
+    Vec3 facing = Vec3.ZERO;
 
     for (int depth = 0; ; depth++) {
       // Find the next vertex, or the world's end.
       scratch.rays++;
       if (!scene.intersect(ray, hit)) {
-        return radiance.plus(throughput.times(escaped(ray.direction(), pdf)));
+        return radiance.plus(throughput.times(escaped(ray.direction(), from, facing, pdf)));
       }
       scratch.metSomething = true;
       SurfaceHit surface = scene.surfaceAt(ray, hit);
@@ -121,7 +134,7 @@ public final class PathTracer implements Integrator {
       // Add its light; what glows scatters nothing.
       if (primitive.emission().isPresent()) {
         Rgb emitted = emitted(primitive.emission().get(), surface);
-        double weight = emissionWeight(scene.emitterAt(hit), from, surface, pdf);
+        double weight = emissionWeight(scene.emitterAt(hit), from, facing, surface, pdf);
         return radiance.plus(throughput.times(emitted.times(weight)));
       }
       if (depth == maxDepth) {
@@ -147,6 +160,7 @@ public final class PathTracer implements Integrator {
       throughput = throughput.times(scattered.weight());
       pdf = scattered.pdf();
       from = surface.position();
+      facing = vertex.facing();
       ray = surface.spawn(scattered.wi());
 
       // End weak paths at random, and strengthen those that survive.
@@ -168,11 +182,11 @@ public final class PathTracer implements Integrator {
 
   /** Returns the light of one emitter, chosen at random, over the probability of the choice. */
   private Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
-    int chosen = selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE));
-    double probability = selector.probability(chosen);
+    Vec3 position = vertex.surface().position();
+    LightSelector.Choice choice =
+        selector.choose(position, vertex.facing(), sampler.get1d(dimension + Sampler.LIGHT_CHOICE));
     Optional<LightSample> drawn =
-        emitters[chosen].sample(
-            vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
+        emitters[choice.emitter()].sample(position, sampler.get2d(dimension + Sampler.LIGHT_POINT));
     if (drawn.isEmpty()) {
       return Rgb.BLACK;
     }
@@ -182,9 +196,9 @@ public final class PathTracer implements Integrator {
       return Rgb.BLACK;
     }
     if (light.isDelta()) {
-      return scattered.times(1 / probability);
+      return scattered.times(1 / choice.probability());
     }
-    double lightPdf = probability * light.pdf();
+    double lightPdf = choice.probability() * light.pdf();
     return scattered.times(strategy.lightWeight(lightPdf, vertex.pdf(light.wi())) / lightPdf);
   }
 
@@ -193,26 +207,26 @@ public final class PathTracer implements Integrator {
   }
 
   /** Returns the share of a scattered ray, against light sampling, in meeting an emitter. */
-  private double emissionWeight(int emitter, Vec3 from, SurfaceHit surface, double pdf) {
+  private double emissionWeight(
+      int emitter, Vec3 from, Vec3 facing, SurfaceHit surface, double pdf) {
     if (emitter < 0 || pdf == Double.POSITIVE_INFINITY) {
       return 1;
     }
     AreaLight light = (AreaLight) emitters[emitter];
     return strategy.bsdfWeight(
-        pdf, selector.probability(emitter) * light.shape().pdf(from, surface));
+        pdf, selector.probability(from, facing, emitter) * light.shape().pdf(from, surface));
   }
 
   /** Returns the light from beyond everything, each dome with its own share. */
-  private Rgb escaped(Vec3 direction, double pdf) {
+  private Rgb escaped(Vec3 direction, Vec3 from, Vec3 facing, double pdf) {
     if (pdf == Double.POSITIVE_INFINITY) {
       return scene.background(direction);
     }
     Rgb sum = Rgb.BLACK;
-    for (int i = 0; i < emitters.length; i++) {
-      if (emitters[i] instanceof EnvironmentLight dome) {
-        double lightPdf = selector.probability(i) * dome.pdf(direction);
-        sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
-      }
+    for (int i : domes) {
+      EnvironmentLight dome = (EnvironmentLight) emitters[i];
+      double lightPdf = selector.probability(from, facing, i) * dome.pdf(direction);
+      sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
     }
     return sum;
   }

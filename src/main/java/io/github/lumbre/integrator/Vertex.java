@@ -29,6 +29,11 @@ record Vertex(SurfaceHit surface, Frame frame, Bsdf bsdf, Vec3 wo) {
     return new Vertex(surface, frame, material.at(surface), frame.toLocal(surface.wo()));
   }
 
+  /** Returns the normal on the side from which light scatters to the viewer; zero if on both. */
+  Vec3 facing() {
+    return bsdf.isTransmissive() ? Vec3.ZERO : frame.normal().times(Math.copySign(1, wo.z()));
+  }
+
   /** Returns f·|cos θi| for a unit world direction. */
   Rgb eval(Vec3 wi) {
     Vec3 local = frame.toLocal(wi);
