@@ -7,12 +7,22 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
+import java.util.Optional;
 
 /**
  * A rectangle around the local origin in the xz plane, with normal +y and its border included. Rays
  * from behind pass through it unless it is two-sided. Texture: u = (w/2 − x)/w, v = (h/2 − z)/h.
  */
 public final class Rectangle implements Shape {
+  /** Sides whose angle differs from 90° by more than rounding make a parallelogram. */
+  private static final double RIGHT_ANGLE = 1e-12;
+
+  /**
+   * Up to so many half diagonals away points are drawn by solid angle. From farther away all of the
+   * rectangle is seen about alike, and points by area cost less.
+   */
+  private static final double NEAR = 2;
+
   private final Transform toWorld;
   private final double width;
   private final double height;
@@ -22,6 +32,16 @@ public final class Rectangle implements Shape {
   private final Vec3 normal;
   private final Frame shading;
   private final double area;
+  private final Vec3 centre;
+
+  /** Along x, z and the normal. */
+  private final Frame axes;
+
+  private final double scaleX;
+  private final double scaleZ;
+
+  /** The square of the distance up to which points are drawn by solid angle. */
+  private final double nearSquared;
 
   /**
    * @param toWorld invertible
@@ -40,6 +60,13 @@ public final class Rectangle implements Shape {
     Vec3 z = toWorld.vector(Vec3.Z);
     shading = Frame.around(normal, x.negated(), z.negated());
     area = x.cross(z).length() * width * height;
+    centre = toWorld.point(Vec3.ZERO);
+    axes = Frame.around(normal, x, z);
+    scaleX = x.length();
+    scaleZ = z.length();
+    boolean isRectangular = Math.abs(x.dot(z)) <= RIGHT_ANGLE * scaleX * scaleZ;
+    double diagonal = new Vec3(halfWidth * scaleX, 0, halfHeight * scaleZ).length();
+    nearSquared = isRectangular ? NEAR * diagonal * (NEAR * diagonal) : 0;
   }
 
   @Override
@@ -92,29 +119,74 @@ public final class Rectangle implements Shape {
   }
 
   @Override
+  public Optional<Vec3> onlyNormal() {
+    return Optional.of(normal);
+  }
+
+  @Override
   public double area() {
     return area;
   }
 
-  /** {@inheritDoc} Points are uniform by area; from behind a one-way rectangle there are none. */
+  /**
+   * {@inheritDoc}
+   *
+   * <p>Points are uniform by solid angle where the reference is near, else by area; from behind a
+   * one-way rectangle there are none.
+   */
   @Override
   public SurfaceSample sample(Vec3 reference, Point2 u) {
+    Vec3 from = axes.toLocal(reference.minus(centre));
+    if (isNear(from)) {
+      SphericalRectangle seen = seenFrom(from);
+      if (seen.isUsable()) {
+        Point2 way = seen.at(u);
+        double x = within(halfWidth, (from.x() + way.x()) / scaleX);
+        double z = within(halfHeight, (from.y() + way.y()) / scaleZ);
+        Vec3 local = new Vec3(x, 0, z);
+        return sampleAt(local, toWorld.point(local), 1 / seen.solidAngle());
+      }
+    }
     Vec3 local = new Vec3((u.x() - .5) * width, 0, (u.y() - .5) * height);
     Vec3 position = toWorld.point(local);
-    double pdf = pdf(reference.minus(position));
-    if (!(pdf > 0)) {
-      return SurfaceSample.NONE;
-    }
+    double pdf = areaPdf(reference.minus(position));
+    return pdf > 0 ? sampleAt(local, position, pdf) : SurfaceSample.NONE;
+  }
+
+  private SurfaceSample sampleAt(Vec3 local, Vec3 position, double pdf) {
     double error = toWorld.pointError(local, normal);
     return new SurfaceSample(position, normal, texture(local), error, pdf);
   }
 
   @Override
   public double pdf(Vec3 reference, SurfaceHit onShape) {
-    return pdf(reference.minus(onShape.position()));
+    Vec3 from = axes.toLocal(reference.minus(centre));
+    if (isNear(from)) {
+      SphericalRectangle seen = seenFrom(from);
+      if (seen.isUsable()) {
+        return 1 / seen.solidAngle();
+      }
+    }
+    return areaPdf(reference.minus(onShape.position()));
   }
 
-  private double pdf(Vec3 toReference) {
+  /** Tells whether a reference, given along the axes, is near and on a side that shines. */
+  private boolean isNear(Vec3 from) {
+    return (twoSided || from.z() > 0) && from.lengthSquared() <= nearSquared;
+  }
+
+  private SphericalRectangle seenFrom(Vec3 from) {
+    double x = halfWidth * scaleX;
+    double y = halfHeight * scaleZ;
+    return new SphericalRectangle(
+        -x - from.x(), x - from.x(), -y - from.y(), y - from.y(), Math.abs(from.z()));
+  }
+
+  private static double within(double half, double x) {
+    return Math.max(-half, Math.min(x, half));
+  }
+
+  private double areaPdf(Vec3 toReference) {
     boolean isVisible = twoSided || toReference.dot(normal) > 0;
     return isVisible ? Placement.solidAnglePdf(toReference, normal, area) : 0;
   }

@@ -4,6 +4,7 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import java.util.Optional;
 
 /** A surface in world space: how to hit it, and how to sample it as a light. Immutable. */
 public interface Shape {
@@ -25,6 +26,11 @@ public interface Shape {
 
   /** Returns the area in world units; infinite for infinite planes. */
   double area();
+
+  /** Returns the outward unit normal if it is known to be the same everywhere. */
+  default Optional<Vec3> onlyNormal() {
+    return Optional.empty();
+  }
 
   /**
    * Returns a point of the surface to light {@code reference} from, or an empty sample (pdf 0)

@@ -14,6 +14,7 @@ final class Path {
   private double originX, originY, originZ;
   private double directionX, directionY, directionZ;
   private double fromX, fromY, fromZ;
+  private double facingX, facingY, facingZ;
   private double pdf;
 
   /** Begins a path along a ray from the camera, which light sampling could not have drawn. */
@@ -24,16 +25,17 @@ final class Path {
     throughputRed = 1;
     throughputGreen = 1;
     throughputBlue = 1;
-    follow(ray, ray.origin(), Double.POSITIVE_INFINITY);
+    follow(ray, ray.origin(), Vec3.ZERO, Double.POSITIVE_INFINITY);
   }
 
   /**
    * Goes on along a ray.
    *
    * @param from the point of the surface that it leaves
+   * @param facing the normal there on the side that light comes from; zero if on both
    * @param newPdf density of its direction; infinite if light sampling could not have drawn it
    */
-  void follow(Ray ray, Vec3 from, double newPdf) {
+  void follow(Ray ray, Vec3 from, Vec3 facing, double newPdf) {
     originX = ray.origin().x();
     originY = ray.origin().y();
     originZ = ray.origin().z();
@@ -43,6 +45,9 @@ final class Path {
     fromX = from.x();
     fromY = from.y();
     fromZ = from.z();
+    facingX = facing.x();
+    facingY = facing.y();
+    facingZ = facing.z();
     pdf = newPdf;
   }
 
@@ -58,6 +63,11 @@ final class Path {
   /** Returns the point of the surface that the ray left. */
   Vec3 from() {
     return new Vec3(fromX, fromY, fromZ);
+  }
+
+  /** Returns the normal there on the side that light comes from; zero if on both. */
+  Vec3 facing() {
+    return new Vec3(facingX, facingY, facingZ);
   }
 
   /** Returns the density of the ray's direction; infinite if light sampling could not draw it. */

@@ -81,7 +81,7 @@ public final class PathTracer implements Integrator {
   private final int maxDepth;
   private final Light[] emitters;
 
-  /** Which of the emitters are domes. */
+  /** Which of the emitters are domes: of ten thousand lamps an escaped ray asks none. */
   private final int[] domes;
 
   private final LightSelector selector;
@@ -97,6 +97,10 @@ public final class PathTracer implements Integrator {
   }
 
   PathTracer(Scene scene, int maxDepth, Strategy strategy) {
+    this(scene, maxDepth, strategy, LightSelector.over(scene.emitters(), scene.radius()));
+  }
+
+  PathTracer(Scene scene, int maxDepth, Strategy strategy, LightSelector selector) {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.maxDepth = maxDepth;
     this.strategy = strategy;
@@ -106,8 +110,7 @@ public final class PathTracer implements Integrator {
         IntStream.range(0, emitters.length)
             .filter(i -> emitters[i] instanceof EnvironmentLight)
             .toArray();
-    double[] powers = scene.emitters().stream().mapToDouble(e -> e.power(scene.radius())).toArray();
-    selector = LightSelector.byPower(powers.length == 0 ? new double[1] : powers);
+    this.selector = selector;
   }
 
   @Override
@@ -130,7 +133,7 @@ public final class PathTracer implements Integrator {
     Ray ray = path.ray();
     scratch.rays++;
     if (!scene.intersect(ray, hit)) {
-      path.gather(escaped(path.direction(), path.pdf()));
+      path.gather(escaped(path));
       return false;
     }
     scratch.metSomething = true;
@@ -140,7 +143,7 @@ public final class PathTracer implements Integrator {
     // Add its light; what glows scatters nothing.
     if (primitive.emission().isPresent()) {
       Rgb emitted = emitted(primitive.emission().get(), surface);
-      double weight = emissionWeight(scene.emitterAt(hit), path.from(), surface, path.pdf());
+      double weight = emissionWeight(scene.emitterAt(hit), path, surface);
       path.gather(emitted.times(weight));
       return false;
     }
@@ -165,15 +168,15 @@ public final class PathTracer implements Integrator {
     Path path = scratch.path;
     int dimension = Sampler.vertex(depth);
     BsdfSample scattered = scratch.scattered;
-    double lobe =
-        scratch.vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
+    double lobe = scratch.vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
     scratch.vertex.sample(lobe, sampler.get2d(dimension + Sampler.DIRECTION), scattered);
     if (scattered.isAbsorbed()) {
       return false;
     }
     path.weigh(scattered.weight());
     SurfaceHit surface = scratch.vertex.surface();
-    path.follow(surface.spawn(scattered.wi()), surface.position(), scattered.pdf());
+    Ray ray = surface.spawn(scattered.wi());
+    path.follow(ray, surface.position(), scratch.vertex.facing(), scattered.pdf());
 
     // End weak paths at random, and strengthen those that survive.
     if (depth >= FIRST_ROULETTE) {
@@ -192,11 +195,11 @@ public final class PathTracer implements Integrator {
 
   /** Returns the light of one emitter, chosen at random, over the probability of the choice. */
   private Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
-    int chosen = selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE));
-    double probability = selector.probability(chosen);
+    Vec3 position = vertex.surface().position();
+    LightSelector.Choice choice =
+        selector.choose(position, vertex.facing(), sampler.get1d(dimension + Sampler.LIGHT_CHOICE));
     Optional<LightSample> drawn =
-        emitters[chosen].sample(
-            vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
+        emitters[choice.emitter()].sample(position, sampler.get2d(dimension + Sampler.LIGHT_POINT));
     if (drawn.isEmpty()) {
       return Rgb.BLACK;
     }
@@ -208,9 +211,9 @@ public final class PathTracer implements Integrator {
       return Rgb.BLACK;
     }
     if (light.isDelta()) {
-      return scattered.times(1 / probability);
+      return scattered.times(1 / choice.probability());
     }
-    double lightPdf = probability * light.pdf();
+    double lightPdf = choice.probability() * light.pdf();
     return scattered.times(strategy.lightWeight(lightPdf, value.pdf()) / lightPdf);
   }
 
@@ -219,25 +222,29 @@ public final class PathTracer implements Integrator {
   }
 
   /** Returns the share of a scattered ray, against light sampling, in meeting an emitter. */
-  private double emissionWeight(int emitter, Vec3 from, SurfaceHit surface, double pdf) {
-    if (emitter < 0 || pdf == Double.POSITIVE_INFINITY) {
+  private double emissionWeight(int emitter, Path path, SurfaceHit surface) {
+    if (emitter < 0 || path.pdf() == Double.POSITIVE_INFINITY) {
       return 1;
     }
     AreaLight light = (AreaLight) emitters[emitter];
-    return strategy.bsdfWeight(
-        pdf, selector.probability(emitter) * light.shape().pdf(from, surface));
+    double lightPdf =
+        selector.probability(path.from(), path.facing(), emitter)
+            * light.shape().pdf(path.from(), surface);
+    return strategy.bsdfWeight(path.pdf(), lightPdf);
   }
 
   /** Returns the light from beyond everything, each dome with its own share. */
-  private Rgb escaped(Vec3 direction, double pdf) {
-    if (pdf == Double.POSITIVE_INFINITY) {
+  private Rgb escaped(Path path) {
+    Vec3 direction = path.direction();
+    if (path.pdf() == Double.POSITIVE_INFINITY) {
       return scene.background(direction);
     }
     Rgb sum = Rgb.BLACK;
     for (int emitter : domes) {
       EnvironmentLight dome = (EnvironmentLight) emitters[emitter];
-      double lightPdf = selector.probability(emitter) * dome.pdf(direction);
-      sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
+      double lightPdf =
+          selector.probability(path.from(), path.facing(), emitter) * dome.pdf(direction);
+      sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(path.pdf(), lightPdf)));
     }
     return sum;
   }

@@ -55,6 +55,13 @@ final class Vertex {
     return surface.toWorld(local);
   }
 
+  /** Returns the normal on the side from which light scatters to the viewer; zero if on both. */
+  Vec3 facing() {
+    return bsdf.isTransmissive()
+        ? Vec3.ZERO
+        : surface.shading().normal().times(Math.copySign(1, wo.z()));
+  }
+
   /** Returns f·|cos θi| for a unit world direction. */
   Rgb eval(Vec3 wi) {
     Vec3 local = surface.toLocal(wi);

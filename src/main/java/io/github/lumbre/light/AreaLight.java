@@ -40,6 +40,17 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
     return emission.meanRadiance() * Math.PI * shape.area() * (emission.twoSided() ? 2 : 1);
   }
 
+  /** The projected area of a convex body is a quarter of its surface (Cauchy 1832). */
+  @Override
+  public Optional<LightBounds> bounds() {
+    double strongest = emission.meanRadiance() * shape.area();
+    Optional<Vec3> normal = emission.twoSided() ? Optional.empty() : shape.onlyNormal();
+    return Optional.of(
+        normal
+            .map(n -> LightBounds.towards(shape.bounds(), n, 0, .5 * Math.PI, strongest))
+            .orElseGet(() -> LightBounds.allAround(shape.bounds(), .25 * strongest)));
+  }
+
   @Override
   public boolean isBlack() {
     return emission.isBlack();

@@ -22,6 +22,14 @@ public sealed interface Light
    */
   double power(double sceneRadius);
 
+  /**
+   * Returns where the light comes from and goes to, or empty if distance does not weaken it: then
+   * it reaches all of the scene alike.
+   */
+  default Optional<LightBounds> bounds() {
+    return Optional.empty();
+  }
+
   /** Tells whether the light emits nothing at all, so that it need never be chosen. */
   boolean isBlack();
 

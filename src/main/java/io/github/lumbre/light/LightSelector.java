@@ -1,47 +1,159 @@
 package io.github.lumbre.light;
 
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Distribution1d;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
-/** Which of a scene's emitters a point asks for light: a fixed choice at random. Immutable. */
+/**
+ * Which of a scene's emitters a point asks for light: a choice at random. Immutable.
+ *
+ * <p>Two or more emitters of limited reach are chosen by a {@link LightTree}, of which a point sees
+ * other parts than its neighbour; those that shine everywhere alike, and the tree as a whole, with
+ * the same probabilities at all points.
+ */
 public final class LightSelector {
   /**
-   * The share of choices that all emitters have alike. What is near and weak can matter more than
-   * what is far and strong; so no emitter is chosen less than half as often as by pure chance.
+   * The share of fixed choices that all emitters have alike. What is near and weak can matter more
+   * than what is far and strong; so no emitter is chosen less than half as often as by pure chance.
    */
   private static final double EVEN_SHARE = .5;
 
+  /**
+   * The least intensity in the tree, relative to the mean: a texture may shine where its sum, over
+   * a grid, does not see it.
+   */
+  private static final double LEAST = 1e-3;
+
+  /**
+   * What {@link #choose} found.
+   *
+   * @param emitter its index
+   * @param probability of this choice: what {@link LightSelector#probability} tells, for no more
+   *     work
+   */
+  public record Choice(int emitter, double probability) {}
+
+  /** Over the emitters outside the tree and, last, the tree if there is one. */
   private final Distribution1d distribution;
 
-  private LightSelector(Distribution1d distribution) {
+  /** The emitters outside the tree. */
+  private final int[] alone;
+
+  /** Where in the distribution each emitter stands. */
+  private final int[] places;
+
+  private final Optional<LightTree> tree;
+
+  private LightSelector(
+      Distribution1d distribution, int[] alone, int[] places, Optional<LightTree> tree) {
     this.distribution = distribution;
+    this.alone = alone;
+    this.places = places;
+    this.tree = tree;
   }
 
   /**
-   * Returns the selector that makes half of its choices in proportion to power and half evenly.
+   * Returns the selector that makes half of its choices in proportion to power and half evenly, at
+   * all points alike.
    *
    * @param powers at least one; each at least 0; if any is infinite, all choices are even
    */
   public static LightSelector byPower(double... powers) {
-    double sum = 0;
-    for (double power : powers) {
-      sum += power;
-    }
-    double[] weights = new double[powers.length];
+    int[] all = IntStream.range(0, powers.length).toArray();
+    return new LightSelector(halfEven(powers), all, all, Optional.empty());
+  }
+
+  /**
+   * Returns the selector for a scene's emitters, which it names by their places in the list.
+   *
+   * @param emitters may be empty; then nothing can be chosen
+   * @param sceneRadius of a sphere around all that is finite in the scene, at least 0
+   */
+  public static LightSelector over(List<Light> emitters, double sceneRadius) {
+    double[] powers = emitters.stream().mapToDouble(e -> e.power(sceneRadius)).toArray();
+    List<LightTreeBuilder.Item> items = new ArrayList<>();
+    int[] alone = new int[emitters.size()];
+    int[] places = new int[emitters.size()];
+    double[] weights = new double[emitters.size() + 1];
+    int count = 0;
+    double powerOfTree = 0;
     for (int i = 0; i < powers.length; i++) {
-      double even = 1.0 / powers.length;
-      boolean known = sum > 0 && Double.isFinite(sum);
-      weights[i] = EVEN_SHARE * even + (1 - EVEN_SHARE) * (known ? powers[i] / sum : even);
+      Optional<LightBounds> bounds = emitters.get(i).bounds();
+      if (bounds.isPresent()) {
+        items.add(new LightTreeBuilder.Item(i, bounds.get()));
+        places[i] = -1;
+        powerOfTree += powers[i];
+      } else {
+        places[i] = count;
+        alone[count] = i;
+        weights[count] = powers[i];
+        count++;
+      }
     }
-    return new LightSelector(new Distribution1d(weights));
+    if (items.size() < 2) {
+      return byPower(powers.length == 0 ? new double[1] : powers);
+    }
+    for (LightTreeBuilder.Item item : items) {
+      places[item.emitter()] = count;
+    }
+    weights[count] = powerOfTree;
+    return new LightSelector(
+        halfEven(Arrays.copyOf(weights, count + 1)),
+        Arrays.copyOf(alone, count),
+        places,
+        Optional.of(new LightTree(comparable(items), powers.length)));
   }
 
-  /** Returns the index of an emitter, chosen by a uniform number in [0,1). */
-  public int choose(double u) {
-    return distribution.choose(u);
+  /** Returns the emitters with intensities relative to their mean, and none too small. */
+  private static List<LightTreeBuilder.Item> comparable(List<LightTreeBuilder.Item> items) {
+    double mean =
+        items.stream().mapToDouble(item -> item.bounds().intensity()).average().orElseThrow();
+    boolean isKnown = mean > 0 && Double.isFinite(mean);
+    List<LightTreeBuilder.Item> result = new ArrayList<>();
+    for (LightTreeBuilder.Item item : items) {
+      double relative = isKnown ? Math.max(LEAST, item.bounds().intensity() / mean) : 1;
+      result.add(new LightTreeBuilder.Item(item.emitter(), item.bounds().withIntensity(relative)));
+    }
+    return result;
   }
 
-  /** Returns the probability with which {@link #choose} returns an index; positive. */
-  public double probability(int index) {
-    return distribution.probability(index);
+  private static Distribution1d halfEven(double... powers) {
+    double sum = Arrays.stream(powers).sum();
+    boolean isKnown = sum > 0 && Double.isFinite(sum);
+    double even = 1.0 / powers.length;
+    return new Distribution1d(
+        Arrays.stream(powers)
+            .map(p -> EVEN_SHARE * even + (1 - EVEN_SHARE) * (isKnown ? p / sum : even))
+            .toArray());
+  }
+
+  /**
+   * Chooses an emitter that may light a point.
+   *
+   * @param normal unit normal of the side from which the point takes light, or zero if from both
+   * @param u uniform in [0,1)
+   */
+  public Choice choose(Vec3 point, Vec3 normal, double u) {
+    int place = distribution.choose(u);
+    double probability = distribution.probability(place);
+    return place < alone.length
+        ? new Choice(alone[place], probability)
+        : tree.get().choose(point, normal, distribution.remainder(place, u), probability);
+  }
+
+  /**
+   * Returns the probability with which {@link #choose} returns an emitter; positive unless it
+   * cannot light the point.
+   */
+  public double probability(Vec3 point, Vec3 normal, int index) {
+    int place = places[index];
+    double probability = distribution.probability(place);
+    return place < alone.length
+        ? probability
+        : probability * tree.get().probability(point, normal, index);
   }
 }

@@ -1,6 +1,7 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
@@ -32,6 +33,13 @@ public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implemen
   @Override
   public double power(double sceneRadius) {
     return intensity.max() * falloff.sphere(sceneRadius);
+  }
+
+  @Override
+  public Optional<LightBounds> bounds() {
+    return falloff == Falloff.NONE
+        ? Optional.empty()
+        : Optional.of(LightBounds.allAround(Bounds3.of(position), intensity.max()));
   }
 
   @Override

@@ -73,6 +73,15 @@ public final class SpotLight implements Light {
   }
 
   @Override
+  public Optional<LightBounds> bounds() {
+    double sharp = Math.toRadians(halfAngleDegrees - penumbraDegrees);
+    double soft = Math.toRadians(penumbraDegrees);
+    return source
+        .bounds()
+        .map(all -> LightBounds.towards(all.box(), axis, sharp, soft, all.intensity()));
+  }
+
+  @Override
   public boolean isBlack() {
     return source.isBlack();
   }

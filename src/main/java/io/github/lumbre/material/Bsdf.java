@@ -47,6 +47,11 @@ public interface Bsdf {
     return false;
   }
 
+  /** Tells whether light from behind the surface may scatter to the viewer. */
+  default boolean isTransmissive() {
+    return false;
+  }
+
   /** Returns the albedo of the diffuse lobe, which ambient light asks for. */
   default Rgb diffuseAlbedo() {
     return Rgb.BLACK;

@@ -17,6 +17,11 @@ import io.github.lumbre.math.Vec3;
 public record RoughDielectric(
     Rgb reflectance, Rgb transmittance, double ior, MicrofacetDistribution facets) implements Bsdf {
   @Override
+  public boolean isTransmissive() {
+    return true;
+  }
+
+  @Override
   public Rgb eval(Vec3 wo, Vec3 wi) {
     Vec3 m = facetBetween(wo, wi);
     double density = density(wo, wi, m);

@@ -166,8 +166,9 @@ class ShapeSamplingTest {
     Point2 middle = new Point2(.5, .5);
     assertThat(new Rectangle(Transform.IDENTITY, 1, 1, false).sample(below, middle))
         .isEqualTo(SurfaceSample.NONE);
+    double solidAngle = 4 * Math.atan(1 / Math.sqrt(24));
     assertThat(new Rectangle(Transform.IDENTITY, 1, 1, true).sample(below, middle).pdf())
-        .isCloseTo(1, within(1e-15));
+        .isCloseTo(1 / solidAngle, within(1e-14));
   }
 
   @Test

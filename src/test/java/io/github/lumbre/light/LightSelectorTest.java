@@ -25,12 +25,12 @@ class LightSelectorTest {
       LightSelector selector = LightSelector.byPower(powers);
       double sum = 0;
       for (int i = 0; i < n; i++) {
-        assertThat(selector.choose((i + .5) / n)).isEqualTo(i);
-        sum += selector.probability(i);
+        assertThat(selector.choose(Vec3.ZERO, Vec3.Z, (i + .5) / n).emitter()).isEqualTo(i);
+        sum += selector.probability(Vec3.ZERO, Vec3.Z, i);
       }
       assertThat(sum).isCloseTo(1, within(1e-12));
-      assertThat(selector.choose(0)).isZero();
-      assertThat(selector.choose(1 - 0x1p-53)).isEqualTo(n - 1);
+      assertThat(selector.choose(Vec3.ZERO, Vec3.Z, 0).emitter()).isZero();
+      assertThat(selector.choose(Vec3.ZERO, Vec3.Z, 1 - 0x1p-53).emitter()).isEqualTo(n - 1);
     }
   }
 
@@ -38,9 +38,11 @@ class LightSelectorTest {
   void choicesAreHalfByPowerAndHalfEven() {
     LightSelector selector = LightSelector.byPower(1, 0, 3);
 
-    assertThat(selector.probability(0)).isCloseTo(.5 / 3 + .5 / 4, within(1e-15));
-    assertThat(selector.probability(1)).isCloseTo(.5 / 3, within(1e-15));
-    assertThat(selector.probability(2)).isCloseTo(.5 / 3 + .5 * 3 / 4, within(1e-15));
+    assertThat(selector.probability(Vec3.ZERO, Vec3.Z, 0))
+        .isCloseTo(.5 / 3 + .5 / 4, within(1e-15));
+    assertThat(selector.probability(Vec3.ZERO, Vec3.Z, 1)).isCloseTo(.5 / 3, within(1e-15));
+    assertThat(selector.probability(Vec3.ZERO, Vec3.Z, 2))
+        .isCloseTo(.5 / 3 + .5 * 3 / 4, within(1e-15));
   }
 
   @Test
@@ -51,13 +53,14 @@ class LightSelectorTest {
     LightSelector selector = LightSelector.byPower(powers);
 
     // The variance of one sample is 1/p − 1 times its square: 1, where even choice has 9999.
-    assertThat(1 / selector.probability(1234) - 1).isCloseTo(1, within(2e-4));
+    assertThat(1 / selector.probability(Vec3.ZERO, Vec3.Z, 1234) - 1).isCloseTo(1, within(2e-4));
   }
 
   @Test
   void powersThatCannotBeComparedMakeEvenChoices() {
-    assertThat(LightSelector.byPower(0, 0).probability(0)).isEqualTo(.5);
-    assertThat(LightSelector.byPower(Double.POSITIVE_INFINITY, 1).probability(1)).isEqualTo(.5);
+    assertThat(LightSelector.byPower(0, 0).probability(Vec3.ZERO, Vec3.Z, 0)).isEqualTo(.5);
+    assertThat(LightSelector.byPower(Double.POSITIVE_INFINITY, 1).probability(Vec3.ZERO, Vec3.Z, 1))
+        .isEqualTo(.5);
   }
 
   @Test

@@ -1,0 +1,161 @@
+package io.github.lumbre.integrator;
+
+import static io.github.lumbre.integrator.TestScenes.at;
+import static io.github.lumbre.integrator.TestScenes.empty;
+import static io.github.lumbre.integrator.TestScenes.floor;
+import static io.github.lumbre.integrator.TestScenes.glow;
+import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
+import static io.github.lumbre.integrator.TestScenes.matte;
+import static io.github.lumbre.integrator.TestScenes.point;
+import static io.github.lumbre.integrator.TestScenes.sphere;
+import static io.github.lumbre.integrator.TestScenes.turned;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.PathTracer.Strategy;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.LightSelector;
+import io.github.lumbre.light.SpotLight;
+import io.github.lumbre.material.CookTorrance;
+import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Scenes of many lights: whichever is asked, and however often, the picture is the same. */
+class ManyLightsTest {
+  private static final Texture<Rgb> GREY = Texture.constant(Rgb.grey(.5));
+
+  /** Adds small lights of four kinds between the floor and a height of 4. */
+  private static SceneBuilder lights(SceneBuilder scene, int count) {
+    SplittableRandom random = new SplittableRandom(count);
+    double side = 2 + Math.sqrt(count) / 4;
+    for (int i = 0; i < count; i++) {
+      double x = random.nextDouble(-side, side);
+      double y = random.nextDouble(.5, 4);
+      double z = random.nextDouble(-side, side);
+      double strength = random.nextDouble(.1, 1);
+      Vec3 turn = new Vec3(random.nextDouble(360), random.nextDouble(360), 0);
+      switch (i % 4) {
+        case 0 -> scene.add(point(new Vec3(x, y, z), .01 * strength));
+        case 1 ->
+            scene.add(
+                new SpotLight(
+                    point(new Vec3(x, y, z), .02 * strength),
+                    turned(turn.x(), turn.y(), 0).vector(Vec3.Y),
+                    40,
+                    20));
+        case 2 -> scene.addLamp(sphere(x, y, z, .05), glow(strength));
+        default ->
+            scene.addLamp(
+                new Rectangle(at(x, y, z).times(turned(turn.x(), turn.y(), 0)), .2, .1, false),
+                glow(strength));
+      }
+    }
+    return scene;
+  }
+
+  private static LightSelector even(Scene scene) {
+    return LightSelector.byPower(new double[scene.emitters().size()]);
+  }
+
+  /** Classic ray tracing asks every light, and so knows nothing of choices and probabilities. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 4, 5, 20, 100, 1000, 10_000})
+  void choiceAtRandomHasTheMeanOfAllLights(int count) {
+    Scene scene =
+        lights(empty().add(floor(), matte(.5)).add(sphere(.4, .3, .1, .3), matte(.5)), count)
+            .build();
+    Ray ray = lookingDownAt(-.2);
+    Estimate all = Estimate.of(new RayTracer(scene, 0, 0), ray, count > 100 ? 1 : 16, 1);
+
+    Estimate chosen = Estimate.of(new PathTracer(scene, 1), ray, 128, 2);
+
+    assertThat(all.error()).isLessThan(2e-3 * all.mean());
+    assertThat(chosen.error()).isLessThan(1e-2 * all.mean());
+    assertThat(chosen.z(all)).isLessThan(Estimate.CRITICAL);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"100, .5", "10000, .25"})
+  void evenChoiceHasTheSameMeanAndMuchMoreNoise(int count, double ratio) {
+    Scene scene = lights(empty().add(floor(), matte(.5)), count).build();
+    Ray ray = lookingDownAt(-.2);
+
+    Estimate even = Estimate.of(new PathTracer(scene, 1, Strategy.BOTH, even(scene)), ray, 64, 3);
+    Estimate chosen = Estimate.of(new PathTracer(scene, 1), ray, 64, 4);
+
+    assertThat(chosen.z(even)).isLessThan(Estimate.CRITICAL);
+    assertThat(chosen.error()).isLessThan(ratio * even.error());
+  }
+
+  /** Glossy surfaces meet lamps by scattering about as often as by asking for them. */
+  @ParameterizedTest
+  @EnumSource(Strategy.class)
+  void everyStrategyHasTheMeanOfEvenChoices(Strategy strategy) {
+    CookTorrance glossy =
+        new CookTorrance(
+            GREY,
+            GREY,
+            ScalarTexture.constant(.2),
+            ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
+            Kind.GGX);
+    SceneBuilder builder = empty().add(floor(), glossy).add(EnvironmentLight.uniform(Rgb.grey(.1)));
+    SplittableRandom random = new SplittableRandom(9);
+    for (int i = 0; i < 6; i++) {
+      Vec3 place = new Vec3(random.nextDouble(-2, 2), 1.5, random.nextDouble(-2, 2));
+      builder.addLamp(
+          new Rectangle(
+              at(place.x(), place.y(), place.z()).times(turned(150 + 10 * i, 20, 0)),
+              1,
+              .5 + .1 * i,
+              false),
+          glow(1 + i));
+    }
+    Scene scene = builder.build();
+    Ray ray = lookingDownAt(.1);
+    Estimate even = Estimate.of(new PathTracer(scene, 2, Strategy.BOTH, even(scene)), ray, 256, 1);
+
+    Estimate estimate = Estimate.of(new PathTracer(scene, 2, strategy), ray, 512, 2);
+
+    assertThat(even.error()).isLessThan(4e-3 * even.mean());
+    assertThat(estimate.error()).isLessThan(1e-2 * even.mean());
+    assertThat(estimate.z(even)).isLessThan(Estimate.CRITICAL);
+  }
+
+  @Test
+  void groundGlassIsLitFromBehind() {
+    Glass ground =
+        new Glass(
+            Texture.constant(Rgb.WHITE),
+            Texture.constant(Rgb.WHITE),
+            ScalarTexture.constant(1.5),
+            ScalarTexture.constant(.5));
+    Scene scene =
+        empty()
+            .add(new Rectangle(at(0, 0, 0), 4, 4, true), ground)
+            .add(point(new Vec3(.3, -1, .2), 1))
+            .add(point(new Vec3(-.5, -2, .1), 3))
+            .add(point(new Vec3(.4, 2, .3), .2))
+            .build();
+    Ray ray = lookingDownAt(0);
+    Estimate even = Estimate.of(new PathTracer(scene, 1, Strategy.BOTH, even(scene)), ray, 512, 1);
+
+    Estimate chosen = Estimate.of(new PathTracer(scene, 1), ray, 512, 2);
+
+    assertThat(even.mean()).isGreaterThan(.02);
+    assertThat(even.error()).isLessThan(5e-3 * even.mean());
+    assertThat(chosen.z(even)).isLessThan(Estimate.CRITICAL);
+  }
+}

@@ -1,0 +1,226 @@
+package io.github.lumbre.light;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.texture.Texture;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LightTreeTest {
+  private static final double SCENE = 5;
+
+  private static Vec3 point(SplittableRandom random, double size) {
+    return new Vec3(
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size));
+  }
+
+  private static Vec3 direction(SplittableRandom random) {
+    return point(random, 1).normalized();
+  }
+
+  /** Returns lights of all kinds, a few of them without a limit to their reach. */
+  private static List<Light> lights(int count, long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    List<Light> lights = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      Rgb colour = Rgb.grey(Math.exp(random.nextDouble(-3, 3)));
+      Vec3 position = point(random, SCENE);
+      Transform place =
+          Transform.translation(position)
+              .times(Transform.rotationDegrees(point(random, 180)))
+              .times(Transform.scale(new Vec3(1, 1, .5)));
+      double size = Math.exp(random.nextDouble(-4, .5));
+      Emission emission = new Emission(Texture.constant(colour), random.nextInt(4) == 0);
+      PointLight bulb = new PointLight(position, colour, Falloff.INVERSE_SQUARE);
+      lights.add(
+          switch (i % 8) {
+            case 0, 1, 2 -> new AreaLight(new Rectangle(place, size, .5, i % 3 == 0), emission);
+            case 3 -> new AreaLight(new Sphere(place, size), emission);
+            case 4 -> bulb;
+            case 5, 6 -> spot(bulb, random);
+            default ->
+                i % 32 == 7
+                    ? new DirectionalLight(direction(random), colour)
+                    : new PointLight(position, colour, Falloff.NONE);
+          });
+    }
+    return lights;
+  }
+
+  private static SpotLight spot(PointLight bulb, SplittableRandom random) {
+    double angle = Math.exp(random.nextDouble(-7, Math.log(90)));
+    return new SpotLight(bulb, direction(random), angle, random.nextDouble(0, angle));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2, 3, 4, 7, 8, 100, 1000})
+  void probabilitiesSumToOne(int count) {
+    List<Light> lights = lights(count, 1);
+    LightSelector selector = LightSelector.over(lights, SCENE);
+    SplittableRandom random = new SplittableRandom(2);
+    for (int i = 0; i < 30; i++) {
+      Vec3 from = point(random, i % 3 == 0 ? 1000 : SCENE);
+      Vec3 normal = i % 5 == 0 ? Vec3.ZERO : direction(random);
+      double sum = 0;
+      for (int index = 0; index < lights.size(); index++) {
+        sum += selector.probability(from, normal, index);
+      }
+      assertThat(sum).isCloseTo(count == 0 ? 0 : 1, within(1e-12));
+    }
+  }
+
+  @Test
+  void choicesHaveTheirProbability() {
+    List<Light> lights = lights(60, 3);
+    LightSelector selector = LightSelector.over(lights, SCENE);
+    SplittableRandom random = new SplittableRandom(4);
+    for (int i = 0; i < 30; i++) {
+      Vec3 from = point(random, SCENE);
+      Vec3 normal = i % 5 == 0 ? Vec3.ZERO : direction(random);
+      int samples = 20_000;
+      long[] counts = new long[lights.size()];
+      double[] expected = new double[lights.size()];
+      for (int sample = 0; sample < samples; sample++) {
+        LightSelector.Choice choice = selector.choose(from, normal, random.nextDouble());
+        counts[choice.emitter()]++;
+        assertThat(choice.probability())
+            .isCloseTo(selector.probability(from, normal, choice.emitter()), within(1e-14));
+      }
+      for (int index = 0; index < expected.length; index++) {
+        expected[index] = samples * selector.probability(from, normal, index);
+      }
+      assertThat(ChiSquare.of(counts, expected).passes()).isTrue();
+    }
+  }
+
+  /** What the cones and spheres leave out is dark indeed. */
+  @Test
+  void whatCanLightAPointCanBeChosen() {
+    List<Light> lights = lights(500, 5);
+    LightSelector selector = LightSelector.over(lights, SCENE);
+    SplittableRandom random = new SplittableRandom(6);
+    int lit = 0;
+    int left = 0;
+    for (int i = 0; i < 1000; i++) {
+      Vec3 from = point(random, i % 2 == 0 ? SCENE : 2 * SCENE);
+      Vec3 normal = direction(random);
+      for (int index = 0; index < lights.size(); index++) {
+        Point2 u = new Point2(random.nextDouble(), random.nextDouble());
+        Optional<LightSample> sample = lights.get(index).sample(from, u);
+        double probability = selector.probability(from, normal, index);
+        left += probability == 0 ? 1 : 0;
+        if (sample.isPresent() && sample.get().wi().dot(normal) > 0) {
+          lit++;
+          assertThat(probability).isPositive();
+        }
+      }
+    }
+    assertThat(lit).isGreaterThan(50_000);
+    assertThat(left).isGreaterThan(100_000);
+  }
+
+  /** Spots of all widths, seen from just inside their edges: the hardest cones to bound. */
+  @Test
+  void edgesOfConesCanBeChosen() {
+    SplittableRandom random = new SplittableRandom(7);
+    for (int i = 0; i < 2000; i++) {
+      PointLight bulb = new PointLight(point(random, SCENE), Rgb.WHITE, Falloff.INVERSE_SQUARE);
+      double degrees = Math.pow(10, random.nextDouble(-5, Math.log10(90)));
+      Vec3 axis = direction(random);
+      List<Light> lights = lights(4, i);
+      lights.add(new SpotLight(bulb, axis, degrees, 0));
+      double angle = Math.toRadians(degrees) * (1 - 1e-6);
+      Vec3 along = axis.times(Math.cos(angle)).plus(Math.sin(angle), Frame.around(axis).tangent());
+      Vec3 from = bulb.position().plus(random.nextDouble(.1, 9), along);
+      assertThat(lights.get(4).sample(from, new Point2(0, 0))).isPresent();
+
+      LightSelector selector = LightSelector.over(lights, SCENE);
+
+      assertThat(selector.probability(from, Vec3.ZERO, 4)).isGreaterThan(1e-3);
+    }
+  }
+
+  @Test
+  void lightsBehindASurfaceOrFacingAwayAreLeftOut() {
+    Emission glow = new Emission(Texture.constant(Rgb.WHITE), false);
+    List<Light> lights = new ArrayList<>();
+    for (int height = -2; height <= 2; height += 4) {
+      for (int turn = 0; turn <= 180; turn += 180) {
+        Transform place =
+            Transform.translation(new Vec3(0, height, 0))
+                .times(Transform.rotationDegrees(new Vec3(turn, 0, 0)));
+        lights.add(new AreaLight(new Rectangle(place, 1, 1, false), glow));
+      }
+    }
+    LightSelector selector = LightSelector.over(lights, SCENE);
+
+    assertThat(selector.probability(Vec3.ZERO, Vec3.Y, 3)).isEqualTo(1);
+    assertThat(selector.probability(Vec3.ZERO, Vec3.Y.negated(), 0)).isEqualTo(1);
+    assertThat(selector.probability(Vec3.ZERO, Vec3.ZERO, 0)).isCloseTo(.5, within(1e-12));
+  }
+
+  /** Far from two lights of one power, each is chosen by the light that it sends. */
+  @Test
+  void choicesFollowTheInverseSquare() {
+    List<Light> lights =
+        List.of(
+            new PointLight(new Vec3(0, 1, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE),
+            new PointLight(new Vec3(0, 3, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE));
+    LightSelector selector = LightSelector.over(lights, SCENE);
+
+    // An eighth of the choices is even.
+    assertThat(selector.probability(Vec3.ZERO, Vec3.Y, 0))
+        .isCloseTo(.0625 + .875 * .9, within(1e-12));
+  }
+
+  @Test
+  void lightsThatReachEverywhereKeepTheirShareBesideTheTree() {
+    List<Light> lights = lights(7, 8);
+    lights.add(EnvironmentLight.uniform(Rgb.WHITE));
+    LightSelector selector = LightSelector.over(lights, SCENE);
+    double first = selector.probability(Vec3.ZERO, Vec3.Y, 7);
+
+    assertThat(first).isBetween(.25, .75);
+    assertThat(selector.probability(new Vec3(1, 2, 3), Vec3.X, 7)).isEqualTo(first);
+  }
+
+  @Test
+  void coincidentAndExtremeLightsHaveProbabilities() {
+    List<Light> lights = new ArrayList<>();
+    double[] sizes = {1e-300, 1e-150, 1, 1e100, 1e150};
+    for (int i = 0; i < 200; i++) {
+      double size = sizes[i % sizes.length];
+      Vec3 position = new Vec3(size * (i % 3), 0, 0);
+      lights.add(new PointLight(position, Rgb.grey(size), Falloff.INVERSE_SQUARE));
+      Emission glow = new Emission(Texture.constant(Rgb.grey(1 / size)), false);
+      lights.add(new AreaLight(new Sphere(Transform.translation(position), size), glow));
+    }
+    LightSelector selector = LightSelector.over(lights, 1e150);
+    for (double distance : new double[] {0, 1e-300, 1, 1e150, 1e300}) {
+      Vec3 from = new Vec3(distance, distance, 0);
+      double sum = 0;
+      for (int index = 0; index < lights.size(); index++) {
+        sum += selector.probability(from, Vec3.Y, index);
+      }
+      assertThat(sum).isCloseTo(1, within(1e-9));
+      assertThat(selector.choose(from, Vec3.Y, 1 - 0x1p-53).emitter())
+          .isBetween(0, lights.size() - 1);
+    }
+  }
+}
