@@ -88,7 +88,12 @@ public final class SurfaceHit {
     return new Frame(
         new Vec3(tangentX, tangentY, tangentZ),
         new Vec3(bitangentX, bitangentY, bitangentZ),
-        new Vec3(normalX, normalY, normalZ));
+        shadingNormal());
+  }
+
+  /** Returns the normal of the frame to shade with. */
+  public Vec3 shadingNormal() {
+    return new Vec3(normalX, normalY, normalZ);
   }
 
   /** Returns a world direction in the frame to shade with. */

@@ -59,7 +59,7 @@ final class Vertex {
   Vec3 facing() {
     return bsdf.isTransmissive()
         ? Vec3.ZERO
-        : surface.shading().normal().times(Math.copySign(1, wo.z()));
+        : surface.shadingNormal().times(Math.copySign(1, wo.z()));
   }
 
   /** Returns f·|cos θi| for a unit world direction. */

@@ -16,7 +16,7 @@ import java.util.List;
 final class LightTree {
   // What is stored of a node.
   private static final int CENTRE = 0;
-  private static final int RADIUS_SQUARED = 3;
+  private static final int RADIUS = 3;
   private static final int AXIS = 4;
   private static final int COS_SPREAD = 7;
   private static final int SIN_SPREAD = 8;
@@ -26,7 +26,7 @@ final class LightTree {
   private static final int STRIDE = 12;
 
   /** Where a cosine that decides about darkness counts as rounded. */
-  private static final double ROUNDING = 1e-9;
+  private static final double ROUNDING = 1e-8;
 
   /**
    * The share of choices that all emitters have alike: the tree knows nothing of what stands
@@ -75,7 +75,7 @@ final class LightTree {
       nodes[at + CENTRE + axis] = centre.get(axis);
       nodes[at + AXIS + axis] = bounds.axis().get(axis);
     }
-    nodes[at + RADIUS_SQUARED] = radius * radius;
+    nodes[at + RADIUS] = radius;
     boolean isAllAround = bounds.spread() >= Math.PI;
     double spread = bounds.spread() / Elementary.TWO_PI;
     nodes[at + COS_SPREAD] = isAllAround ? -1 : Elementary.cosTurns(spread);
@@ -142,57 +142,59 @@ final class LightTree {
   /**
    * Returns about the irradiance from a node: positive if any of its emitters can light the point.
    *
-   * <p>The node's sphere covers a half angle, by which the cone of normals may be closer to the
-   * point, and the sphere's direction to the point's normal.
+   * <p>The node's sphere covers a half angle b, by which the cone of normals may be closer to the
+   * point, and the sphere's direction to the point's normal: of the cosine of such an angle less b,
+   * cos a cos b + sin a sin b, the bound cos a + sin b is good where b is small and takes no root.
    */
   private double importance(int at, Vec3 point, Vec3 normal) {
     double x = point.x() - nodes[at + CENTRE];
     double y = point.y() - nodes[at + CENTRE + 1];
     double z = point.z() - nodes[at + CENTRE + 2];
     double distanceSquared = x * x + y * y + z * z;
-    if (!(distanceSquared > nodes[at + RADIUS_SQUARED])) {
-      return nodes[at + INTENSITY] / nodes[at + RADIUS_SQUARED];
+    double radius = nodes[at + RADIUS];
+    if (!(distanceSquared > radius * radius)) {
+      return nodes[at + INTENSITY] / (radius * radius);
     }
-    double perSquare = 1 / distanceSquared;
-    double perDistance = Math.sqrt(perSquare);
-    double sinSquared = nodes[at + RADIUS_SQUARED] * perSquare;
-    double sin = Math.sqrt(sinSquared);
-    double cos = Math.sqrt(1 - sinSquared);
+    double perDistance = 1 / Math.sqrt(distanceSquared);
+    double sin = radius * perDistance;
     double along = -perDistance * (x * normal.x() + y * normal.y() + z * normal.z());
     // A zero normal takes light from everywhere.
-    double received = isZero(normal) ? 1 : cosOfDifference(along, cos, sin);
+    double received = isZero(normal) ? 1 : along + sin;
     if (!(received > -ROUNDING)) {
       return 0;
     }
-    double emitted = emitted(at, x * perDistance, y * perDistance, z * perDistance, cos, sin);
+    double emitted =
+        sin
+            + cosToCone(
+                at,
+                perDistance
+                    * (x * nodes[at + AXIS] + y * nodes[at + AXIS + 1] + z * nodes[at + AXIS + 2]));
     if (!(emitted > nodes[at + COS_FALL])) {
       return 0;
     }
     return nodes[at + INTENSITY]
-        * perSquare
-        * Math.max(received, ROUNDING)
-        * Math.max(emitted, ROUNDING);
+        * (perDistance * perDistance)
+        * Math.max(Math.min(received, 1), ROUNDING)
+        * Math.max(Math.min(emitted, 1), ROUNDING);
   }
 
   private static boolean isZero(Vec3 normal) {
     return normal.x() == 0 && normal.y() == 0 && normal.z() == 0;
   }
 
-  /** Returns the cosine of the least angle between a normal of a node and the way to the point. */
-  private double emitted(int at, double x, double y, double z, double cos, double sin) {
+  /**
+   * Returns the cosine of the angle between the way to a point and a node's cone of normals.
+   *
+   * @param cos of the angle between the way and the cone's axis
+   */
+  private double cosToCone(int at, double cos) {
     double cosSpread = nodes[at + COS_SPREAD];
-    double sinSpread = nodes[at + SIN_SPREAD];
-    double sinSum = sinSpread * cos + cosSpread * sin;
-    if (!(sinSum > 0)) {
-      // Half a turn or more.
+    if (cos >= cosSpread) {
       return 1;
     }
-    double along = x * nodes[at + AXIS] + y * nodes[at + AXIS + 1] + z * nodes[at + AXIS + 2];
-    return cosOfDifference(along, cosSpread * cos - sinSpread * sin, sinSum);
-  }
-
-  /** Returns cos(max(0, a − b)) of two angles in [0, π]. */
-  private static double cosOfDifference(double cosA, double cosB, double sinB) {
-    return cosA >= cosB ? 1 : cosA * cosB + Elementary.safeSqrt(1 - cosA * cosA) * sinB;
+    double sinSpread = nodes[at + SIN_SPREAD];
+    return sinSpread < ROUNDING
+        ? cos * cosSpread + sinSpread
+        : cos * cosSpread + Elementary.safeSqrt(1 - cos * cos) * sinSpread;
   }
 }
