@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -76,6 +77,14 @@ final class FlagConverters {
     @Override
     public Mode convert(String text) {
       return oneOf(Mode.values(), text);
+    }
+  }
+
+  /** {@code auto}, {@code vector} or {@code scalar}. */
+  static final class OfKernel implements ITypeConverter<Kernel> {
+    @Override
+    public Kernel convert(String text) {
+      return oneOf(Kernel.values(), text);
     }
   }
 
