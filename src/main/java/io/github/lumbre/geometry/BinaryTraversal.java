@@ -28,7 +28,7 @@ final class BinaryTraversal implements Traversal {
     root = store(tree, leaves);
     nodes = Arrays.copyOf(nodes, nodeCount * NODE_SIZE);
     children = Arrays.copyOf(children, nodeCount * 2);
-    triangles = items.triangles(leaves.triangles());
+    triangles = items.triangles(leaves.triangles(), true);
     shapes = items.shapes(leaves.shapes());
   }
 

@@ -144,16 +144,20 @@ final class BvhItems {
   }
 
   /** Returns the triangles in a given order of their item numbers. */
-  Triangles triangles(int[] order) {
-    double[] vertices = new double[Math.multiplyExact(9, order.length)];
+  Triangles triangles(int[] order, boolean copied) {
+    TriangleMesh[] meshes = new TriangleMesh[all.size()];
+    for (int i = 0; i < meshes.length; i++) {
+      if (all.get(i) instanceof Mesh mesh) {
+        meshes[i] = mesh.triangles();
+      }
+    }
     int[] shape = new int[order.length];
     int[] element = new int[order.length];
     for (int i = 0; i < order.length; i++) {
       shape[i] = triangleShape[order[i]];
       element[i] = triangleElement[order[i]];
-      ((Mesh) all.get(shape[i])).triangles().copyVertices(element[i], vertices, 9 * i);
     }
-    return new Triangles(vertices, shape, element);
+    return new Triangles(meshes, shape, element, copied);
   }
 
   /** Returns the bounded shapes in a given order of their item numbers. */

@@ -28,15 +28,15 @@ public final class NearestHit {
   /** Nodes still to visit; nested searches (instances) use the part from stackTop on. */
   final int[] stack = new int[2 * STACK];
 
-  /** The rank of where the ray enters the nodes still to visit. */
+  /** Where the ray enters the nodes still to visit, as integers in the order of t. */
   final int[] stackNear = new int[2 * STACK];
 
   int stackTop;
 
-  /** Coordinates to be chosen from by an axis' number, without a branch. */
+  /** Coordinates of a ray, to be chosen from by an axis' number without a branch. */
   final double[] axes = new double[9];
 
-  /** Where the ray enters the children of one node. */
+  /** The same for the children of one node. */
   final int[] lanes = new int[WideTree.WIDTH];
 
   /** Forgets the last ray. */

@@ -10,18 +10,31 @@ package io.github.lumbre.geometry;
  * vertices, and so with the same size and opposite signs.
  */
 final class Triangles {
-  /** Nine coordinates a triangle. */
+  /** Nine coordinates a triangle; empty if they are left where they are. */
   private final double[] vertices;
+
+  /** The mesh of each shape that is one. */
+  private final TriangleMesh[] meshes;
 
   /** Which shape, and which element of it, a triangle is. */
   private final int[] shape;
 
   private final int[] element;
 
-  Triangles(double[] vertices, int[] shape, int[] element) {
-    this.vertices = vertices;
+  /**
+   * @param meshes by the number of their shape
+   * @param shape the triangles' shapes, as element are their numbers in them
+   * @param copied whether to keep a copy of the vertices, which is faster to read and takes 72
+   *     bytes a triangle
+   */
+  Triangles(TriangleMesh[] meshes, int[] shape, int[] element, boolean copied) {
+    this.meshes = meshes;
     this.shape = shape;
     this.element = element;
+    vertices = new double[copied ? Math.multiplyExact(9, shape.length) : 0];
+    for (int i = 0; 9 * i < vertices.length; i++) {
+      meshes[shape[i]].copyVertices(element[i], vertices, 9 * i);
+    }
   }
 
   /**
@@ -50,13 +63,18 @@ final class Triangles {
     int end = first + LeafRef.count(leaf);
     boolean found = false;
     for (int i = first; i < end; i++) {
-      found |= intersectOne(i, kx, ky, kz, ox, oy, oz, sx, sy, sz, nearest);
+      found |=
+          intersectOne(
+              i, vertices, 9 * i, 9 * i + 3, 9 * i + 6, kx, ky, kz, ox, oy, oz, sx, sy, sz,
+              nearest);
     }
     return found;
   }
 
-  /** The same for one triangle, given by its place in the order. */
-  boolean intersectOne(
+  /**
+   * The same for one triangle, given by its place in the order, where its mesh has its vertices.
+   */
+  boolean intersectInMesh(
       int i,
       int kx,
       int ky,
@@ -68,18 +86,40 @@ final class Triangles {
       double sy,
       double sz,
       NearestHit nearest) {
-    double[] p = vertices;
-    int base = 9 * i;
+    TriangleMesh mesh = meshes[shape[i]];
+    int a = 3 * mesh.vertex(element[i], 0);
+    int b = 3 * mesh.vertex(element[i], 1);
+    int c = 3 * mesh.vertex(element[i], 2);
+    return intersectOne(i, mesh.positions(), a, b, c, kx, ky, kz, ox, oy, oz, sx, sy, sz, nearest);
+  }
+
+  /** The same for vertices that begin at a, b and c of an array. */
+  private boolean intersectOne(
+      int i,
+      double[] p,
+      int a,
+      int b,
+      int c,
+      int kx,
+      int ky,
+      int kz,
+      double ox,
+      double oy,
+      double oz,
+      double sx,
+      double sy,
+      double sz,
+      NearestHit nearest) {
     // Move the origin to zero and shear the ray onto the axis kz.
-    double az = p[base + kz] - oz;
-    double bz = p[base + 3 + kz] - oz;
-    double cz = p[base + 6 + kz] - oz;
-    double ax = p[base + kx] - ox - sx * az;
-    double ay = p[base + ky] - oy - sy * az;
-    double bx = p[base + 3 + kx] - ox - sx * bz;
-    double by = p[base + 3 + ky] - oy - sy * bz;
-    double cx = p[base + 6 + kx] - ox - sx * cz;
-    double cy = p[base + 6 + ky] - oy - sy * cz;
+    double az = p[a + kz] - oz;
+    double bz = p[b + kz] - oz;
+    double cz = p[c + kz] - oz;
+    double ax = p[a + kx] - ox - sx * az;
+    double ay = p[a + ky] - oy - sy * az;
+    double bx = p[b + kx] - ox - sx * bz;
+    double by = p[b + ky] - oy - sy * bz;
+    double cx = p[c + kx] - ox - sx * cz;
+    double cy = p[c + ky] - oy - sy * cz;
     // The origin is inside if the edge functions do not differ in sign.
     double u = cx * by - cy * bx;
     double v = ax * cy - ay * cx;

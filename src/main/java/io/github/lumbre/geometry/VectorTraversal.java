@@ -10,6 +10,9 @@ import jdk.incubator.vector.VectorSpecies;
  * The search by vectors of eight floats: a node's eight boxes, or a leaf's eight triangles, at a
  * time. Floats only choose what may be hit; each of these triangles is then tested in double
  * precision as everywhere. The only class that needs the module jdk.incubator.vector.
+ *
+ * <p>The bounds of all errors are derived in docs/design.md. No method takes or returns vectors,
+ * since where one is not inlined they are allocated; neither are masks used, for the same reason.
  */
 final class VectorTraversal implements Traversal {
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -250,7 +253,7 @@ final class VectorTraversal implements Traversal {
         while (candidates != 0) {
           int i = first + Integer.numberOfTrailingZeros(candidates);
           candidates &= candidates - 1;
-          if (triangles.intersectOne(i, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest)) {
+          if (triangles.intersectInMesh(i, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest)) {
             found = true;
             bestBits = last(nearest.t * tScale, start);
           }

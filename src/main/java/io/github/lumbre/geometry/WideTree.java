@@ -33,7 +33,7 @@ final class WideTree {
     store(tree, leafOrder, items);
     nodes = Arrays.copyOf(nodes, nodeCount * NODE_SIZE);
     children = Arrays.copyOf(children, nodeCount * WIDTH);
-    triangles = items.triangles(leafOrder.triangles());
+    triangles = items.triangles(leafOrder.triangles(), false);
     shapes = items.shapes(leafOrder.shapes());
   }
 
