@@ -50,6 +50,7 @@ class LayersTest {
   /** Libraries beyond Java that a package may use. */
   private static final Map<String, List<String>> LIBRARIES =
       Map.of(
+          "geometry", List.of("jdk.incubator.vector.."),
           "parser", List.of("com.google.gson.."),
           "cli",
               List.of(
@@ -100,6 +101,18 @@ class LayersTest {
             .resideInAPackage(ROOT + name)
             .should()
             .onlyDependOnClassesThat(resideInAnyOf(allowed)));
+  }
+
+  @Test
+  void oneClassNeedsTheVectorModule() {
+    check(
+        noClasses()
+            .that()
+            .doNotHaveFullyQualifiedName(ROOT + "geometry.VectorTraversal")
+            .should()
+            .dependOnClassesThat(
+                resideInAPackage("jdk.incubator.vector..")
+                    .or(named(ROOT + "geometry.VectorTraversal"))));
   }
 
   @Test

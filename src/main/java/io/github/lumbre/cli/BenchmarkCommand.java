@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -93,6 +94,8 @@ final class BenchmarkCommand implements Callable<Integer> {
       })
   private Optional<Path> scenes;
 
+  @Mixin private KernelFlag kernel;
+
   @ArgGroup private Hashes hashes = new Hashes();
 
   @Option(names = "--debug", description = "Show the stack trace of an error.")
@@ -126,6 +129,7 @@ final class BenchmarkCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     BenchmarkPlan plan = plan();
+    kernel.apply();
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
     List<ReportRow> selected = selected(folder);
     TableHashes stored = TableHashes.load(folder.directory());

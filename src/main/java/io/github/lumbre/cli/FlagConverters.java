@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.BenchComparison.Clock;
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -85,6 +86,14 @@ final class FlagConverters {
     @Override
     public Clock convert(String text) {
       return oneOf(Clock.values(), text);
+    }
+  }
+
+  /** {@code auto}, {@code vector} or {@code scalar}. */
+  static final class OfKernel implements ITypeConverter<Kernel> {
+    @Override
+    public Kernel convert(String text) {
+      return oneOf(Kernel.values(), text);
     }
   }
 

@@ -1,5 +1,8 @@
 package io.github.lumbre.cli;
 
+import java.io.FileNotFoundException;
+import java.io.FileOutputStream;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import picocli.CommandLine;
@@ -43,6 +46,7 @@ public final class Lumbre implements Runnable {
 
   /** Runs the command that the arguments name, and ends the program. */
   public static void main(String[] args) {
+    redirectErrors();
     Charset charset = Charset.defaultCharset();
     PrintWriter out = new PrintWriter(System.out, true, charset);
     PrintWriter err = new PrintWriter(System.err, true, charset);
@@ -50,6 +54,18 @@ public final class Lumbre implements Runnable {
     out.flush();
     err.flush();
     System.exit(exitCode);
+  }
+
+  /** Prints errors to where the launcher says, past its filter of the virtual machine's own. */
+  private static void redirectErrors() {
+    String path = System.getProperty("lumbre.errors");
+    if (path != null) {
+      try {
+        System.setErr(new PrintStream(new FileOutputStream(path, true), true));
+      } catch (FileNotFoundException e) {
+        // Some descriptors cannot be opened again, such as sockets: then through the filter.
+      }
+    }
   }
 
   /** Runs the command that the arguments name and returns its exit code. */

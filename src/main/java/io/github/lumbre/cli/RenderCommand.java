@@ -69,6 +69,8 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private RenderFlags flags;
 
+  @Mixin private KernelFlag kernel;
+
   @Option(
       names = "--bits",
       paramLabel = "8|16",
@@ -87,6 +89,7 @@ final class RenderCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     flags.validate();
+    kernel.apply();
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Path target = target();
     Messages messages = new Messages(spec.commandLine().getErr());

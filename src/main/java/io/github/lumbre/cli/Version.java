@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.geometry.Kernel;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -24,8 +25,16 @@ final class Version implements IVersionProvider {
     return new String[] {
       "Lumbre " + number(),
       "JVM: " + property("java.vm.name") + " " + property("java.runtime.version"),
+      "Kernel: " + kernel(),
       "OS: " + property("os.name") + " " + property("os.version") + " " + property("os.arch")
     };
+  }
+
+  /** Returns how rays would find what they hit, and why. */
+  private static String kernel() {
+    return Kernel.vectorObstacle()
+        .map(obstacle -> "scalar, since " + obstacle)
+        .orElse("vector, since Java and this processor have vectors of 8 floats");
   }
 
   private static String property(String key) {

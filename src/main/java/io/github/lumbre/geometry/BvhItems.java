@@ -10,6 +10,12 @@ import java.util.List;
  * bounded shapes. Unbounded shapes stand apart; empty ones are left out.
  */
 final class BvhItems {
+  /** How much wider than their contents the boxes are, relative to the largest coordinate. */
+  static final double MARGIN = 16 * 0x1p-52;
+
+  /** The size of a triangle beside the whole at which a float filter lets in twice as much. */
+  private static final double MIN_SIZE = 0x1p-18;
+
   private final List<Shape> all;
   private final int[] triangleShape;
   private final int[] triangleElement;
@@ -17,15 +23,9 @@ final class BvhItems {
   private final List<Integer> unbounded = new ArrayList<>();
   private final double[] boxes;
   private final double[] scratch = new double[9];
-  private final double margin;
 
-  /**
-   * @param margin how much wider than their contents the boxes are, relative to the largest
-   *     coordinate
-   */
-  BvhItems(List<Shape> all, double margin) {
+  BvhItems(List<Shape> all) {
     this.all = all;
-    this.margin = margin;
     int triangles = 0;
     for (int i = 0; i < all.size(); i++) {
       if (all.get(i) instanceof Mesh mesh) {
@@ -53,25 +53,29 @@ final class BvhItems {
           triangleShape[item] = shape;
           triangleElement[item] = element;
           data.copyVertices(element, scratch, 0);
-          store(item, corner(true), corner(false));
+          storeTriangle(item);
         }
       }
     }
   }
 
-  private Vec3 corner(boolean low) {
-    double[] c = new double[3];
+  /** Stores the box of the triangle in the scratch memory. */
+  private void storeTriangle(int item) {
+    double size = 0;
+    for (double coordinate : scratch) {
+      size = Math.max(size, Math.abs(coordinate));
+    }
     for (int axis = 0; axis < 3; axis++) {
       double p = scratch[axis];
       double q = scratch[axis + 3];
       double r = scratch[axis + 6];
-      c[axis] = low ? Math.min(p, Math.min(q, r)) : Math.max(p, Math.max(q, r));
+      boxes[6 * item + 2 * axis] = Math.min(p, Math.min(q, r)) - MARGIN * size;
+      boxes[6 * item + 2 * axis + 1] = Math.max(p, Math.max(q, r)) + MARGIN * size;
     }
-    return new Vec3(c[0], c[1], c[2]);
   }
 
   private void store(int item, Vec3 min, Vec3 max) {
-    double pad = margin * Math.max(min.maxAbs(), max.maxAbs());
+    double pad = MARGIN * Math.max(min.maxAbs(), max.maxAbs());
     for (int axis = 0; axis < 3; axis++) {
       boxes[6 * item + 2 * axis] = min.get(axis) - pad;
       boxes[6 * item + 2 * axis + 1] = max.get(axis) + pad;
@@ -80,6 +84,47 @@ final class BvhItems {
 
   boolean isEmpty() {
     return boxes.length == 0;
+  }
+
+  /** Tells whether the box of all items has a finite size. */
+  boolean hasFiniteExtent() {
+    return Double.isFinite(extent());
+  }
+
+  /**
+   * Tells whether most triangles are much larger than the error of a float in a hierarchy's {@link
+   * UnitSpace}.
+   */
+  boolean suitFloats() {
+    double least = MIN_SIZE * extent();
+    int large = 0;
+    for (int item = 0; item < triangleCount(); item++) {
+      if (size(6 * item) >= least) {
+        large++;
+      }
+    }
+    return large > triangleCount() / 2;
+  }
+
+  private double extent() {
+    double extent = 0;
+    for (int axis = 0; axis < 6; axis += 2) {
+      double low = Double.POSITIVE_INFINITY;
+      double high = Double.NEGATIVE_INFINITY;
+      for (int at = axis; at < boxes.length; at += 6) {
+        low = Math.min(low, boxes[at]);
+        high = Math.max(high, boxes[at + 1]);
+      }
+      extent = Math.max(extent, high - low);
+    }
+    return extent;
+  }
+
+  private double size(int at) {
+    double x = boxes[at + 1] - boxes[at];
+    double y = boxes[at + 3] - boxes[at + 2];
+    double z = boxes[at + 5] - boxes[at + 4];
+    return Math.max(x, Math.max(y, z));
   }
 
   /** Returns six doubles an item: minimum and maximum on x, y, z. */
@@ -92,38 +137,48 @@ final class BvhItems {
     return triangleShape.length;
   }
 
+  /** Copies the nine coordinates of a triangle, given by its item number. */
+  void copyVertices(int item, double[] target) {
+    Mesh mesh = (Mesh) all.get(triangleShape[item]);
+    mesh.triangles().copyVertices(triangleElement[item], target, 0);
+  }
+
   /** Returns the triangles in a given order of their item numbers. */
-  Triangles triangles(int[] order) {
-    double[] vertices = new double[Math.multiplyExact(9, order.length)];
+  Triangles triangles(int[] order, boolean copied) {
+    TriangleMesh[] meshes = new TriangleMesh[all.size()];
+    for (int i = 0; i < meshes.length; i++) {
+      if (all.get(i) instanceof Mesh mesh) {
+        meshes[i] = mesh.triangles();
+      }
+    }
     int[] shape = new int[order.length];
     int[] element = new int[order.length];
     for (int i = 0; i < order.length; i++) {
       shape[i] = triangleShape[order[i]];
       element[i] = triangleElement[order[i]];
-      ((Mesh) all.get(shape[i])).triangles().copyVertices(element[i], vertices, 9 * i);
     }
-    return new Triangles(vertices, shape, element);
+    return new Triangles(meshes, shape, element, copied);
   }
 
-  /** Returns the numbers of the shapes in a given order of their item numbers. */
-  int[] shapeNumbers(int[] order) {
+  /** Returns the bounded shapes in a given order of their item numbers. */
+  LeafShapes shapes(int[] order) {
     int[] numbers = new int[order.length];
     for (int i = 0; i < order.length; i++) {
       numbers[i] = bounded.get(order[i] - triangleCount());
     }
-    return numbers;
+    return leafShapes(numbers);
   }
 
-  int[] unboundedNumbers() {
-    return unbounded.stream().mapToInt(Integer::intValue).toArray();
+  /** Returns the unbounded shapes. */
+  LeafShapes unbounded() {
+    return leafShapes(unbounded.stream().mapToInt(Integer::intValue).toArray());
   }
 
-  /** Returns the shapes with the given numbers. */
-  Shape[] shapes(int[] numbers) {
+  private LeafShapes leafShapes(int[] numbers) {
     Shape[] shapes = new Shape[numbers.length];
     for (int i = 0; i < numbers.length; i++) {
       shapes[i] = all.get(numbers[i]);
     }
-    return shapes;
+    return new LeafShapes(shapes, numbers);
   }
 }

@@ -5,6 +5,9 @@ package io.github.lumbre.geometry;
  * for each thread, reused ray after ray.
  */
 public final class NearestHit {
+  /** The most nodes that one search puts aside: seven for each level of nodes of eight. */
+  private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 1;
+
   /** Ray parameter of the hit; before any hit, the ray's end. */
   double t;
 
@@ -23,15 +26,21 @@ public final class NearestHit {
   boolean any;
 
   /** Nodes still to visit; nested searches (instances) use the part from stackTop on. */
-  final int[] stack = new int[2 * BvhBuilder.MAX_DEPTH];
+  final int[] stack = new int[2 * STACK];
 
-  /** The rank of where the ray enters the nodes still to visit. */
-  final int[] stackNear = new int[2 * BvhBuilder.MAX_DEPTH];
+  /** Where the ray enters the nodes still to visit, as integers in the order of t. */
+  final int[] stackNear = new int[2 * STACK];
 
   int stackTop;
 
   /** What the shape says of its surface at the hit, once it is asked. */
   final SurfaceHit surface = new SurfaceHit();
+
+  /** Coordinates of a ray, to be chosen from by an axis' number without a branch. */
+  final double[] axes = new double[9];
+
+  /** The same for the children of one node. */
+  final int[] lanes = new int[WideTree.WIDTH];
 
   /** Forgets the last ray. */
   void start(double tMax) {

@@ -187,6 +187,11 @@ public final class TriangleMesh {
     return indices[3 * triangle + corner];
   }
 
+  /** Returns three coordinates a vertex; not to be changed. */
+  double[] positions() {
+    return positions;
+  }
+
   Vec3 position(int vertex) {
     return load(positions, vertex);
   }

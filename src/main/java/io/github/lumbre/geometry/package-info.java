@@ -5,7 +5,8 @@
  * two phases: while the {@link io.github.lumbre.geometry.Bvh} searches, only distances and numbers
  * are kept, in a {@link io.github.lumbre.geometry.NearestHit}; the winner alone is then turned into
  * a {@link io.github.lumbre.geometry.SurfaceHit}, with position, normals, frame and texture
- * coordinates.
+ * coordinates. The search has two kernels, {@code BinaryTraversal} and {@code VectorTraversal},
+ * between which {@link io.github.lumbre.geometry.Kernel} chooses.
  *
  * <p>Everything public here is in world space. Geometric normals point outward (for planes: to the
  * side they are seen from), whichever side was hit. Rays leave a surface by an error bound computed

@@ -1,8 +1,10 @@
 package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.lang.module.ModuleFinder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -175,6 +177,29 @@ class LauncherIT {
         .hasLineCount(1);
     assertThat(launch().exitCode()).isZero();
     assertThat(launch(home.resolve("lumbre"), environment).out()).startsWith("Lumbre ");
+  }
+
+  @Test
+  void vectorsAreSwitchedOnWithoutAWarning() throws IOException, InterruptedException {
+    assumeTrue(ModuleFinder.ofSystem().find("jdk.incubator.vector").isPresent());
+    launch();
+    Outcome outcome = launch();
+    // That would be the reason against vectors.
+    assertThat(outcome.out()).contains("Kernel: ").doesNotContain("--add-modules");
+    assertThat(outcome.err()).isEmpty();
+  }
+
+  @Test
+  void whatTheVirtualMachineSaysIsPassedOn() throws IOException, InterruptedException {
+    Map<String, String> options = Map.of("LUMBRE_JAVA_OPTS", "-Xmxmuch");
+    assertThat(launch(home.resolve("lumbre"), options).exitCode()).isNotZero();
+    for (int i = 0; i < 50; i++) {
+      if (Files.readString(directory.resolve("one/err.txt")).contains("-Xmxmuch")) {
+        return;
+      }
+      Thread.sleep(100);
+    }
+    assertThat(directory.resolve("one/err.txt")).content().contains("-Xmxmuch");
   }
 
   @Test

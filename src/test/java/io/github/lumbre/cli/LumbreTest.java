@@ -36,6 +36,8 @@ class LumbreTest {
         "render s.json --exposure much  | auto or a finite number of stops",
         "render s.json --tonemap film   | one of srgb, gamma22, reinhard, aces",
         "render s.json --mode both      | one of ray, path",
+        "render s.json --kernel fast    | one of auto, vector, scalar",
+        "benchmark --kernel fast        | one of auto, vector, scalar",
         "render s.json --bits 12        | --bits: expected 8 or 16, found 12",
         "render s.json -o p.gif         | p.gif: expected a name that ends in one of .png",
         "render s.json -o s.json        | one of .png",
@@ -56,7 +58,9 @@ class LumbreTest {
   void versionNamesProgramMachineAndSystem() {
     Outcome outcome = Outcome.of("--version");
     assertThat(outcome.exitCode()).isZero();
-    assertThat(outcome.out()).containsPattern("Lumbre \\d+\\.\\d+").contains("JVM: ", "OS: ");
+    assertThat(outcome.out())
+        .containsPattern("Lumbre \\d+\\.\\d+")
+        .contains("JVM: ", "Kernel: ", "OS: ");
   }
 
   @ParameterizedTest
@@ -66,7 +70,7 @@ class LumbreTest {
     assertThat(outcome.exitCode()).isZero();
     assertThat(outcome.out())
         .contains("--output", "--mode", "--samples", "--depth", "--threads", "--bucket", "--seed")
-        .contains("--size", "--crop", "--exposure", "--tonemap", "--bits", "--strict")
+        .contains("--size", "--crop", "--exposure", "--tonemap", "--kernel", "--bits", "--strict")
         .contains("--lenient", "--quiet", "--stats", "--debug", "Exit codes", "Examples");
   }
 

@@ -39,6 +39,17 @@ class RunnableJarIT {
     assertThat(ImageIO.read(directory.resolve("tiny.png").toFile()).getWidth()).isEqualTo(16);
   }
 
+  @Test
+  void withoutTheVectorModuleTheScalarKernelRuns() throws IOException, InterruptedException {
+    String reason = "Java runs without --add-modules jdk.incubator.vector";
+    assertThat(lumbre("--version").out()).contains("Kernel: scalar, since " + reason);
+    TinyScene.write(directory, TinyScene.JSON);
+    Outcome outcome = lumbre("render", "tiny.json", "--kernel", "vector");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
+    assertThat(outcome.err()).contains("--kernel: vector is not available: " + reason);
+    assertThat(lumbre("render", "tiny.json", "--kernel", "scalar").exitCode()).isZero();
+  }
+
   static Stream<Arguments> badScenes() throws IOException {
     String mesh = "{\"id\": 9, \"assetType\": \"Mesh\", \"base64OBJ\": \"%s\"}";
     String obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n";

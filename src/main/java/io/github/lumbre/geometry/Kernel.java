@@ -1,0 +1,91 @@
+package io.github.lumbre.geometry;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * How hierarchies are searched: by vectors of eight floats, or by nothing but plain Java. Both find
+ * the same hits, bit for bit; they differ in speed. Chosen when a hierarchy is built.
+ *
+ * <p>Vectors need the module jdk.incubator.vector, which a virtual machine has only if it was
+ * started with {@code --add-modules jdk.incubator.vector}, and a processor with vectors of 256
+ * bits.
+ */
+public enum Kernel {
+  /**
+   * Vectors where they are available and pay: in hierarchies of some dozens of triangles or more,
+   * unless most triangles are so small beside the whole that floats hardly tell them apart.
+   */
+  AUTO,
+
+  /** Vectors always. */
+  VECTOR,
+
+  /** Plain Java always. */
+  SCALAR;
+
+  /** The system property that chooses: a kernel's name in any case. Without it, {@link #AUTO}. */
+  public static final String PROPERTY = "lumbre.kernel";
+
+  /** Fewer triangles are searched as fast without vectors. */
+  private static final int MIN_TRIANGLES = 32;
+
+  /**
+   * Returns what the system property asks for.
+   *
+   * @throws IllegalArgumentException if it names no kernel
+   */
+  public static Kernel configured() {
+    String name = System.getProperty(PROPERTY, AUTO.name());
+    return Arrays.stream(values())
+        .filter(kernel -> kernel.name().equals(name.toUpperCase(Locale.ROOT)))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    PROPERTY + ": expected auto, vector or scalar, found " + name));
+  }
+
+  /** Returns why there can be no vectors in this virtual machine; empty if there can be. */
+  public static Optional<String> vectorObstacle() {
+    return Vectors.obstacle();
+  }
+
+  /**
+   * Returns the search over items.
+   *
+   * @throws IllegalStateException if vectors are asked for and not available
+   */
+  Traversal over(BvhItems items) {
+    if (items.isEmpty()) {
+      return Traversal.NONE;
+    }
+    if (!usesVectors(items)) {
+      BvhBuilder builder = builder(items, BinaryTraversal.COSTS);
+      return new BinaryTraversal(builder.build(), builder.order(), items);
+    }
+    BvhBuilder builder = builder(items, WideTree.COSTS);
+    return Vectors.over(new WideTree(builder.build(), builder.order(), items));
+  }
+
+  private static BvhBuilder builder(BvhItems items, LeafCost costs) {
+    return new BvhBuilder(items.boxes(), items.triangleCount(), costs);
+  }
+
+  private boolean usesVectors(BvhItems items) {
+    Optional<String> obstacle = vectorObstacle();
+    if (this == VECTOR && obstacle.isPresent()) {
+      throw new IllegalStateException("the vector kernel is not available: " + obstacle.get());
+    }
+    return switch (this) {
+      case SCALAR -> false;
+      case VECTOR -> items.hasFiniteExtent();
+      case AUTO ->
+          obstacle.isEmpty()
+              && items.triangleCount() >= MIN_TRIANGLES
+              && items.hasFiniteExtent()
+              && items.suitFloats();
+    };
+  }
+}

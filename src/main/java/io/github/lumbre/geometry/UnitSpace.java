@@ -1,0 +1,56 @@
+package io.github.lumbre.geometry;
+
+/**
+ * The space in which a hierarchy keeps floats: moved and scaled, by a power of two, so that all
+ * boxes lie in [-1, 1]³. There an error in floats is an absolute one, wherever and however large
+ * the scene is.
+ */
+final class UnitSpace {
+  final double centreX;
+  final double centreY;
+  final double centreZ;
+
+  /** Binary exponent of the scale. */
+  final int exponent;
+
+  final double scale;
+
+  /**
+   * @param box minimum and maximum on x, y, z of all there is
+   */
+  UnitSpace(double[] box) {
+    centreX = .5 * box[0] + .5 * box[1];
+    centreY = .5 * box[2] + .5 * box[3];
+    centreZ = .5 * box[4] + .5 * box[5];
+    double half = Math.max(box[1] - centreX, Math.max(box[3] - centreY, box[5] - centreZ));
+    exponent = -1 - Math.getExponent(half);
+    scale = Math.scalb(1.0, exponent);
+  }
+
+  double centre(int axis) {
+    return axis == 0 ? centreX : axis == 1 ? centreY : centreZ;
+  }
+
+  /** Returns a coordinate of this space, rounded to the nearest float. */
+  float nearest(int axis, double coordinate) {
+    return (float) ((coordinate - centre(axis)) * scale);
+  }
+
+  /** Returns a coordinate of this space, rounded down. */
+  float down(int axis, double coordinate) {
+    double x = (coordinate - centre(axis)) * scale;
+    float rounded = (float) x;
+    return rounded > x ? Math.nextDown(rounded) : rounded;
+  }
+
+  /** Returns a coordinate of this space, rounded up. */
+  float up(int axis, double coordinate) {
+    return -downNegated(axis, coordinate);
+  }
+
+  private float downNegated(int axis, double coordinate) {
+    double x = (centre(axis) - coordinate) * scale;
+    float rounded = (float) x;
+    return rounded > x ? Math.nextDown(rounded) : rounded;
+  }
+}

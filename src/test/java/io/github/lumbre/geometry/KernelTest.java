@@ -1,0 +1,287 @@
+package io.github.lumbre.geometry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.ForkJoinPool;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class KernelTest {
+  private static final Bounds3 AROUND = new Bounds3(new Vec3(-6, -6, -6), new Vec3(6, 6, 6));
+  private static final Vec3[] AXES = {Vec3.X, Vec3.Y, Vec3.Z};
+
+  private final NearestHit byVectors = new NearestHit();
+  private final NearestHit byPlainJava = new NearestHit();
+
+  private static void assumeVectors() {
+    assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
+  }
+
+  /** Both hierarchies over the same shapes. */
+  private record Pair(List<? extends Shape> shapes, Bvh vector, Bvh scalar) {
+    static Pair over(List<? extends Shape> shapes) {
+      assumeVectors();
+      return new Pair(shapes, Bvh.over(shapes, Kernel.VECTOR), Bvh.over(shapes, Kernel.SCALAR));
+    }
+  }
+
+  /** Returns whether there is a hit, the same for both. */
+  private boolean assertSame(Pair pair, Ray ray) {
+    boolean isHit = pair.scalar.intersect(ray, byPlainJava);
+    assertThat(pair.vector.intersect(ray, byVectors)).as("hit of %s", ray).isEqualTo(isHit);
+    assertThat(byVectors.shape).as("shape of %s", ray).isEqualTo(byPlainJava.shape);
+    if (isHit) {
+      assertThat(byVectors.t).as("t of %s", ray).isEqualTo(byPlainJava.t);
+      assertThat(byVectors.element).as("element of %s", ray).isEqualTo(byPlainJava.element);
+      Shape shape = pair.shapes.get(byPlainJava.shape);
+      if (shape instanceof Mesh || shape instanceof MeshInstance) {
+        assertThat(byVectors.b1).isEqualTo(byPlainJava.b1);
+        assertThat(byVectors.b2).isEqualTo(byPlainJava.b2);
+      }
+    }
+    assertThat(pair.vector.isOccluded(ray, byVectors)).as("any hit of %s", ray).isEqualTo(isHit);
+    return isHit;
+  }
+
+  /** Tries a ray and those derived from its hit: ended near it, gone on from it, reflected. */
+  private int assertSameAround(Pair pair, Ray ray, Random random) {
+    if (!assertSame(pair, ray)) {
+      return 0;
+    }
+    double t = byPlainJava.t;
+    assertSame(pair, new Ray(ray.origin(), ray.direction(), t));
+    assertSame(pair, new Ray(ray.origin(), ray.direction(), Math.nextUp(t)));
+    Vec3 at = ray.at(t);
+    assertSame(pair, new Ray(at, ray.direction()));
+    assertSame(pair, new Ray(at, Shapes.direction(random)));
+    assertSame(pair, new Ray(at, AXES[random.nextInt(3)].negated()));
+    return 1;
+  }
+
+  @Test
+  void hitsOfMixedShapesAreTheSame() {
+    for (int seed = 0; seed < 6; seed++) {
+      Random random = new Random(seed);
+      Pair pair = Pair.over(Shapes.zoo(random, 4 + 30 * seed));
+      int hits = 0;
+      for (int i = 0; i < 5000; i++) {
+        hits += assertSameAround(pair, Shapes.ray(random, AROUND), random);
+      }
+      assertThat(hits).isGreaterThan(100);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {-300, -30, 0, 30, 300})
+  void hitsOfMeshesAreTheSameAtEveryScale(int exponent) {
+    Random random = new Random(exponent);
+    double scale = Math.scalb(1.0, exponent);
+    Mesh mesh =
+        Mesh.baked(
+            Shapes.closedBall(40, 60, .2, true), Transform.scale(new Vec3(scale, scale, scale)));
+    Pair pair = Pair.over(List.of(mesh));
+    int hits = 0;
+    for (int i = 0; i < 3000; i++) {
+      Vec3 origin = Shapes.point(random, 2 * scale);
+      hits += assertSameAround(pair, new Ray(origin, Shapes.direction(random)), random);
+    }
+    assertThat(hits).isGreaterThan(300);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {4, 1e3, 1e6, 1e9, 1e12, 1e15})
+  void hitsOfRaysFromAfarAreTheSame(double distance) {
+    Random random = new Random(1);
+    Pair pair = Pair.over(List.of(ball(Transform.IDENTITY)));
+    int hits = 0;
+    for (int i = 0; i < 2000; i++) {
+      Vec3 origin = Shapes.direction(random).times(distance);
+      Vec3 direction = Shapes.point(random, .8).minus(origin);
+      hits += assertSameAround(pair, new Ray(origin, direction), random);
+      hits += assertSameAround(pair, new Ray(origin, direction.normalized()), random);
+      assertSame(pair, new Ray(origin, Shapes.direction(random)));
+      assertSame(pair, new Ray(Shapes.point(random, 1), direction, .5));
+    }
+    assertThat(hits).isGreaterThan(1000);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e3, 1e6, 1e9, 1e12})
+  void hitsOfMeshesFarFromTheOriginAreTheSame(double distance) {
+    Random random = new Random(2);
+    Vec3 centre = Shapes.direction(random).times(distance);
+    Pair pair = Pair.over(List.of(ball(Transform.translation(centre))));
+    int hits = 0;
+    for (int i = 0; i < 3000; i++) {
+      Vec3 origin = centre.plus(Shapes.point(random, 2));
+      hits += assertSameAround(pair, new Ray(origin, Shapes.direction(random)), random);
+    }
+    assertThat(hits).isGreaterThan(300);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {-1060, -1000, -500, -100, 100, 500, 1000})
+  void hitsOfRaysWithVeryShortOrLongDirectionsAreTheSame(int exponent) {
+    Random random = new Random(3);
+    Pair pair = Pair.over(List.of(ball(Transform.IDENTITY)));
+    for (int i = 0; i < 1000; i++) {
+      Vec3 direction = Shapes.direction(random).times(Math.scalb(1.0, exponent));
+      assertSame(pair, new Ray(Shapes.point(random, 2), direction));
+      assertSame(pair, new Ray(Shapes.point(random, 2), direction, Math.scalb(1.0, -exponent)));
+    }
+  }
+
+  @Test
+  void hitsOfTinyMeshesInHugeRoomsAreTheSame() {
+    Random random = new Random(4);
+    double tiny = 1e-7;
+    Mesh room = Mesh.baked(Shapes.closedBall(4, 4, 0, false), Transform.scale(new Vec3(9, 9, 9)));
+    Transform place =
+        Transform.translation(new Vec3(1, 2, 3)).times(Transform.scale(new Vec3(tiny, tiny, tiny)));
+    Pair pair = Pair.over(List.of(room, ball(place)));
+    for (int i = 0; i < 1000; i++) {
+      Vec3 near = place.point(Shapes.point(random, 1));
+      Vec3 origin = Shapes.point(random, 3);
+      assertSameAround(pair, new Ray(near, Shapes.direction(random)), random);
+      assertSameAround(pair, new Ray(origin, near.minus(origin).normalized()), random);
+    }
+  }
+
+  @Test
+  void hitsInFacesAndThroughEdgesAndVerticesAreTheSame() {
+    Random random = new Random(5);
+    double[] p = new double[3 * 17 * 17];
+    List<Integer> f = new ArrayList<>();
+    for (int i = 0; i < 17 * 17; i++) {
+      p[3 * i] = i % 17 - 8;
+      p[3 * i + 1] = i % 3 == 0 ? 1 : 0;
+      p[3 * i + 2] = i / 17 - 8;
+      if (i % 17 < 16 && i / 17 < 16) {
+        f.addAll(List.of(i, i + 1, i + 17, i + 1, i + 18, i + 17));
+      }
+    }
+    int[] indices = f.stream().mapToInt(Integer::intValue).toArray();
+    TriangleMesh data = TriangleMesh.of(p, new double[0], new double[0], indices);
+    Pair pair = Pair.over(List.of(Mesh.baked(data, Transform.IDENTITY)));
+    int hits = 0;
+    for (int i = 0; i < 5000; i++) {
+      Vec3 a = data.position(random.nextInt(data.vertexCount()));
+      Vec3 b = data.position(random.nextInt(data.vertexCount()));
+      Vec3 axis = AXES[random.nextInt(3)];
+      hits += assertSame(pair, new Ray(a.plus(-3, axis), axis)) ? 1 : 0;
+      hits += assertSame(pair, new Ray(a, new Vec3(-0.0, 0, 0).minus(axis))) ? 1 : 0;
+      if (a.minus(b).maxAbs() > 0) {
+        hits += assertSameAround(pair, new Ray(b, a.minus(b), 1), random);
+        hits += assertSameAround(pair, new Ray(b.plus(.5, Vec3.Y), a.minus(b)), random);
+      }
+    }
+    assertThat(hits).isGreaterThan(1000);
+  }
+
+  @Test
+  void hitsOfNeedlesAndCoincidingTrianglesAreTheSame() {
+    Random random = new Random(6);
+    List<Shape> shapes = new ArrayList<>();
+    for (int i = 0; i < 300; i++) {
+      Vec3 a = Shapes.point(random, 1);
+      Vec3 b = a.plus(Math.scalb(1.0, -random.nextInt(40)), Shapes.direction(random));
+      Vec3 c = a.plus(Math.scalb(1.0, -random.nextInt(20)), Shapes.direction(random));
+      TriangleMesh one = Shapes.triangle(a, b, c);
+      shapes.add(Mesh.baked(one, Transform.IDENTITY));
+      shapes.add(Mesh.baked(one, Transform.IDENTITY));
+    }
+    Pair pair = Pair.over(shapes);
+    int hits = 0;
+    for (int i = 0; i < 5000; i++) {
+      Vec3 origin = Shapes.point(random, 2);
+      Ray ray = new Ray(origin, Shapes.point(random, 1).minus(origin).normalized());
+      hits += assertSameAround(pair, ray, random);
+    }
+    assertThat(hits).isGreaterThan(300);
+  }
+
+  private static Mesh ball(Transform place) {
+    return Mesh.baked(Shapes.closedBall(30, 40, .2, false), place);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Kernel.class)
+  void searchingAllocatesNothing(Kernel kernel) throws ReflectiveOperationException {
+    assumeTrue(kernel != Kernel.VECTOR || Kernel.vectorObstacle().isEmpty());
+    Random random = new Random(7);
+    List<Shape> shapes = Shapes.zoo(random, 60);
+    shapes.add(ball(Transform.IDENTITY));
+    Bvh bvh = Bvh.over(shapes, kernel);
+    Ray[] rays = new Ray[2000];
+    for (int i = 0; i < rays.length; i++) {
+      rays[i] = Shapes.ray(random, AROUND);
+    }
+    long least = Long.MAX_VALUE;
+    for (int round = 0; round < 100; round++) {
+      long before = Allocation.ofThisThread();
+      for (Ray ray : rays) {
+        bvh.intersect(ray, byPlainJava);
+        bvh.isOccluded(ray, byPlainJava);
+      }
+      least = Math.min(least, Allocation.ofThisThread() - before);
+    }
+    // Asking costs a little itself; an object a ray would be a hundred thousand bytes.
+    assertThat(least).isLessThan(2000);
+  }
+
+  @Test
+  void treesDoNotDependOnTheNumberOfThreads() {
+    TriangleMesh data = Shapes.closedBall(160, 200, .2, false);
+    List<Shape> shapes = new ArrayList<>(Shapes.zoo(new Random(8), 70));
+    shapes.add(Mesh.baked(data, Transform.IDENTITY));
+    for (LeafCost costs : List.of(WideTree.COSTS, BinaryTraversal.COSTS)) {
+      WideTree expected = tree(1, costs, shapes);
+      for (int threads = 2; threads < 6; threads++) {
+        WideTree found = tree(threads, costs, shapes);
+        assertThat(found.children()).isEqualTo(expected.children());
+        assertThat(found.nodes()).isEqualTo(expected.nodes());
+        assertThat(found.leaves()).isEqualTo(expected.leaves());
+      }
+    }
+  }
+
+  private static WideTree tree(int threads, LeafCost costs, List<Shape> shapes) {
+    ForkJoinPool pool = new ForkJoinPool(threads);
+    try {
+      BvhItems items = new BvhItems(shapes);
+      BvhBuilder builder = new BvhBuilder(items.boxes(), items.triangleCount(), costs);
+      BvhNode root = pool.submit(builder::build).join();
+      return new WideTree(root, builder.order(), items);
+    } finally {
+      pool.shutdown();
+    }
+  }
+
+  @Test
+  void systemPropertyChooses() {
+    try {
+      System.setProperty(Kernel.PROPERTY, "scalar");
+      assertThat(Kernel.configured()).isEqualTo(Kernel.SCALAR);
+      System.setProperty(Kernel.PROPERTY, "Vector");
+      assertThat(Kernel.configured()).isEqualTo(Kernel.VECTOR);
+      System.setProperty(Kernel.PROPERTY, "fast");
+      assertThatThrownBy(Kernel::configured)
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage("lumbre.kernel: expected auto, vector or scalar, found fast");
+    } finally {
+      System.clearProperty(Kernel.PROPERTY);
+    }
+    assertThat(Kernel.configured()).isEqualTo(Kernel.AUTO);
+  }
+}
