@@ -19,8 +19,8 @@ import picocli.CommandLine.Spec;
     name = "gallery",
     header = "Render all scenes of a folder to pictures, and write a page about them.",
     description =
-        "Each picture gets as many samples as fit into the given time: a multiple of 16, at least"
-            + " 64, and beyond that not more than its scene asks for.",
+        "Each picture gets as many samples as fit into the given time, whatever its scene asks for: a"
+            + " multiple of 16, at least 64.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,

@@ -51,14 +51,14 @@ final class SampleBudget {
   }
 
   /**
-   * Returns the number of samples per pixel: a multiple of 16, at least 64, and no more than the
-   * larger of 64 and what the scene asks for.
+   * Returns the number of samples per pixel, whatever the scene asks for: a multiple of 16, at
+   * least 64.
    *
    * @param rate in samples per second
    */
   static int samples(double rate, double seconds, RenderSettings settings) {
     double fitting = rate * seconds / ((double) settings.width() * settings.height());
-    int samples = (int) Math.min(fitting, Math.max(LEAST, settings.samples()));
+    int samples = (int) Math.min(fitting, RenderSettings.MAX_SAMPLES);
     return Math.max(LEAST, samples - samples % MULTIPLE);
   }
 }

@@ -79,17 +79,15 @@ class GalleryCommandTest {
 
   @ParameterizedTest
   @CsvSource({
-    "100,     1000, 64",
-    "7000,    1000, 64",
-    "12900,   1000, 128",
-    "100000,  1000, 992",
-    "100000,  1024, 992",
-    "1000000, 1024, 1024",
-    "1000000, 4,    64",
-    "1e300,   1073741824, 1073741824"
+    "100, 64",
+    "7000, 64",
+    "12900, 128",
+    "100000, 992",
+    "1000000, 10000",
+    "1e300, 1073741824"
   })
-  void samplesFillTheTimeInMultiplesOfSixteen(double rate, int inScene, int samples) {
-    RenderSettings settings = new RenderSettings.Builder().size(10, 20).samples(inScene).build();
+  void samplesFillTheTimeInMultiplesOfSixteen(double rate, int samples) {
+    RenderSettings settings = new RenderSettings.Builder().size(10, 20).samples(4).build();
     assertThat(SampleBudget.samples(rate, 2, settings)).isEqualTo(samples);
   }
 }
