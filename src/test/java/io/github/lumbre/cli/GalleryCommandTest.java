@@ -29,7 +29,7 @@ class GalleryCommandTest {
 
   private Outcome gallery(String... arguments) {
     Stream<String> first =
-        Stream.of("gallery", "--scenes", "" + directory, "--out", "" + out(), "--seconds", "1");
+        Stream.of("gallery", "--scenes", "" + directory, "--out", "" + out(), "--seconds", ".001");
     return Outcome.of(Stream.concat(first, Stream.of(arguments)).toArray(String[]::new));
   }
 
