@@ -29,7 +29,7 @@ class GalleryCommandTest {
 
   private Outcome gallery(String... arguments) {
     Stream<String> first =
-        Stream.of("gallery", "--scenes", "" + directory, "--out", "" + out(), "--seconds", ".001");
+        Stream.of("gallery", "--scenes", "" + directory, "--out", "" + out(), "--seconds", "1");
     return Outcome.of(Stream.concat(first, Stream.of(arguments)).toArray(String[]::new));
   }
 
@@ -50,10 +50,12 @@ class GalleryCommandTest {
     assertThat(outcome.out()).isEmpty();
     assertThat(ImageIO.read(out().resolve("a-scene.png").toFile()).getWidth()).isEqualTo(10);
     assertThat(ImageIO.read(out().resolve("b-scene.png").toFile()).getWidth()).isEqualTo(16);
-    assertThat(Files.readString(out().resolve("b-scene.png"), StandardCharsets.ISO_8859_1))
-        .contains("Scene\000b-scene.json", "Samples\00064");
     assertThat(rows()).hasSize(2);
-    assertThat(rows().get(0)).startsWith("| [a-scene](a-scene.png) |").contains("| 10x12 | 64 | ");
+    String samples = rows().get(1).split("\\|")[4].trim();
+    assertThat(Integer.parseInt(samples)).isGreaterThanOrEqualTo(64);
+    assertThat(Files.readString(out().resolve("b-scene.png"), StandardCharsets.ISO_8859_1))
+        .contains("Scene\000b-scene.json", "Samples\000" + samples);
+    assertThat(rows().get(0)).startsWith("| [a-scene](a-scene.png) |").contains("| 10x12 | ");
     assertThat(rows().get(1)).contains("src=\"b-scene.png\"", Hardware.here().cpu());
   }
 

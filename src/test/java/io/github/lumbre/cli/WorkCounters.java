@@ -3,12 +3,14 @@ package io.github.lumbre.cli;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -19,11 +21,9 @@ import java.util.List;
  * @param samples taken over all pixels
  * @param rays followed to what they meet
  * @param shadowRays followed to see whether they meet anything
- * @param bytesPerRay allocated, by code that does as its source says: see {@link #main}
  */
-record WorkCounters(
-    String scene, String mode, long samples, long rays, long shadowRays, long bytesPerRay) {
-  static final String HEADER = "scene,mode,samples,rays,shadow_rays,bytes_per_ray";
+record WorkCounters(String scene, String mode, long samples, long rays, long shadowRays) {
+  static final String HEADER = "scene,mode,samples,rays,shadow_rays";
 
   private static final int WIDTH = 64;
   private static final int HEIGHT = 48;
@@ -39,19 +39,15 @@ record WorkCounters(
           "table-14-procedurals",
           "torus-knot");
 
-  /**
-   * Prints the counters of some scenes, a line each. Run it without the compiler that removes
-   * allocations when it sees fit: then their number is that of the source, and repeats.
-   *
-   * @param args the folder of the scenes
-   */
-  public static void main(String[] args)
+  /** Returns the counters of some of the scenes in a folder. */
+  static List<WorkCounters> ofScenes(Path folder)
       throws SceneFormatException, IOException, InterruptedException {
-    Path folder = Path.of(args[0]);
+    List<WorkCounters> counters = new ArrayList<>();
     for (String scene : SCENES) {
-      System.out.println(of(folder, scene, Mode.PATH).line());
+      counters.add(of(folder, scene, Mode.PATH));
     }
-    System.out.println(of(folder, "glass-and-mirror", Mode.RAY).line());
+    counters.add(of(folder, "glass-and-mirror", Mode.RAY));
+    return counters;
   }
 
   private static WorkCounters of(Path folder, String scene, Mode mode)
@@ -61,18 +57,14 @@ record WorkCounters(
             .inMode(mode)
             .overriding(WorkCounters::small)
             .parse(new SceneFolder(folder).file(scene));
-    // The first render also allocates what is made once: linked call sites, filled caches.
-    TimedRender.of(file.scene(), file.settings(), Progress.NONE);
-    TimedRender render = TimedRender.of(file.scene(), file.settings(), Progress.NONE);
-    RenderStatistics statistics = render.result().statistics();
-    long rays = statistics.rays() + statistics.shadowRays();
+    RenderStatistics statistics =
+        new BucketRenderer(file.settings()).render(file.scene(), Progress.NONE).statistics();
     return new WorkCounters(
         scene,
         FlagConverters.lower(mode),
         statistics.samples(),
         statistics.rays(),
-        statistics.shadowRays(),
-        Math.round((double) render.allocatedBytes() / rays));
+        statistics.shadowRays());
   }
 
   private static RenderSettings small(RenderSettings inScene) {
@@ -81,7 +73,7 @@ record WorkCounters(
 
   /** Returns them as a line of a file that begins with {@link #HEADER}. */
   String line() {
-    return Csv.line(List.of(scene, mode, samples, rays, shadowRays, bytesPerRay));
+    return Csv.line(List.of(scene, mode, samples, rays, shadowRays));
   }
 
   /** Returns the counters of such a line. */
@@ -92,8 +84,7 @@ record WorkCounters(
         values.get(1),
         Long.parseLong(values.get(2)),
         Long.parseLong(values.get(3)),
-        Long.parseLong(values.get(4)),
-        Long.parseLong(values.get(5)));
+        Long.parseLong(values.get(4)));
   }
 
   /** Tells whether both are of the same picture. */

@@ -11,7 +11,6 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /**
  * The program does no more work than it did: rays are counted, which needs no clock, and compared
@@ -20,41 +19,19 @@ import org.junit.jupiter.api.io.TempDir;
 class WorkCountersTest {
   private static final Path STORED = Path.of("src", "test", "resources", "work-counters.csv");
 
-  /** How much the counters of rays may grow. */
+  /** How much the counters may grow. */
   private static final double GROWTH = .005;
-
-  /** How much memory may grow: Java's own classes allocate, and differ from version to version. */
-  private static final double GROWTH_OF_BYTES = .02;
 
   private static final String ADVICE =
       "If that is explained, store it: ./mvnw test -Dtest=WorkCountersTest -Dlumbre.counters=store";
 
-  @TempDir private Path directory;
-
   @Test
-  void workHasNotGrown() throws IOException, InterruptedException {
-    List<WorkCounters> found = count();
+  void workHasNotGrown() throws Exception {
+    List<WorkCounters> found = WorkCounters.ofScenes(Path.of("scenes"));
     if ("store".equals(System.getProperty("lumbre.counters"))) {
       store(found);
     }
     assertThat(complaints(stored(), found)).as(ADVICE).isEmpty();
-  }
-
-  /** Counts in a virtual machine of its own, by the compiler that keeps all allocations. */
-  private List<WorkCounters> count() throws IOException, InterruptedException {
-    Outcome outcome =
-        Program.run(
-            directory,
-            List.of(
-                Program.java("java"),
-                "-XX:TieredStopAtLevel=1",
-                "-Djava.awt.headless=true",
-                "-cp",
-                System.getProperty("java.class.path"),
-                WorkCounters.class.getName(),
-                Path.of("scenes").toAbsolutePath().toString()));
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    return outcome.out().lines().map(WorkCounters::parse).toList();
   }
 
   private static List<WorkCounters> stored() throws IOException {
@@ -85,20 +62,13 @@ class WorkCountersTest {
 
   private static void complain(WorkCounters before, WorkCounters now, List<String> complaints) {
     String what = now.scene() + ", " + now.mode() + ": ";
-    complain(what + "samples", before.samples(), now.samples(), GROWTH, complaints);
-    complain(what + "rays", before.rays(), now.rays(), GROWTH, complaints);
-    complain(what + "shadow rays", before.shadowRays(), now.shadowRays(), GROWTH, complaints);
-    complain(
-        what + "bytes per ray",
-        before.bytesPerRay(),
-        now.bytesPerRay(),
-        GROWTH_OF_BYTES,
-        complaints);
+    complain(what + "samples", before.samples(), now.samples(), complaints);
+    complain(what + "rays", before.rays(), now.rays(), complaints);
+    complain(what + "shadow rays", before.shadowRays(), now.shadowRays(), complaints);
   }
 
-  private static void complain(
-      String what, long before, long now, double growth, List<String> complaints) {
-    if (now > before * (1 + growth)) {
+  private static void complain(String what, long before, long now, List<String> complaints) {
+    if (now > before * (1 + GROWTH)) {
       complaints.add(
           String.format(
               Locale.ROOT,
@@ -107,23 +77,22 @@ class WorkCountersTest {
               before,
               now,
               100 * (now / (double) before - 1),
-              100 * growth));
+              100 * GROWTH));
     }
   }
 
   @Test
   void growthIsNoticedCounterByCounter() {
-    WorkCounters before = new WorkCounters("tiny", "path", 100, 1000, 2000, 100);
+    WorkCounters before = new WorkCounters("tiny", "path", 100, 1000, 2000);
     assertThat(complaints(List.of(before), List.of(before))).isEmpty();
-    WorkCounters within = new WorkCounters("tiny", "path", 100, 1004, 1900, 102);
+    WorkCounters within = new WorkCounters("tiny", "path", 100, 1004, 1900);
     assertThat(complaints(List.of(before), List.of(within))).isEmpty();
-    WorkCounters beyond = new WorkCounters("tiny", "path", 101, 1006, 2011, 103);
+    WorkCounters beyond = new WorkCounters("tiny", "path", 101, 1006, 2011);
     assertThat(complaints(List.of(before), List.of(beyond)))
         .containsExactly(
             "tiny, path: samples grew from 100 to 101, by 1.00 %, and may by 0.5 %",
             "tiny, path: rays grew from 1000 to 1006, by 0.60 %, and may by 0.5 %",
-            "tiny, path: shadow rays grew from 2000 to 2011, by 0.55 %, and may by 0.5 %",
-            "tiny, path: bytes per ray grew from 100 to 103, by 3.00 %, and may by 2.0 %");
+            "tiny, path: shadow rays grew from 2000 to 2011, by 0.55 %, and may by 0.5 %");
     assertThat(complaints(List.of(), List.of(before)))
         .containsExactly("tiny, path: nothing is stored");
   }
