@@ -7,6 +7,7 @@ import io.github.lumbre.light.AreaLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
+import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.LightSelector;
 import io.github.lumbre.material.BsdfSample;
@@ -196,8 +197,9 @@ public final class PathTracer implements Integrator {
   /** Returns the light of one emitter, chosen at random, over the probability of the choice. */
   private Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
     Vec3 position = vertex.surface().position();
-    LightSelector.Choice choice =
-        selector.choose(position, vertex.facing(), sampler.get1d(dimension + Sampler.LIGHT_CHOICE));
+    LightChoice choice = scratch.choice;
+    double u = sampler.get1d(dimension + Sampler.LIGHT_CHOICE);
+    selector.choose(position, vertex.facing(), u, choice);
     Optional<LightSample> drawn =
         emitters[choice.emitter()].sample(position, sampler.get2d(dimension + Sampler.LIGHT_POINT));
     if (drawn.isEmpty()) {

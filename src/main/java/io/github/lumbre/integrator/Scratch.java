@@ -1,6 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Ray;
@@ -13,6 +14,7 @@ public final class Scratch {
   final Vertex vertex = new Vertex();
   final BsdfSample scattered = new BsdfSample();
   final BsdfValue value = new BsdfValue();
+  final LightChoice choice = new LightChoice();
   private final NearestHit shadow = new NearestHit();
   long rays;
   boolean metSomething;

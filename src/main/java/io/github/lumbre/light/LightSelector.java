@@ -11,9 +11,9 @@ import java.util.stream.IntStream;
 /**
  * Which of a scene's emitters a point asks for light: a choice at random. Immutable.
  *
- * <p>Two or more emitters of limited reach are chosen by a {@link LightTree}, of which a point sees
- * other parts than its neighbour; those that shine everywhere alike, and the tree as a whole, with
- * the same probabilities at all points.
+ * <p>Two or more emitters of limited reach are chosen by what may come from them to the point;
+ * those that shine everywhere alike, and all the others as one, with the same probabilities at all
+ * points.
  */
 public final class LightSelector {
   /**
@@ -28,32 +28,23 @@ public final class LightSelector {
    */
   private static final double LEAST = 1e-3;
 
-  /**
-   * What {@link #choose} found.
-   *
-   * @param emitter its index
-   * @param probability of this choice: what {@link LightSelector#probability} tells, for no more
-   *     work
-   */
-  public record Choice(int emitter, double probability) {}
-
-  /** Over the emitters outside the tree and, last, the tree if there is one. */
+  /** Over the emitters of unlimited reach and, last, all the near ones as one. */
   private final Distribution1d distribution;
 
-  /** The emitters outside the tree. */
+  /** The emitters of unlimited reach, or all if there are not two others. */
   private final int[] alone;
 
   /** Where in the distribution each emitter stands. */
   private final int[] places;
 
-  private final Optional<LightTree> tree;
+  private final Optional<NearLights> near;
 
   private LightSelector(
-      Distribution1d distribution, int[] alone, int[] places, Optional<LightTree> tree) {
+      Distribution1d distribution, int[] alone, int[] places, Optional<NearLights> near) {
     this.distribution = distribution;
     this.alone = alone;
     this.places = places;
-    this.tree = tree;
+    this.near = near;
   }
 
   /**
@@ -80,13 +71,13 @@ public final class LightSelector {
     int[] places = new int[emitters.size()];
     double[] weights = new double[emitters.size() + 1];
     int count = 0;
-    double powerOfTree = 0;
+    double powerOfNear = 0;
     for (int i = 0; i < powers.length; i++) {
       Optional<LightBounds> bounds = emitters.get(i).bounds();
       if (bounds.isPresent()) {
         items.add(new LightTreeBuilder.Item(i, bounds.get()));
         places[i] = -1;
-        powerOfTree += powers[i];
+        powerOfNear += powers[i];
       } else {
         places[i] = count;
         alone[count] = i;
@@ -100,12 +91,18 @@ public final class LightSelector {
     for (LightTreeBuilder.Item item : items) {
       places[item.emitter()] = count;
     }
-    weights[count] = powerOfTree;
+    weights[count] = powerOfNear;
     return new LightSelector(
         halfEven(Arrays.copyOf(weights, count + 1)),
         Arrays.copyOf(alone, count),
         places,
-        Optional.of(new LightTree(comparable(items), powers.length)));
+        Optional.of(near(comparable(items), powers.length)));
+  }
+
+  private static NearLights near(List<LightTreeBuilder.Item> items, int count) {
+    return items.size() <= FewLights.MOST
+        ? new FewLights(items, count)
+        : new LightTree(items, count);
   }
 
   /** Returns the emitters with intensities relative to their mean, and none too small. */
@@ -136,13 +133,21 @@ public final class LightSelector {
    *
    * @param normal unit normal of the side from which the point takes light, or zero if from both
    * @param u uniform in [0,1)
+   * @param choice takes the result
    */
-  public Choice choose(Vec3 point, Vec3 normal, double u) {
+  public void choose(Vec3 point, Vec3 normal, double u, LightChoice choice) {
+    if (alone.length == 0) {
+      near.get().choose(point, normal, u, choice);
+      return;
+    }
     int place = distribution.choose(u);
     double probability = distribution.probability(place);
-    return place < alone.length
-        ? new Choice(alone[place], probability)
-        : tree.get().choose(point, normal, distribution.remainder(place, u), probability);
+    if (place < alone.length) {
+      choice.set(alone[place], probability);
+    } else {
+      near.get().choose(point, normal, distribution.remainder(place, u), choice);
+      choice.set(choice.emitter(), probability * choice.probability());
+    }
   }
 
   /**
@@ -154,6 +159,6 @@ public final class LightSelector {
     double probability = distribution.probability(place);
     return place < alone.length
         ? probability
-        : probability * tree.get().probability(point, normal, index);
+        : probability * near.get().probability(point, normal, index);
   }
 }

@@ -13,6 +13,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -85,11 +86,13 @@ class LightTreeTest {
     }
   }
 
-  @Test
-  void choicesHaveTheirProbability() {
-    List<Light> lights = lights(60, 3);
+  @ParameterizedTest
+  @ValueSource(ints = {6, 60})
+  void choicesHaveTheirProbability(int count) {
+    List<Light> lights = lights(count, 3);
     LightSelector selector = LightSelector.over(lights, SCENE);
     SplittableRandom random = new SplittableRandom(4);
+    int compared = 0;
     for (int i = 0; i < 30; i++) {
       Vec3 from = point(random, SCENE);
       Vec3 normal = i % 5 == 0 ? Vec3.ZERO : direction(random);
@@ -97,7 +100,7 @@ class LightTreeTest {
       long[] counts = new long[lights.size()];
       double[] expected = new double[lights.size()];
       for (int sample = 0; sample < samples; sample++) {
-        LightSelector.Choice choice = selector.choose(from, normal, random.nextDouble());
+        LightChoice choice = choose(selector, from, normal, random.nextDouble());
         counts[choice.emitter()]++;
         assertThat(choice.probability())
             .isCloseTo(selector.probability(from, normal, choice.emitter()), within(1e-14));
@@ -105,8 +108,13 @@ class LightTreeTest {
       for (int index = 0; index < expected.length; index++) {
         expected[index] = samples * selector.probability(from, normal, index);
       }
-      assertThat(ChiSquare.of(counts, expected).passes()).isTrue();
+      // At some points one of few lights has all choices.
+      if (Arrays.stream(expected).filter(e -> e > 10).count() > 1) {
+        assertThat(ChiSquare.of(counts, expected).passes()).isTrue();
+        compared++;
+      }
     }
+    assertThat(compared).isGreaterThan(10);
   }
 
   /** What the cones and spheres leave out is dark indeed. */
@@ -219,8 +227,14 @@ class LightTreeTest {
         sum += selector.probability(from, Vec3.Y, index);
       }
       assertThat(sum).isCloseTo(1, within(1e-9));
-      assertThat(selector.choose(from, Vec3.Y, 1 - 0x1p-53).emitter())
+      assertThat(choose(selector, from, Vec3.Y, 1 - 0x1p-53).emitter())
           .isBetween(0, lights.size() - 1);
     }
+  }
+
+  private static LightChoice choose(LightSelector selector, Vec3 point, Vec3 normal, double u) {
+    LightChoice choice = new LightChoice();
+    selector.choose(point, normal, u, choice);
+    return choice;
   }
 }

@@ -1,0 +1,88 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.math.Vec3;
+import java.util.List;
+
+/**
+ * A few emitters of limited reach, of which each is asked what light may come from it: so few are
+ * faster looked at than sorted. Immutable.
+ */
+final class FewLights implements NearLights {
+  /** Where a {@link LightTree} begins to be faster. */
+  static final int MOST = LightChoice.WEIGHTS;
+
+  private final LightNodes nodes;
+  private final int[] emitters;
+
+  /** Where each emitter stands in the list. */
+  private final int[] places;
+
+  /**
+   * @param items at least one, at most {@link #MOST}
+   * @param count above the largest of the items' indices
+   */
+  FewLights(List<LightTreeBuilder.Item> items, int count) {
+    nodes =
+        new LightNodes(
+            items.stream().map(LightTreeBuilder.Item::bounds).toArray(LightBounds[]::new));
+    emitters = items.stream().mapToInt(LightTreeBuilder.Item::emitter).toArray();
+    places = new int[count];
+    for (int place = 0; place < emitters.length; place++) {
+      places[emitters[place]] = place;
+    }
+  }
+
+  @Override
+  public void choose(Vec3 point, Vec3 normal, double u, LightChoice choice) {
+    double[] weights = choice.weights;
+    int count = emitters.length;
+    double sum = 0;
+    int lit = 0;
+    for (int i = 0; i < count; i++) {
+      double weight = nodes.importance(i, point, normal);
+      weights[i] = weight;
+      sum += weight;
+      lit += weight > 0 ? 1 : 0;
+    }
+    if (!isUsable(sum)) {
+      choice.set(emitters[(int) (u * count)], 1.0 / count);
+      return;
+    }
+    double scale = (1 - EVEN_SHARE) / sum;
+    double even = EVEN_SHARE / lit;
+    double rest = u;
+    int chosen = -1;
+    double probability = 0;
+    // Rounding may leave a rest after the last of them, which then has it.
+    for (int i = 0; i < count && rest >= 0; i++) {
+      if (weights[i] > 0) {
+        chosen = i;
+        probability = scale * weights[i] + even;
+        rest -= probability;
+      }
+    }
+    choice.set(emitters[chosen], probability);
+  }
+
+  @Override
+  public double probability(Vec3 point, Vec3 normal, int emitter) {
+    double sum = 0;
+    int lit = 0;
+    double own = 0;
+    for (int i = 0; i < emitters.length; i++) {
+      double weight = nodes.importance(i, point, normal);
+      sum += weight;
+      lit += weight > 0 ? 1 : 0;
+      own = i == places[emitter] ? weight : own;
+    }
+    if (!isUsable(sum)) {
+      return 1.0 / emitters.length;
+    }
+    return own > 0 ? (1 - EVEN_SHARE) / sum * own + EVEN_SHARE / lit : 0;
+  }
+
+  /** Tells whether a sum of weights says anything: in a light of no size one is infinite. */
+  private static boolean isUsable(double sum) {
+    return sum > 0 && sum < Double.POSITIVE_INFINITY;
+  }
+}

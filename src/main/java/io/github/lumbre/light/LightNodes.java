@@ -1,0 +1,105 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Vec3;
+
+/** Bounds of emitters in a flat array, to be asked what light may come from them. Immutable. */
+final class LightNodes {
+  // What is stored of a node.
+  private static final int CENTRE = 0;
+  private static final int RADIUS = 3;
+  private static final int AXIS = 4;
+  private static final int COS_SPREAD = 7;
+  private static final int SIN_SPREAD = 8;
+  private static final int COS_FALL = 9;
+  private static final int INTENSITY = 10;
+  private static final int STRIDE = 11;
+
+  /** Where a cosine that decides about darkness counts as rounded. */
+  private static final double ROUNDING = 1e-8;
+
+  private final double[] nodes;
+
+  LightNodes(LightBounds... bounds) {
+    nodes = new double[STRIDE * bounds.length];
+    for (int node = 0; node < bounds.length; node++) {
+      put(STRIDE * node, bounds[node]);
+    }
+  }
+
+  private void put(int at, LightBounds bounds) {
+    Vec3 centre = bounds.box().centre();
+    double radius = bounds.box().radius();
+    for (int axis = 0; axis < 3; axis++) {
+      nodes[at + CENTRE + axis] = centre.get(axis);
+      nodes[at + AXIS + axis] = bounds.axis().get(axis);
+    }
+    nodes[at + RADIUS] = radius;
+    boolean isAllAround = bounds.spread() >= Math.PI;
+    double spread = bounds.spread() / Elementary.TWO_PI;
+    nodes[at + COS_SPREAD] = isAllAround ? -1 : Elementary.cosTurns(spread);
+    nodes[at + SIN_SPREAD] = isAllAround ? 0 : Elementary.sinTurns(spread);
+    nodes[at + COS_FALL] = Elementary.cosTurns(bounds.fall() / Elementary.TWO_PI) - ROUNDING;
+    nodes[at + INTENSITY] = bounds.intensity();
+  }
+
+  /**
+   * Returns about the irradiance from a node: positive if any of its emitters can light the point.
+   *
+   * <p>The node's sphere covers a half angle b, by which the cone of normals may be closer to the
+   * point, and the sphere's direction to the point's normal: of the cosine of such an angle less b,
+   * cos a cos b + sin a sin b, the bound cos a + sin b is good where b is small and takes no root.
+   */
+  double importance(int node, Vec3 point, Vec3 normal) {
+    int at = STRIDE * node;
+    double x = point.x() - nodes[at + CENTRE];
+    double y = point.y() - nodes[at + CENTRE + 1];
+    double z = point.z() - nodes[at + CENTRE + 2];
+    double distanceSquared = x * x + y * y + z * z;
+    double radius = nodes[at + RADIUS];
+    if (!(distanceSquared > radius * radius)) {
+      return nodes[at + INTENSITY] / (radius * radius);
+    }
+    double perDistance = 1 / Math.sqrt(distanceSquared);
+    double sin = radius * perDistance;
+    double along = -perDistance * (x * normal.x() + y * normal.y() + z * normal.z());
+    // A zero normal takes light from everywhere.
+    double received = isZero(normal) ? 1 : along + sin;
+    if (!(received > -ROUNDING)) {
+      return 0;
+    }
+    double emitted =
+        sin
+            + cosToCone(
+                at,
+                perDistance
+                    * (x * nodes[at + AXIS] + y * nodes[at + AXIS + 1] + z * nodes[at + AXIS + 2]));
+    if (!(emitted > nodes[at + COS_FALL])) {
+      return 0;
+    }
+    return nodes[at + INTENSITY]
+        * (perDistance * perDistance)
+        * Math.max(Math.min(received, 1), ROUNDING)
+        * Math.max(Math.min(emitted, 1), ROUNDING);
+  }
+
+  private static boolean isZero(Vec3 normal) {
+    return normal.x() == 0 && normal.y() == 0 && normal.z() == 0;
+  }
+
+  /**
+   * Returns the cosine of the angle between the way to a point and a node's cone of normals.
+   *
+   * @param cos of the angle between the way and the cone's axis
+   */
+  private double cosToCone(int at, double cos) {
+    double cosSpread = nodes[at + COS_SPREAD];
+    if (cos >= cosSpread) {
+      return 1;
+    }
+    double sinSpread = nodes[at + SIN_SPREAD];
+    return sinSpread < ROUNDING
+        ? cos * cosSpread + sinSpread
+        : cos * cosSpread + Elementary.safeSqrt(1 - cos * cos) * sinSpread;
+  }
+}

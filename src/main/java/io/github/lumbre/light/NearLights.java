@@ -1,0 +1,18 @@
+package io.github.lumbre.light;
+
+import io.github.lumbre.math.Vec3;
+
+/** Emitters of limited reach, of which a point sees others than its neighbour. Immutable. */
+sealed interface NearLights permits FewLights, LightTree {
+  /**
+   * The share of choices that all emitters have alike: nothing is known of what stands between them
+   * and the point.
+   */
+  double EVEN_SHARE = .125;
+
+  /** Chooses an emitter; see {@link LightSelector#choose}. */
+  void choose(Vec3 point, Vec3 normal, double u, LightChoice choice);
+
+  /** Returns the probability with which {@link #choose} finds an emitter. */
+  double probability(Vec3 point, Vec3 normal, int emitter);
+}
