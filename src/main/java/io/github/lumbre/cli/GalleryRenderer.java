@@ -18,9 +18,9 @@ final class GalleryRenderer {
   private static final int BITS = 8;
 
   /** Which part of a picture's time the end of its pilot takes, and how long that is at most. */
-  private static final double PILOT_SHARE = .01;
+  private static final double PILOT_SHARE = .03;
 
-  private static final double MAX_PILOT_SECONDS = 2;
+  private static final double MAX_PILOT_SECONDS = 5;
 
   private final SceneFolder scenes;
   private final Path directory;

@@ -16,6 +16,7 @@ final class BinaryTraversal implements Traversal {
   private final int root;
   private final Triangles triangles;
   private final LeafShapes shapes;
+  private final boolean hasTriangles;
   private double[] nodes = new double[NODE_SIZE];
 
   /** Two children a node: a node's number, or a {@link LeafRef}. */
@@ -30,6 +31,7 @@ final class BinaryTraversal implements Traversal {
     children = Arrays.copyOf(children, nodeCount * 2);
     triangles = items.triangles(leaves.triangles(), true);
     shapes = items.shapes(leaves.shapes());
+    hasTriangles = leaves.triangles().length > 0;
   }
 
   private int store(BvhNode node, LeafOrder leaves) {
@@ -85,23 +87,34 @@ final class BinaryTraversal implements Traversal {
     double outX = ox - Math.copySign(margin, ix);
     double outY = oy - Math.copySign(margin, iy);
     double outZ = oz - Math.copySign(margin, iz);
-    // Shear the longest axis onto the ray; a branch for each choice would be mispredicted.
-    double[] axes = nearest.axes;
-    axes[0] = dx;
-    axes[1] = dy;
-    axes[2] = dz;
-    axes[3] = ox;
-    axes[4] = oy;
-    axes[5] = oz;
-    int kz = Axes.longest(dx, dy, dz);
-    int kx = Axes.next(kz);
-    int ky = Axes.next(kx);
-    double sz = 1 / axes[kz];
-    double sx = axes[kx] / axes[kz];
-    double sy = axes[ky] / axes[kz];
-    double okx = axes[3 + kx];
-    double oky = axes[3 + ky];
-    double okz = axes[3 + kz];
+    int kx = 0;
+    int ky = 0;
+    int kz = 0;
+    double okx = 0;
+    double oky = 0;
+    double okz = 0;
+    double sx = 0;
+    double sy = 0;
+    double sz = 0;
+    if (hasTriangles) {
+      // Shear the longest axis onto the ray; a branch for each choice would be mispredicted.
+      double[] axes = nearest.axes;
+      axes[0] = dx;
+      axes[1] = dy;
+      axes[2] = dz;
+      axes[3] = ox;
+      axes[4] = oy;
+      axes[5] = oz;
+      kz = Axes.longest(dx, dy, dz);
+      kx = Axes.next(kz);
+      ky = Axes.next(kx);
+      sz = 1 / axes[kz];
+      sx = axes[kx] / axes[kz];
+      sy = axes[ky] / axes[kz];
+      okx = axes[3 + kx];
+      oky = axes[3 + ky];
+      okz = axes[3 + kz];
+    }
     boolean found = false;
     int best = rank(nearest.t);
     int node = root;

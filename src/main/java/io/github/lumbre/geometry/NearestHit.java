@@ -42,6 +42,9 @@ public final class NearestHit {
   /** The same for the children of one node. */
   final int[] lanes = new int[WideTree.WIDTH];
 
+  /** Makes the memory of a search; there is no hit yet. */
+  public NearestHit() {}
+
   /** Forgets the last ray. */
   void start(double tMax) {
     t = tMax;

@@ -25,6 +25,9 @@ public final class SurfaceHit {
   private double outX, outY, outZ;
   private double error;
 
+  /** Makes the memory of a hit, which {@link #set} fills. */
+  public SurfaceHit() {}
+
   /**
    * Describes another hit.
    *

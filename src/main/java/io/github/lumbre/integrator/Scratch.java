@@ -20,6 +20,9 @@ public final class Scratch {
   boolean metSomething;
   private long shadowRays;
 
+  /** Makes the memory of one thread. */
+  public Scratch() {}
+
   boolean isOccluded(Scene scene, Ray ray) {
     shadowRays++;
     return scene.isOccluded(ray, shadow);

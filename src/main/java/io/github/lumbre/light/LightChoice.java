@@ -13,6 +13,9 @@ public final class LightChoice {
   private int emitter;
   private double probability;
 
+  /** Makes the memory of a choice. */
+  public LightChoice() {}
+
   void set(int newEmitter, double newProbability) {
     emitter = newEmitter;
     probability = newProbability;

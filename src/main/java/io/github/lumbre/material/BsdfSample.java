@@ -12,6 +12,9 @@ public final class BsdfSample {
   private double r, g, b;
   private double pdf;
 
+  /** Makes a sample in which the light ends. */
+  public BsdfSample() {}
+
   /** Says that the light ends here. */
   public void absorb() {
     set(Vec3.Z, Rgb.BLACK, 0);

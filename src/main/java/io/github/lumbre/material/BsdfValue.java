@@ -10,6 +10,9 @@ public final class BsdfValue {
   private double r, g, b;
   private double pdf;
 
+  /** Makes the value of nothing scattered. */
+  public BsdfValue() {}
+
   /** Says that nothing is scattered that way. */
   public void clear() {
     set(Rgb.BLACK, 0);
