@@ -17,7 +17,7 @@ public final class SceneFormatException extends Exception {
   }
 
   private final Kind kind;
-  private final List<String> problems;
+  private final String[] problems;
 
   /**
    * @param problems at least one; each a line such as {@code scene.json: $.objects[3].radius:
@@ -26,7 +26,7 @@ public final class SceneFormatException extends Exception {
   SceneFormatException(Kind kind, List<String> problems) {
     super(String.join(System.lineSeparator(), problems));
     this.kind = kind;
-    this.problems = List.copyOf(problems);
+    this.problems = problems.toArray(String[]::new);
   }
 
   public Kind kind() {
@@ -35,6 +35,6 @@ public final class SceneFormatException extends Exception {
 
   /** Returns the problems, a line each. */
   public List<String> problems() {
-    return problems;
+    return List.of(problems);
   }
 }
