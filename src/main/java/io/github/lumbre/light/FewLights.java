@@ -81,8 +81,11 @@ final class FewLights implements NearLights {
     return own > 0 ? (1 - EVEN_SHARE) / sum * own + EVEN_SHARE / lit : 0;
   }
 
-  /** Tells whether a sum of weights says anything: in a light of no size one is infinite. */
+  /**
+   * Tells whether a sum of weights says anything: in a light of no size one is infinite, and the
+   * reciprocal of what is below normal numbers overflows.
+   */
   private static boolean isUsable(double sum) {
-    return sum > 0 && sum < Double.POSITIVE_INFINITY;
+    return sum >= Double.MIN_NORMAL && sum < Double.POSITIVE_INFINITY;
   }
 }
