@@ -27,7 +27,7 @@ record BenchResult(
     List<Repetition> repetitions,
     RenderStatistics statistics,
     String imageHash,
-    Noise noise) {
+    PictureNoise noise) {
   /** The relative mean squared error that times are extrapolated to. */
   static final double TARGET = .01;
 

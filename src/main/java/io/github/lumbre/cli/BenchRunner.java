@@ -65,7 +65,7 @@ final class BenchRunner {
       requireSame(scene, hash, timed.render);
     }
     // Only now: renders in between would have warmed up what is to be timed.
-    Noise noise = noise(file, picture);
+    PictureNoise noise = noise(file, picture);
     return all.stream()
         .map(
             timed ->
@@ -110,7 +110,7 @@ final class BenchRunner {
     return seconds;
   }
 
-  private Noise noise(SceneFile file, Image first) throws InterruptedException, Stopped {
+  private PictureNoise noise(SceneFile file, Image first) throws InterruptedException, Stopped {
     RenderSettings settings = file.settings().toBuilder().threads(0).build();
     List<Image> pictures = new ArrayList<>(List.of(first));
     while (pictures.size() < 2 * plan.pairs()) {
@@ -118,7 +118,7 @@ final class BenchRunner {
       RenderSettings other = settings.toBuilder().seed(seed).build();
       pictures.add(render(file, other).result().image());
     }
-    return Noise.of(pictures);
+    return PictureNoise.of(pictures);
   }
 
   private TimedRender render(SceneFile file, RenderSettings settings)

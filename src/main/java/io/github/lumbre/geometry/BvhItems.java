@@ -143,7 +143,11 @@ final class BvhItems {
     mesh.triangles().copyVertices(triangleElement[item], target, 0);
   }
 
-  /** Returns the triangles in a given order of their item numbers. */
+  /**
+   * Returns the triangles in a given order of their item numbers.
+   *
+   * @param copied whether they keep a copy of their vertices
+   */
   Triangles triangles(int[] order, boolean copied) {
     TriangleMesh[] meshes = new TriangleMesh[all.size()];
     for (int i = 0; i < meshes.length; i++) {

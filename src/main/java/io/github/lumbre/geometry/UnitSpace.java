@@ -45,12 +45,8 @@ final class UnitSpace {
 
   /** Returns a coordinate of this space, rounded up. */
   float up(int axis, double coordinate) {
-    return -downNegated(axis, coordinate);
-  }
-
-  private float downNegated(int axis, double coordinate) {
-    double x = (centre(axis) - coordinate) * scale;
+    double x = (coordinate - centre(axis)) * scale;
     float rounded = (float) x;
-    return rounded > x ? Math.nextDown(rounded) : rounded;
+    return rounded < x ? Math.nextUp(rounded) : rounded;
   }
 }

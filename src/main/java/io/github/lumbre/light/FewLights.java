@@ -4,11 +4,11 @@ import io.github.lumbre.math.Vec3;
 import java.util.List;
 
 /**
- * A few emitters of limited reach, of which each is asked what light may come from it: so few are
- * faster looked at than sorted. Immutable.
+ * A few emitters of limited reach, of which each is asked what light may come from it. With four
+ * that takes less time than a {@link LightTree}, and tells more than bounds of pairs. Immutable.
  */
 final class FewLights implements NearLights {
-  /** Where a {@link LightTree} begins to be faster. */
+  /** The most that are asked one by one. */
   static final int MOST = LightChoice.WEIGHTS;
 
   private final LightNodes nodes;

@@ -8,7 +8,7 @@ public interface Material {
   /** Returns how the surface scatters at a point of it, in the hit's shading frame. */
   Bsdf at(TexturePoint point);
 
-  /** Tells whether the surface is known to scatter everywhere alike. */
+  /** Tells whether the surface is known to scatter everywhere alike, in its frame. */
   boolean isUniform();
 
   /** Returns a material that looks the same and does no work twice. */

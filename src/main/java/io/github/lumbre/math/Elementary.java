@@ -134,8 +134,8 @@ public final class Elementary {
   }
 
   /**
-   * Returns the angle of the point (x, y) in [-π, π], within 4 ulp; where x is not above 0, zeros
-   * of y keep their sign as in {@link Math#atan2}.
+   * Returns the angle of the point (x, y) in [-π, π], within 4 ulp; zeros count by their signs as
+   * in {@link Math#atan2}.
    *
    * @param y finite
    * @param x finite

@@ -27,6 +27,6 @@ final class BenchFixture {
         Arrays.stream(seconds).mapToObj(s -> new Repetition(s, 2 * s, 64_000)).toList(),
         new RenderStatistics(320, 600, 400, 0, List.of(), 0),
         imageHash,
-        new Noise(List.of(.03, .05)));
+        new PictureNoise(List.of(.03, .05)));
   }
 }

@@ -9,7 +9,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-class NoiseTest {
+class PictureNoiseTest {
   private static final int SIDE = 100;
 
   private final SplittableRandom random = new SplittableRandom(6);
@@ -20,13 +20,13 @@ class NoiseTest {
 
   @Test
   void errorIsHalfTheSquaredDifferenceOverTheSquaredMean() {
-    Noise noise = Noise.of(List.of(pixel(.5f), pixel(.7f)));
+    PictureNoise noise = PictureNoise.of(List.of(pixel(.5f), pixel(.7f)));
     assertThat(noise.relativeMse()).isCloseTo(.02 / (.36 + .01), within(1e-7));
   }
 
   @Test
   void everyPairHasItsEstimateOverTheMeanOfAll() {
-    Noise noise = Noise.of(List.of(pixel(0), pixel(2), pixel(1), pixel(1)));
+    PictureNoise noise = PictureNoise.of(List.of(pixel(0), pixel(2), pixel(1), pixel(1)));
     assertThat(noise.relativeMses()).hasSize(2);
     assertThat(noise.relativeMses().get(0)).isCloseTo(2 / 1.01, within(1e-7));
     assertThat(noise.relativeMses().get(1)).isZero();
@@ -40,7 +40,7 @@ class NoiseTest {
     double width = .1;
     List<Image> pictures = Stream.generate(() -> noisy(mean, width)).limit(4).toList();
     double variance = width * width / 12;
-    assertThat(Noise.of(pictures).relativeMse())
+    assertThat(PictureNoise.of(pictures).relativeMse())
         .isCloseTo(variance / (mean * mean + .01), within(.04 * variance / (mean * mean + .01)));
   }
 

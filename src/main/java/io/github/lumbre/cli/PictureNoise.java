@@ -15,11 +15,11 @@ import java.util.List;
  *
  * @param relativeMses one for each pair
  */
-record Noise(List<Double> relativeMses) {
+record PictureNoise(List<Double> relativeMses) {
   /** Keeps dark pixels from counting for all; in units of squared linear light. */
   private static final double FLOOR = .01;
 
-  Noise {
+  PictureNoise {
     relativeMses = List.copyOf(relativeMses);
   }
 
@@ -28,13 +28,13 @@ record Noise(List<Double> relativeMses) {
    *
    * @param pictures of one size and independent seeds, an even number: pair after pair
    */
-  static Noise of(List<Image> pictures) {
+  static PictureNoise of(List<Image> pictures) {
     double[] means = means(pictures);
     List<Double> estimates = new ArrayList<>();
     for (int i = 0; i < pictures.size(); i += 2) {
       estimates.add(relativeMse(pictures.get(i).rgb(), pictures.get(i + 1).rgb(), means));
     }
-    return new Noise(estimates);
+    return new PictureNoise(estimates);
   }
 
   private static double[] means(List<Image> pictures) {

@@ -1,0 +1,60 @@
+package io.github.lumbre.material;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class SimplifiedMaterialTest {
+  private static final Texture<Rgb> HALF = Texture.constant(Rgb.grey(.5));
+  private static final Texture<Rgb> VARYING = point -> new Rgb(point.u(), point.v(), .1);
+  private static final ScalarTexture ROUGH = ScalarTexture.constant(.3);
+  private static final ScalarTexture INDEX = ScalarTexture.constant(1.5);
+  private static final TexturePoint SOMEWHERE = new TexturePoint(.3, .7);
+
+  private static List<Material> materials(Texture<Rgb> colour, ScalarTexture number) {
+    return List.of(
+        new Matte(colour),
+        new Mirror(colour),
+        new Phong(colour, HALF, number),
+        new CookTorrance(colour, HALF, number, INDEX, MicrofacetDistribution.Kind.BECKMANN),
+        new Glass(colour, HALF, INDEX, number));
+  }
+
+  @Test
+  void whatIsUniformScattersByOneBsdfAsItDidBefore() {
+    for (Material material : materials(HALF, ROUGH)) {
+      Material simple = material.simplified();
+      assertThat(simple.at(SOMEWHERE)).isEqualTo(material.at(SOMEWHERE));
+      assertThat(simple.at(SOMEWHERE)).isSameAs(simple.at(new TexturePoint(.9, .1)));
+    }
+  }
+
+  @Test
+  void whatVariesStaysAsItIs() {
+    for (Material material : materials(VARYING, ROUGH)) {
+      assertThat(material.simplified()).isSameAs(material);
+    }
+    for (Material material : materials(HALF, point -> point.u()).subList(2, 5)) {
+      assertThat(material.simplified()).isSameAs(material);
+    }
+  }
+
+  @Test
+  void bsdfsThatSayTheyChooseNoLobeDoNot() {
+    Point2 u = new Point2(.3, .6);
+    for (Material material : materials(HALF, ROUGH)) {
+      Bsdf bsdf = material.at(SOMEWHERE);
+      Vec3 wo = new Vec3(.6, 0, .8);
+      Vec3 low = bsdf.sample(wo, 0, u).wi();
+      Vec3 high = bsdf.sample(wo, BsdfLaws.LAST, u).wi();
+      assertThat(low.equals(high)).isEqualTo(!bsdf.choosesLobe());
+    }
+  }
+}
