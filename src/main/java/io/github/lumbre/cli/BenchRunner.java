@@ -45,7 +45,7 @@ final class BenchRunner {
     long start = System.nanoTime();
     SceneFile file = SceneFolder.load(scene, new SceneParser().overriding(plan::over), messages);
     double loadSeconds = (System.nanoTime() - start) * 1e-9;
-    MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+    MemoryEstimate.require(file.settings());
     try {
       return Optional.of(run(SceneFolder.name(scene), file, loadSeconds));
     } catch (Stopped e) {

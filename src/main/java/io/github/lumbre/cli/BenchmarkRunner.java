@@ -48,7 +48,7 @@ final class BenchmarkRunner {
         new SceneParser().inMode(row.mode()).overriding(inScene -> settings(row, inScene));
     SceneFile file = scenes.load(row.scene(), parser, messages);
     double loadSeconds = secondsSince(start);
-    MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+    MemoryEstimate.require(file.settings());
 
     RenderSettings single = file.settings().toBuilder().samples(1).build();
     for (int i = 0; i < plan.warmup(); i++) {

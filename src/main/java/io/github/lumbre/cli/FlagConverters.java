@@ -6,8 +6,10 @@ import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -55,6 +57,24 @@ final class FlagConverters {
 
     private static int number(Matcher found, int group) {
       return Integer.parseInt(found.group(group));
+    }
+  }
+
+  /** {@code 90s}, {@code 5m}, {@code 2h} or {@code 1.5h}; always longer than nothing. */
+  static final class OfDuration implements ITypeConverter<Duration> {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)([smh])");
+    private static final Map<String, Double> SECONDS = Map.of("s", 1., "m", 60., "h", 3600.);
+
+    @Override
+    public Duration convert(String text) {
+      Matcher found = FORM.matcher(text);
+      double seconds =
+          found.matches() ? Double.parseDouble(found.group(1)) * SECONDS.get(found.group(2)) : 0;
+      Duration duration = Duration.ofNanos((long) Math.min(seconds * 1e9, Long.MAX_VALUE / 2));
+      if (duration.isZero()) {
+        throw unexpected("a time longer than nothing, such as 90s, 5m or 2h", text);
+      }
+      return duration;
     }
   }
 

@@ -50,7 +50,7 @@ final class GalleryRenderer {
       SceneParser parser =
           new SceneParser().overriding(inScene -> inScene.toBuilder().threads(0).build());
       SceneFile file = scenes.load(scene, parser, messages);
-      MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+      MemoryEstimate.require(file.settings());
       OptionalDouble rate = rate(file);
       return rate.isEmpty()
           ? Optional.empty()

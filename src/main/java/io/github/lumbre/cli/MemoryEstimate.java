@@ -3,37 +3,112 @@ package io.github.lumbre.cli;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Locale;
 
-/** Whether a picture fits into memory, asked before the work and not after it. */
-final class MemoryEstimate {
+/**
+ * What a render will take of the heap, known before it begins.
+ *
+ * @param settings of the render
+ * @param sceneBytes what the scene and the program take already
+ * @param maxHeapBytes what the heap may grow to
+ */
+record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapBytes) {
   /** The film takes at most 56 bytes a pixel, and the picture made from it 16. */
   private static final int BYTES_PER_PIXEL = 72;
 
-  /** For threads, the picture's encoding and the rest of the program. */
-  private static final long MARGIN_BYTES = 16 << 20;
+  /** What a thread keeps, and the part of the heap that is set aside for it alone. */
+  private static final long BYTES_PER_THREAD = 64 << 10;
 
-  private MemoryEstimate() {}
+  /** For the picture's encoding and the rest of the program. */
+  private static final long MARGIN_BYTES = 8 << 20;
 
   /**
-   * Passes if a render fits into a heap of so many bytes.
+   * Passes if a scene that has just been read can be rendered on this heap.
    *
    * @throws CommandException telling what is needed and what there is
    */
-  static void require(RenderSettings settings, long maxHeapBytes) throws CommandException {
+  static void require(RenderSettings settings) throws CommandException {
+    long maxHeapBytes = Runtime.getRuntime().maxMemory();
+    if (!new MemoryEstimate(settings, usedBytes(), maxHeapBytes).fits()) {
+      // Much of what is in use may be what reading the scene has left behind.
+      measured(settings).require();
+    }
+  }
+
+  /** Returns the estimate of a scene that has just been read, for this heap. Takes a moment. */
+  static MemoryEstimate measured(RenderSettings settings) {
+    Runtime runtime = Runtime.getRuntime();
+    runtime.gc();
+    return new MemoryEstimate(settings, usedBytes(), runtime.maxMemory());
+  }
+
+  private static long usedBytes() {
+    return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+  }
+
+  /** Returns the number of pixels that will be rendered. */
+  long pixels() {
     RenderSettings.Crop window = settings.window();
-    long pixels = (long) window.width() * window.height();
-    long needed = BYTES_PER_PIXEL * pixels + MARGIN_BYTES;
-    if (needed > maxHeapBytes) {
+    return (long) window.width() * window.height();
+  }
+
+  /** Returns the number of threads that will render. */
+  int threads() {
+    return settings.threads() == 0
+        ? Runtime.getRuntime().availableProcessors()
+        : settings.threads();
+  }
+
+  /** Returns what the sums of the samples and the picture made of them take. */
+  long filmBytes() {
+    return BYTES_PER_PIXEL * pixels();
+  }
+
+  long threadBytes() {
+    return BYTES_PER_THREAD * threads();
+  }
+
+  /** Returns what all will take together. */
+  long neededBytes() {
+    return sceneBytes + filmBytes() + threadBytes() + MARGIN_BYTES;
+  }
+
+  /** Tells whether the heap is large enough. */
+  boolean fits() {
+    return neededBytes() <= maxHeapBytes;
+  }
+
+  /**
+   * Passes if the heap is large enough.
+   *
+   * @throws CommandException telling what is needed and what there is
+   */
+  void require() throws CommandException {
+    if (!fits()) {
+      RenderSettings.Crop window = settings.window();
       throw new CommandException(
           ExitCodes.LIMIT,
           String.format(
               Locale.ROOT,
-              "%dx%d pixels need %s of memory, but the heap is limited to %s"
+              "%dx%d pixels need %s of memory beside %s of the scene, but the heap is limited to %s"
                   + " (LUMBRE_JAVA_OPTS=-Xmx8g raises that)",
               window.width(),
               window.height(),
-              mebibytes(needed),
+              mebibytes(neededBytes() - sceneBytes),
+              mebibytes(sceneBytes),
               mebibytes(maxHeapBytes)));
     }
+  }
+
+  /** Prints all figures, a line each. */
+  void print(Messages out) {
+    RenderSettings.Crop window = settings.window();
+    long perPixel = settings.samples();
+    out.line("pixels   " + pixels() + ": " + window.width() + "x" + window.height());
+    out.line("samples  " + perPixel * pixels() + ": " + perPixel + " per pixel");
+    out.line("film     " + mebibytes(filmBytes()));
+    out.line("scene    " + mebibytes(sceneBytes));
+    out.line("threads  " + mebibytes(threadBytes()) + ": " + threads());
+    out.line("needed   " + mebibytes(neededBytes()));
+    out.line("heap     " + mebibytes(maxHeapBytes));
   }
 
   /** Returns a number of bytes for people: {@code 512 MiB}. */

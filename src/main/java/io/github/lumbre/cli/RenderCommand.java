@@ -8,6 +8,7 @@ import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -41,11 +42,12 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json",
       "  lumbre render scene.json -s 16 --size 480x270 --exposure auto",
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
-      "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000"
+      "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
+      "  lumbre render scene.json --timeout 5m"
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
-      "0:Done",
+      "0:Done, or stopped by --timeout with a partial picture",
       "1:There are warnings, and --strict makes them errors",
       "2:The command line is wrong",
       "3:The scene is missing, unreadable or invalid",
@@ -78,6 +80,21 @@ final class RenderCommand implements Callable<Integer> {
       description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
   private int bits;
 
+  @Option(
+      names = "--timeout",
+      paramLabel = "T",
+      converter = FlagConverters.OfDuration.class,
+      description = {
+        "Stop after such a time, reading the scene included: 90s, 5m, 2h.",
+        "The picture is what was rendered until then, marked as partial."
+      })
+  private Optional<Duration> timeout;
+
+  @Option(
+      names = "--dry-run",
+      description = "Tell what the render would take of memory, and render nothing.")
+  private boolean dryRun;
+
   @Option(names = "--quiet", description = "No progress bar, no summary.")
   private boolean quiet;
 
@@ -91,16 +108,29 @@ final class RenderCommand implements Callable<Integer> {
     flags.validate();
     kernel.apply();
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
+    Deadline deadline = Deadline.after(timeout);
     Path target = target();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (PictureOutput picture = PictureOutput.reserve(target);
         Interruption interruption = Interruption.listen(picture::close)) {
       SceneFile file = options.load(flags.over(options.parser()), messages);
-      MemoryEstimate.require(file.settings(), Runtime.getRuntime().maxMemory());
+      if (dryRun) {
+        return estimate(file.settings());
+      }
+      MemoryEstimate.require(file.settings());
+      RenderMonitor monitor =
+          new RenderMonitor(interruption, !quiet && Boolean.getBoolean("lumbre.tty"), deadline);
       return interruption.beginRender()
-          ? render(file, picture, interruption, messages)
+          ? render(file, picture, monitor, messages)
           : ExitCodes.INTERRUPTED;
     }
+  }
+
+  private int estimate(RenderSettings settings) throws CommandException {
+    MemoryEstimate estimate = MemoryEstimate.measured(settings);
+    estimate.print(new Messages(spec.commandLine().getOut()));
+    estimate.require();
+    return ExitCodes.OK;
   }
 
   private Path target() {
@@ -122,13 +152,12 @@ final class RenderCommand implements Callable<Integer> {
   }
 
   private int render(
-      SceneFile file, PictureOutput picture, Interruption interruption, Messages messages)
+      SceneFile file, PictureOutput picture, RenderMonitor monitor, Messages messages)
       throws CommandException {
     RenderSettings settings = file.settings();
     long start = System.nanoTime();
     RenderResult result;
-    try (RenderMonitor monitor =
-        new RenderMonitor(interruption, !quiet && Boolean.getBoolean("lumbre.tty"))) {
+    try (monitor) {
       result = new BucketRenderer(settings).render(file.scene(), monitor);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -136,6 +165,7 @@ final class RenderCommand implements Callable<Integer> {
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     if (result.statistics().samples() == 0) {
+      requireTimeLeft(monitor);
       messages.error("stopped before anything was rendered; no picture is written");
       return ExitCodes.INTERRUPTED;
     }
@@ -150,6 +180,15 @@ final class RenderCommand implements Callable<Integer> {
     tell(summary, picture.target(), messages);
     boolean rejected = result.statistics().rejected() != 0;
     return rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK;
+  }
+
+  /** Complains if it is the time and not the user that stopped a render of nothing. */
+  private void requireTimeLeft(RenderMonitor monitor) throws CommandException {
+    if (monitor.isOutOfTime()) {
+      throw new CommandException(
+          ExitCodes.LIMIT,
+          "--timeout: the time was over before anything was rendered; no picture is written");
+    }
   }
 
   private void tell(Summary summary, Path target, Messages messages) {

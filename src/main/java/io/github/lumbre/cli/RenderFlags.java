@@ -73,6 +73,12 @@ final class RenderFlags {
   private Optional<Crop> crop;
 
   @Option(
+      names = "--max-pixels",
+      paramLabel = "N",
+      description = "Refuse a full frame of more pixels (268435456, which is 2^28).")
+  private Optional<Integer> maxPixels;
+
+  @Option(
       names = "--exposure",
       paramLabel = "EV",
       converter = FlagConverters.OfExposure.class,
@@ -96,6 +102,7 @@ final class RenderFlags {
     depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
     threads.ifPresent(n -> require("--threads", 0, RenderSettings.MAX_THREADS, n));
     bucket.ifPresent(n -> require("--bucket", 1, Integer.MAX_VALUE, n));
+    maxPixels.ifPresent(n -> require("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
@@ -122,7 +129,8 @@ final class RenderFlags {
 
   /** Returns a parser that lets the flags win over the scene. */
   SceneParser over(SceneParser parser) {
-    return mode.map(parser::inMode).orElse(parser).overriding(this::override);
+    SceneParser limited = maxPixels.map(parser::limitedTo).orElse(parser);
+    return mode.map(limited::inMode).orElse(limited).overriding(this::override);
   }
 
   private RenderSettings override(RenderSettings inScene) {

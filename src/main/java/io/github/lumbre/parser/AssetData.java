@@ -102,7 +102,10 @@ final class AssetData {
         return Optional.empty();
       }
       if (Files.size(path.get()) > MAX_BYTES) {
-        asset.error(Kind.LIMIT, FILE_KEY, "expected at most " + MAX_BYTES + " bytes, found more");
+        asset.error(
+            Kind.LIMIT,
+            FILE_KEY,
+            "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path.get()));
         return Optional.empty();
       }
       byte[] bytes = Files.readAllBytes(path.get());

@@ -17,8 +17,11 @@ import java.util.function.UnaryOperator;
 
 /** Reads scene files. Immutable: each method that changes how it reads returns another parser. */
 public final class SceneParser {
-  /** The largest product of width and height. */
-  private static final long MAX_PIXELS = 1L << 28;
+  /** The largest product of width and height, unless another is asked for. */
+  public static final int MAX_PIXELS = 1 << 28;
+
+  /** The largest product of width and height that may be asked for. */
+  public static final int MAX_PIXELS_EVER = 1 << 29;
 
   /** Beyond this, an array of Java cannot hold a file. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
@@ -29,32 +32,50 @@ public final class SceneParser {
   private final boolean lenient;
   private final Optional<RenderSettings.Mode> mode;
   private final UnaryOperator<RenderSettings> change;
+  private final int maxPixels;
 
   /** A parser that takes scene files as they are. */
   public SceneParser() {
-    this(false, Optional.empty(), UnaryOperator.identity());
+    this(false, Optional.empty(), UnaryOperator.identity(), MAX_PIXELS);
   }
 
   private SceneParser(
-      boolean lenient, Optional<RenderSettings.Mode> mode, UnaryOperator<RenderSettings> change) {
+      boolean lenient,
+      Optional<RenderSettings.Mode> mode,
+      UnaryOperator<RenderSettings> change,
+      int maxPixels) {
     this.lenient = lenient;
     this.mode = mode;
     this.change = change;
+    this.maxPixels = maxPixels;
   }
 
   /** Returns a parser that takes references to missing assets as warnings. */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change);
+    return new SceneParser(true, mode, change, maxPixels);
   }
 
   /** Returns a parser that renders in the given mode, whatever the file says. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
-    return new SceneParser(lenient, Optional.of(newMode), change);
+    return new SceneParser(lenient, Optional.of(newMode), change, maxPixels);
   }
 
   /** Returns a parser that changes the settings that the file gives before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
-    return new SceneParser(lenient, mode, Objects.requireNonNull(newChange, "newChange"));
+    return new SceneParser(
+        lenient, mode, Objects.requireNonNull(newChange, "newChange"), maxPixels);
+  }
+
+  /**
+   * Returns a parser that refuses scenes whose full frame has more pixels, 2^28 of them by default.
+   *
+   * @param newMaxPixels from 1 to {@link #MAX_PIXELS_EVER}
+   */
+  public SceneParser limitedTo(int newMaxPixels) {
+    if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
+      throw new IllegalArgumentException("pixels: expected 1 to 2^29, found " + newMaxPixels);
+    }
+    return new SceneParser(lenient, mode, change, newMaxPixels);
   }
 
   /**
@@ -79,7 +100,9 @@ public final class SceneParser {
     try {
       if (Files.size(file) > MAX_BYTES) {
         problems.error(
-            Kind.LIMIT, () -> "$", "expected at most " + MAX_BYTES + " bytes, found more");
+            Kind.LIMIT,
+            () -> "$",
+            "expected at most " + MAX_BYTES + " bytes, found " + Files.size(file));
         throw problems.exception();
       }
       return Files.readAllBytes(file);
@@ -123,12 +146,12 @@ public final class SceneParser {
       return inFile;
     }
     RenderSettings used = change.apply(inFile);
-    if ((long) used.width() * used.height() > MAX_PIXELS) {
+    if ((long) used.width() * used.height() > maxPixels) {
       problems.error(
           Kind.LIMIT,
           () -> "$.renderOptions",
           "expected width x height <= "
-              + MAX_PIXELS
+              + maxPixels
               + ", found "
               + used.width()
               + "x"

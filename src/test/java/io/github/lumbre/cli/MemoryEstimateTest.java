@@ -8,22 +8,37 @@ import io.github.lumbre.scene.RenderSettings;
 import org.junit.jupiter.api.Test;
 
 class MemoryEstimateTest {
+  private static final long MEBIBYTE = 1 << 20;
   private static final RenderSettings LARGE =
-      new RenderSettings.Builder().size(16384, 16384).build();
+      new RenderSettings.Builder().size(16384, 16384).threads(16).build();
 
   @Test
-  void picturesTooLargeForTheHeapAreRefusedWithBothFigures() {
+  void picturesTooLargeForTheHeapAreRefusedWithAllFigures() {
+    MemoryEstimate estimate = new MemoryEstimate(LARGE, 100 * MEBIBYTE, 512 * MEBIBYTE);
     CommandException thrown =
-        catchThrowableOfType(
-            CommandException.class, () -> MemoryEstimate.require(LARGE, 512L << 20));
+        catchThrowableOfType(CommandException.class, () -> estimate.require());
     assertThat(thrown.exitCode()).isEqualTo(ExitCodes.LIMIT);
-    assertThat(thrown).hasMessageContaining("18448 MiB").hasMessageContaining("512 MiB");
+    assertThat(thrown)
+        .hasMessageContaining("16384x16384 pixels need 18441 MiB")
+        .hasMessageContaining("100 MiB of the scene")
+        .hasMessageContaining("limited to 512 MiB");
   }
 
   @Test
   void onlyTheCropCounts() {
     RenderSettings cropped =
         LARGE.toBuilder().crop(new RenderSettings.Crop(9, 9, 100, 100)).build();
-    assertThatCode(() -> MemoryEstimate.require(cropped, 64L << 20)).doesNotThrowAnyException();
+    assertThatCode(() -> new MemoryEstimate(cropped, 0, 64 * MEBIBYTE).require())
+        .doesNotThrowAnyException();
+  }
+
+  @Test
+  void sceneAndThreadsLeaveLessForTheFilm() {
+    MemoryEstimate estimate = new MemoryEstimate(LARGE, 0, 0);
+    long heap = estimate.neededBytes();
+    assertThat(new MemoryEstimate(LARGE, 0, heap).fits()).isTrue();
+    assertThat(new MemoryEstimate(LARGE, 1, heap).fits()).isFalse();
+    RenderSettings crowded = LARGE.toBuilder().threads(17).build();
+    assertThat(new MemoryEstimate(crowded, 0, heap).fits()).isFalse();
   }
 }

@@ -193,6 +193,64 @@ class RenderCommandTest {
   }
 
   @Test
+  void limitOfPixelsMayBeSet() throws IOException {
+    render(TinyScene.JSON, "--max-pixels", "191")
+        .assertFailed(ExitCodes.LIMIT, "width x height <= 191, found 16x12");
+    assertThat(render(TinyScene.JSON, "--max-pixels", "192", "--quiet").exitCode()).isZero();
+    render(TinyScene.JSON, "--max-pixels", "0")
+        .assertFailed(ExitCodes.USAGE, "--max-pixels: expected 1 to 536870912, found 0");
+  }
+
+  @Test
+  void timeoutEndsARenderWithAPartialPicture() throws IOException {
+    Outcome outcome = render(TinyScene.JSON, "-s", "1000000000", "--timeout", "0.7s");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).contains("stopped early, partial picture of 16x12 pixels");
+    assertThat(bytes()).contains("Partial\000");
+  }
+
+  @Test
+  void timeoutBeforeTheFirstSampleLeavesNoPicture() throws IOException {
+    render(TinyScene.JSON, "--timeout", "0.000000001s")
+        .assertFailed(ExitCodes.LIMIT, "--timeout", "no picture is written");
+    assertThat(files()).containsExactly("tiny.json");
+  }
+
+  @Test
+  void timeoutThatIsNotReachedChangesNothing() throws IOException {
+    assertThat(render(TinyScene.JSON, "--timeout", "2h", "--quiet").exitCode()).isZero();
+    assertThat(bytes()).doesNotContain("Partial");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"0s", "5", "-1s", "1d", "s", "1e9s", "", "0.0000000001s"})
+  void timesThatMakeNoSenseAreUsageErrors(String time) {
+    render(TinyScene.JSON, "--timeout", time)
+        .assertFailed(ExitCodes.USAGE, "expected a time longer than nothing");
+  }
+
+  @Test
+  void dryRunTellsWhatARenderTakesAndWritesNothing() throws IOException {
+    Outcome outcome = render(TinyScene.JSON, "--dry-run", "--threads", "3");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).isEmpty();
+    assertThat(outcome.out())
+        .contains("pixels   192: 16x12", "samples  384: 2 per pixel", "film     1 MiB", ": 3\n")
+        .containsPattern("scene    \\d+ MiB\n")
+        .containsPattern("heap     \\d+ MiB\n");
+    assertThat(files()).containsExactly("tiny.json");
+  }
+
+  @Test
+  void dryRunTellsThatARenderDoesNotFit() {
+    Outcome outcome =
+        render(TinyScene.JSON, "--dry-run", "--size", "65535x8192", "--max-pixels", "536870912");
+    assertThat(outcome.out()).contains("pixels   536862720: 65535x8192", "film     36864 MiB");
+    assertThat(outcome.err()).contains("the heap is limited to");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.LIMIT);
+  }
+
+  @Test
   void controlCharactersOfTheSceneDoNotReachTheTerminal() {
     String evil = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"\\u001b[31m\\u0007\": 2");
     assertThat(render(evil).err()).doesNotContain("\u001b", "\u0007").contains("\\u001b[31m");
