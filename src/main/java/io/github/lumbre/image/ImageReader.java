@@ -38,10 +38,12 @@ public final class ImageReader {
     Objects.requireNonNull(file, "file");
     if (PngFile.startsIn(file)) {
       PngFile png = PngFile.read(file);
+      checkMemory(png.width(), png.height(), Runtime.getRuntime().maxMemory());
       return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0)));
     }
     if (JpegFile.startsIn(file)) {
       JpegFile jpeg = JpegFile.read(file);
+      checkMemory(jpeg.width(), jpeg.height(), Runtime.getRuntime().maxMemory());
       return decode(
           "JPEG",
           jpeg.content(),
@@ -65,6 +67,17 @@ public final class ImageReader {
           ImageFormatException.Kind.TOO_LARGE,
           "the picture has %dx%d pixels, expected at most %d on a side and %d in all"
               .formatted(w, h, MAX_SIDE, MAX_PIXELS));
+    }
+  }
+
+  /** Checks that a picture of so many pixels, a byte each at least, fits into a heap. */
+  static void checkMemory(int width, int height, long maxHeapBytes) throws ImageFormatException {
+    long bytes = (long) width * height;
+    if (bytes > maxHeapBytes) {
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE,
+          "the picture has %dx%d pixels, which need %d MiB, but the heap is limited to %d MiB"
+              .formatted(width, height, bytes >> 20, maxHeapBytes >> 20));
     }
   }
 

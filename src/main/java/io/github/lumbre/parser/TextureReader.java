@@ -30,6 +30,10 @@ import java.util.function.BiFunction;
 final class TextureReader {
   private static final String BASE64_KEY = "base64PNG";
   private static final Map<String, Filter> FILTERS = new LinkedHashMap<>();
+
+  /** From here on, a file looks as if it was made to fill the memory. */
+  private static final int SUSPICIOUS_TEXELS_PER_BYTE = 250;
+
   private static final Point2 NO_OFFSET = new Point2(0, 0);
   private static final Point2 NO_SCALE = new Point2(1, 1);
 
@@ -109,11 +113,22 @@ final class TextureReader {
 
   private static Optional<Pixels> decoded(AssetData.Content content) {
     try {
-      return Optional.of(ImageReader.decode(content.bytes()));
+      Pixels pixels = ImageReader.decode(content.bytes());
+      warnOfBomb(content, pixels);
+      return Optional.of(pixels);
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
       return Optional.empty();
+    }
+  }
+
+  private static void warnOfBomb(AssetData.Content content, Pixels pixels) {
+    long texels = (long) pixels.width() * pixels.height();
+    int bytes = content.bytes().length;
+    if (texels > (long) SUSPICIOUS_TEXELS_PER_BYTE * bytes) {
+      String size = pixels.width() + "x" + pixels.height();
+      content.asset().warn(content.key(), bytes + " bytes unfold to " + size + " pixels");
     }
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
@@ -238,6 +239,14 @@ class ImageReaderTest {
             .chunk("IDAT", PngFixture.deflated(new byte[1 << 16]))
             .end();
     assertMalformed(png, "PNG data are too short for 16384x16384 pixels");
+  }
+
+  @Test
+  void aPictureLargerThanTheHeapIsRefusedBeforeItIsDecoded() {
+    assertThatCode(() -> ImageReader.checkMemory(1024, 1024, 1 << 20)).doesNotThrowAnyException();
+    assertThatThrownBy(() -> ImageReader.checkMemory(2048, 1024, 1 << 20))
+        .hasMessage(
+            "the picture has 2048x1024 pixels, which need 2 MiB, but the heap is limited to 1 MiB");
   }
 
   @Test

@@ -123,6 +123,20 @@ class JsonTreeTest {
   }
 
   @Test
+  void moreTokensThanFitIntoTheHeapAreRefused() throws SceneFormatException {
+    byte[] nineTokens = "{\"a\": [1, 2], \"b\": 3}".getBytes(StandardCharsets.UTF_8);
+    assertThat(JsonTree.read(nineTokens, problems, 9).isObject()).isTrue();
+    SceneFormatException refusal =
+        catchThrowableOfType(
+            SceneFormatException.class, () -> JsonTree.read(nineTokens, problems, 8));
+    assertThat(refusal.kind()).isEqualTo(SceneFormatException.Kind.LIMIT);
+    assertThat(refusal.problems())
+        .containsExactly("s.json: $: expected at most 8 JSON tokens in this heap, found more");
+    assertThat(JsonTree.maxTokens(160_000)).isEqualTo(1000);
+    assertThat(JsonTree.maxTokens(Long.MAX_VALUE)).isEqualTo(100_000_000);
+  }
+
+  @Test
   void longStringsAreRead() throws SceneFormatException {
     String text = "A".repeat(25_000_000);
     assertThat(read("{\"a\": \"" + text + "\"}").string("a").orElseThrow()).hasSameSizeAs(text);

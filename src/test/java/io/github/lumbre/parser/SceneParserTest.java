@@ -13,6 +13,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -428,6 +429,21 @@ class SceneParserTest {
                 + "{'id': 4, 'assetType': 'Material', 'materialType': 'CookTorrance'},"
                 + "{'id': 5, 'assetType': 'Texture', 'textureType': 'Wood', 'width': -1}");
     assertThat(fixture.parse(scene(SPHERE, assets)).warnings()).isEmpty();
+  }
+
+  @Test
+  void pictureOfFewBytesAndManyTexelsIsSuspicious() {
+    byte[] bomb = png(new BufferedImage(1024, 1024, BufferedImage.TYPE_BYTE_BINARY));
+    String objects = json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 3}");
+    String assets =
+        texture(5, bomb, "")
+            + json(",{'id': 3, 'assetType': 'Material', 'materialType': 'Diffuse',")
+            + json(" 'colorTextureId': 5}");
+    assertThat(fixture.parse(scene(objects, assets)).warnings())
+        .containsExactly(
+            "scene.json: $.assets[0].base64PNG: "
+                + bomb.length
+                + " bytes unfold to 1024x1024 pixels");
   }
 
   @Test
