@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
       CheckCommand.class,
       BenchmarkCommand.class,
       BenchCommand.class,
+      CompareCommand.class,
       GalleryCommand.class,
       CompletionCommand.class,
       HelpCommand.class
@@ -39,6 +40,7 @@ import picocli.CommandLine.Spec;
       "  lumbre check scene.json",
       "  lumbre benchmark --rows 1,5,14",
       "  lumbre bench scenes/cornell-box.json",
+      "  lumbre compare draft.exr reference.exr",
       "  lumbre help render"
     })
 public final class Lumbre implements Runnable {
@@ -87,6 +89,7 @@ public final class Lumbre implements Runnable {
   @Override
   public void run() {
     throw new ParameterException(
-        spec.commandLine(), "expected a command: render, check, benchmark, bench, gallery");
+        spec.commandLine(),
+        "expected a command: render, check, benchmark, bench, compare, gallery");
   }
 }

@@ -1,0 +1,210 @@
+package io.github.lumbre.cli;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.measure.ErrorMap;
+import io.github.lumbre.measure.PictureError;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre compare}: tells how far a picture is from a reference. */
+@Command(
+    name = "compare",
+    header = "Tell how far a picture is from a reference.",
+    description =
+        "Reads PNG, JPEG, PFM, and OpenEXR as render writes it. All is compared in linear light:"
+            + " PNG and JPEG are decoded from sRGB, without their alpha.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {
+      "",
+      "Figures: rmse, relmse (mean of (x-r)^2/(r^2+0.01)), bias (mean of x-r), p99.9 and max of"
+          + " the",
+      "absolute error, ssim (1: same), flip (0: same; LDR-FLIP, 67 pixels a degree).",
+      "",
+      "Examples:",
+      "  lumbre compare draft.exr reference.exr",
+      "  lumbre compare a.pfm b.pfm --tolerance rmse=0.01,flip=0.05 --error-map where.png"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done; all is within the tolerance",
+      "1:Something is beyond the tolerance",
+      "2:The command line is wrong, a picture does not exist, or sizes differ",
+      "4:A picture cannot be decoded, or has values that are not finite",
+      "6:The map cannot be written",
+      "7:A fault of the program"
+    })
+final class CompareCommand implements Callable<Integer> {
+  private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
+  private static final String LIKENESS = "ssim";
+
+  /** The names of all figures. */
+  private static final List<String> NAMES =
+      List.copyOf(new PictureError(0, 0, 0, 0, 0, 0, 0).byName().keySet());
+
+  @Parameters(index = "0", paramLabel = "PICTURE", description = "The picture to be judged.")
+  private Path picture;
+
+  @Parameters(index = "1", paramLabel = "REFERENCE", description = "What it should be.")
+  private Path reference;
+
+  @Option(
+      names = "--tolerance",
+      paramLabel = "NAME=LIMIT",
+      split = ",",
+      description = {
+        "Figures and what each may be at most (ssim: at least; bias: in absolute value).",
+        "If one is beyond, the exit code is 1."
+      })
+  private Map<String, Double> tolerance = new LinkedHashMap<>();
+
+  @Option(
+      names = "--error-map",
+      paramLabel = "OUT.png",
+      description = {
+        "A picture of each pixel's relative error: black 0.001 and less, purple 0.01, orange 0.1,",
+        "pale yellow 1 and more."
+      })
+  private Optional<Path> errorMap = Optional.empty();
+
+  @Option(names = "--json", description = "Print one JSON object instead of lines.")
+  private boolean json;
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws CommandException {
+    validate();
+    Image a = read(picture);
+    Image b = read(reference);
+    if (a.width() != b.width() || a.height() != b.height()) {
+      throw new CommandException(
+          ExitCodes.USAGE,
+          "%s has %dx%d pixels, %s has %dx%d: expected pictures of one size"
+              .formatted(picture, a.width(), a.height(), reference, b.width(), b.height()));
+    }
+    PictureError error = PictureError.of(a, b);
+    if (errorMap.isPresent()) {
+      write(ErrorMap.of(a, b), errorMap.get());
+    }
+    Messages out = new Messages(spec.commandLine().getOut());
+    List<String> beyond = beyond(error);
+    if (json) {
+      spec.commandLine().getOut().println(GSON.toJson(values(error, beyond)));
+      spec.commandLine().getOut().flush();
+    } else {
+      error.byName().forEach((name, value) -> out.line(line(name, value, beyond)));
+    }
+    return beyond.isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
+  }
+
+  private void validate() {
+    tolerance.forEach(
+        (name, limit) -> {
+          require(
+              NAMES.contains(name),
+              "--tolerance: expected one of "
+                  + String.join(", ", NAMES)
+                  + ", found '"
+                  + name
+                  + "'");
+          require(limit >= 0, "--tolerance: expected numbers of at least 0, found " + limit);
+        });
+    errorMap.ifPresent(
+        file ->
+            require(
+                ImageFormat.of(file).equals(Optional.of(ImageFormat.PNG)),
+                "--error-map: expected a name that ends in .png, found " + file));
+  }
+
+  private void require(boolean condition, String message) {
+    if (!condition) {
+      throw new ParameterException(spec.commandLine(), message);
+    }
+  }
+
+  private static Image read(Path file) throws CommandException {
+    if (!Files.exists(file)) {
+      throw new CommandException(ExitCodes.USAGE, file + ": does not exist");
+    }
+    try {
+      Image image = LinearReader.read(file);
+      for (float value : image.rgb()) {
+        if (!Float.isFinite(value)) {
+          throw new CommandException(
+              ExitCodes.ASSET,
+              file + ": has values that are not finite, which no figure can judge");
+        }
+      }
+      return image;
+    } catch (ImageFormatException e) {
+      throw new CommandException(ExitCodes.ASSET, file + ": " + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.USAGE, file + ": cannot be read: " + e.getMessage(), e);
+    }
+  }
+
+  private static void write(Image map, Path file) throws CommandException {
+    try {
+      ImageWriter.write(map, file);
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+    }
+  }
+
+  private List<String> beyond(PictureError error) {
+    Map<String, Double> figures = error.byName();
+    return tolerance.entrySet().stream()
+        .filter(limit -> !isWithin(limit.getKey(), figures.get(limit.getKey()), limit.getValue()))
+        .map(Map.Entry::getKey)
+        .toList();
+  }
+
+  private static boolean isWithin(String name, double value, double limit) {
+    return name.equals(LIKENESS) ? value >= limit : Math.abs(value) <= limit;
+  }
+
+  private String line(String name, double value, List<String> beyond) {
+    String text = String.format(Locale.ROOT, "%-7s %.6g", name, value);
+    if (!tolerance.containsKey(name)) {
+      return text;
+    }
+    String verdict = beyond.contains(name) ? "beyond" : "within";
+    return text
+        + String.format(Locale.ROOT, "  %s the tolerance of %s", verdict, tolerance.get(name));
+  }
+
+  private Map<String, Object> values(PictureError error, List<String> beyond) {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("picture", picture.toString());
+    values.put("reference", reference.toString());
+    values.putAll(error.byName());
+    values.put("tolerance", tolerance);
+    values.put("beyond", beyond);
+    return values;
+  }
+}

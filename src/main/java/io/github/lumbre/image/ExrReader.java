@@ -1,0 +1,201 @@
+package io.github.lumbre.image;
+
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.zip.DataFormatException;
+import java.util.zip.Inflater;
+
+/**
+ * Reads OpenEXR files of the kind that {@link ExrWriter} writes: one part, scan lines, channels R,
+ * G, B and perhaps A of whole floats, uncompressed or by ZIP ("OpenEXR File Layout", openexr.com).
+ * Colours are divided by alpha, since an {@link Image} keeps the two apart.
+ */
+final class ExrReader {
+  private static final int MAGIC = 20000630;
+  private static final int VERSION = 2;
+  private static final int LONG_NAMES = 0x400;
+  private static final int FLOAT = 2;
+  private static final String ORDER = "RGBA";
+
+  /** No more than this many bytes come from one byte of deflated data (zlib technical notes). */
+  private static final long MAX_INFLATION = 1032;
+
+  private final ByteBuffer in;
+  private final Map<String, ByteBuffer> attributes = new HashMap<>();
+  private int width;
+  private int height;
+
+  /** What each channel of a line is, as its place in RGBA. */
+  private final List<Integer> channels = new ArrayList<>();
+
+  private ExrReader(byte[] file) {
+    in = little(file);
+  }
+
+  static boolean startsIn(byte[] file) {
+    return file.length >= Long.BYTES && little(file).getInt() == MAGIC;
+  }
+
+  /** Reads a file that {@link #startsIn} recognises. */
+  static Image read(byte[] file) throws ImageFormatException {
+    try {
+      ExrReader reader = new ExrReader(file);
+      reader.readHeader();
+      return reader.readPixels();
+    } catch (BufferUnderflowException | IndexOutOfBoundsException | IllegalArgumentException e) {
+      throw malformed("OpenEXR is damaged or ends too early");
+    } catch (DataFormatException e) {
+      throw malformed("OpenEXR is damaged: a block cannot be unpacked");
+    }
+  }
+
+  private void readHeader() throws ImageFormatException {
+    in.getInt();
+    if ((in.getInt() & ~LONG_NAMES) != VERSION) {
+      throw malformed("OpenEXR: expected version 2, one part, scan lines");
+    }
+    for (String name = text(in); !name.isEmpty(); name = text(in)) {
+      text(in);
+      int length = in.getInt();
+      if (length < 0 || length > in.remaining()) {
+        throw malformed("OpenEXR ends too early");
+      }
+      attributes.put(name, in.slice(in.position(), length).order(ByteOrder.LITTLE_ENDIAN));
+      in.position(in.position() + length);
+    }
+    ByteBuffer window = attribute("dataWindow");
+    width = Math.subtractExact(window.getInt(8), window.getInt(0)) + 1;
+    height = Math.subtractExact(window.getInt(12), window.getInt(4)) + 1;
+    ImageReader.checkSize(width, height);
+    readChannels(attribute("channels"));
+  }
+
+  private void readChannels(ByteBuffer list) throws ImageFormatException {
+    for (String name = text(list); !name.isEmpty(); name = text(list)) {
+      int type = list.getInt();
+      list.getInt();
+      boolean whole = list.getInt() == 1 && list.getInt() == 1;
+      if (name.length() != 1 || ORDER.indexOf(name) < 0 || type != FLOAT || !whole) {
+        throw malformed("OpenEXR: expected float channels R, G, B and A");
+      }
+      channels.add(ORDER.indexOf(name));
+    }
+    if (channels.stream().distinct().count() != channels.size()
+        || !channels.containsAll(List.of(0, 1, 2))) {
+      throw malformed("OpenEXR: expected the channels R, G and B");
+    }
+  }
+
+  private ByteBuffer attribute(String name) throws ImageFormatException {
+    ByteBuffer value = attributes.get(name);
+    if (value == null) {
+      throw malformed("OpenEXR has no attribute " + name);
+    }
+    return value;
+  }
+
+  private Image readPixels() throws ImageFormatException, DataFormatException {
+    int lines =
+        switch (attribute("compression").get(0)) {
+          case 0, 2 -> 1;
+          case 3 -> 16;
+          default -> throw malformed("OpenEXR: expected no compression or ZIP");
+        };
+    boolean packed = attribute("compression").get(0) != 0;
+    int blocks = (height + lines - 1) / lines;
+    long bytes = (long) width * height * channels.size() * Float.BYTES;
+    if (in.remaining() < (long) Long.BYTES * blocks || bytes > MAX_INFLATION * in.remaining()) {
+      throw malformed("OpenEXR ends too early");
+    }
+    float[] rgb = new float[Math.multiplyExact(3, width * height)];
+    float[] alpha = new float[channels.contains(3) ? width * height : 0];
+    int top = attribute("dataWindow").getInt(4);
+    // The table of offsets is not needed: each block says which lines it holds.
+    in.position(in.position() + Long.BYTES * blocks);
+    for (int i = 0; i < blocks; i++) {
+      int first = Objects.checkIndex(in.getInt() - top, height);
+      byte[] data = new byte[Math.max(0, Math.min(in.getInt(), in.remaining()))];
+      in.get(data);
+      int rows = Math.min(lines, height - first);
+      byte[] raw = packed ? unpacked(data, bytes(rows)) : data;
+      put(little(raw), first, rows, rgb, alpha);
+    }
+    divide(rgb, alpha);
+    return new Image(width, height, rgb, alpha);
+  }
+
+  private int bytes(int rows) {
+    return Float.BYTES * channels.size() * width * rows;
+  }
+
+  private void put(ByteBuffer raw, int first, int rows, float[] rgb, float[] alpha) {
+    for (int y = first; y < first + rows; y++) {
+      for (int channel : channels) {
+        for (int i = y * width; i < (y + 1) * width; i++) {
+          if (channel == 3) {
+            alpha[i] = raw.getFloat();
+          } else {
+            rgb[3 * i + channel] = raw.getFloat();
+          }
+        }
+      }
+    }
+  }
+
+  private static void divide(float[] rgb, float[] alpha) {
+    for (int i = 0; i < 3 * alpha.length; i++) {
+      float opacity = alpha[i / 3];
+      rgb[i] = opacity > 0 ? rgb[i] / opacity : 0;
+    }
+  }
+
+  /** Undoes what {@link ExrWriter} does to a block; blocks that did not shrink are as they were. */
+  private static byte[] unpacked(byte[] packed, int size)
+      throws DataFormatException, ImageFormatException {
+    if (packed.length == size) {
+      return packed;
+    }
+    byte[] split = new byte[size];
+    Inflater inflater = new Inflater();
+    try {
+      inflater.setInput(packed);
+      if (inflater.inflate(split) != size) {
+        throw malformed("OpenEXR is damaged: a block is too short");
+      }
+    } finally {
+      inflater.end();
+    }
+    for (int i = 1; i < size; i++) {
+      split[i] = (byte) (split[i - 1] + split[i] - 128);
+    }
+    byte[] raw = new byte[size];
+    int half = (size + 1) / 2;
+    for (int i = 0; i < size; i++) {
+      raw[i] = split[(i & 1) == 0 ? i / 2 : half + i / 2];
+    }
+    return raw;
+  }
+
+  private static String text(ByteBuffer in) {
+    int start = in.position();
+    while (in.get() != 0) {
+      // The name ends at the first zero.
+    }
+    byte[] name = new byte[in.position() - start - 1];
+    in.get(start, name);
+    return new String(name, StandardCharsets.US_ASCII);
+  }
+
+  private static ByteBuffer little(byte[] bytes) {
+    return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+  }
+}

@@ -1,0 +1,107 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.LinearReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CompareCommandTest {
+  @TempDir private Path directory;
+  private String half;
+  private String more;
+
+  @BeforeEach
+  void writePictures() throws IOException {
+    half = write("half.exr", .5f, 8, 6);
+    more = write("more.pfm", .75f, 8, 6);
+  }
+
+  private String write(String name, float value, int width, int height) throws IOException {
+    float[] rgb = new float[3 * width * height];
+    Arrays.fill(rgb, value);
+    Path file = directory.resolve(name);
+    ImageWriter.write(new Image(width, height, rgb, new float[0]), file);
+    return file.toString();
+  }
+
+  @Test
+  void figuresAreTold() {
+    Outcome outcome = Outcome.of("compare", more, half);
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).isEmpty();
+    assertThat(outcome.out().lines())
+        .contains("rmse    0.250000", "relmse  0.240385", "bias    0.250000")
+        .hasSize(7);
+  }
+
+  @Test
+  void figuresAreToldToPrograms() {
+    Outcome outcome = Outcome.of("compare", more, half, "--json", "--tolerance", "rmse=.1,bias=1");
+    JsonObject values = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    assertThat(values.get("rmse").getAsDouble()).isEqualTo(.25);
+    assertThat(values.get("relmse").getAsDouble()).isCloseTo(.0625 / .26, within(1e-9));
+    assertThat(values.get("beyond")).hasToString("[\"rmse\"]");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.DIFFERENT);
+  }
+
+  @Test
+  void toleranceDecidesTheExitCode() {
+    assertThat(Outcome.of("compare", more, half, "--tolerance", "rmse=.25").exitCode()).isZero();
+    assertThat(Outcome.of("compare", more, half, "--tolerance", "rmse=.249").exitCode())
+        .isEqualTo(ExitCodes.DIFFERENT);
+    assertThat(Outcome.of("compare", half, more, "--tolerance", "bias=.2").exitCode())
+        .isEqualTo(ExitCodes.DIFFERENT);
+    assertThat(Outcome.of("compare", half, half, "--tolerance", "ssim=1,flip=0").exitCode())
+        .isZero();
+    assertThat(Outcome.of("compare", half, more, "--tolerance", "ssim=.999").out())
+        .contains("beyond the tolerance of 0.999");
+  }
+
+  @Test
+  void theMapIsWritten() throws IOException {
+    Path map = directory.resolve("map.png");
+    assertThat(Outcome.of("compare", more, half, "--error-map", map.toString()).exitCode())
+        .isZero();
+    assertThat(LinearReader.read(map).width()).isEqualTo(8);
+  }
+
+  @Test
+  void picturesOfDifferentSizesAreAnError() throws IOException {
+    String wide = write("wide.pfm", .5f, 9, 6);
+    Outcome.of("compare", wide, half)
+        .assertFailed(ExitCodes.USAGE, "wide.pfm has 9x6 pixels", "half.exr has 8x6");
+  }
+
+  @Test
+  void whatCannotBeComparedIsAnError() throws IOException {
+    Outcome.of("compare", directory + "/none.png", half)
+        .assertFailed(ExitCodes.USAGE, "none.png: does not exist");
+    Path text = Files.writeString(directory.resolve("text.png"), "no picture");
+    Outcome.of("compare", text.toString(), half).assertFailed(ExitCodes.ASSET, "expected a PNG");
+    byte[] file = Files.readAllBytes(Path.of(more));
+    Arrays.fill(file, file.length - 4, file.length, (byte) 0xff);
+    Path nan = Files.write(directory.resolve("nan.pfm"), file);
+    Outcome.of("compare", nan.toString(), half).assertFailed(ExitCodes.ASSET, "not finite");
+  }
+
+  @Test
+  void wrongFlagsAreNamed() {
+    Outcome.of("compare", half, half, "--tolerance", "mse=1")
+        .assertFailed(ExitCodes.USAGE, "--tolerance: expected one of rmse, relmse");
+    Outcome.of("compare", half, half, "--tolerance", "rmse=-1")
+        .assertFailed(ExitCodes.USAGE, "--tolerance: expected numbers of at least 0");
+    Outcome.of("compare", half, half, "--error-map", "map.exr")
+        .assertFailed(ExitCodes.USAGE, "--error-map: expected a name that ends in .png");
+  }
+}

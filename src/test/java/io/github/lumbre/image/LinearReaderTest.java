@@ -1,0 +1,120 @@
+package io.github.lumbre.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LinearReaderTest {
+  @TempDir private Path directory;
+
+  private byte[] written(Image image, String name) throws IOException {
+    return ImageFixture.written(image, directory.resolve(name), ImageWriter.Options.DEFAULT);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 1", "5, 3", "17, 33", "300, 2"})
+  void floatFilesAreReadBackToTheBit(int width, int height) throws IOException {
+    Image image = ImageFixture.random(width, height, false);
+    for (String name : new String[] {"a.exr", "a.pfm"}) {
+      Image read = LinearReader.decode(written(image, name));
+      assertThat(read.width()).isEqualTo(width);
+      assertThat(read.hasAlpha()).isFalse();
+      assertThat(read.rgb()).isEqualTo(image.rgb());
+    }
+  }
+
+  @Test
+  void compressedBlocksAreReadBack() throws IOException {
+    Image even = new Image(64, 40, new float[3 * 64 * 40], new float[0]);
+    Arrays.fill(even.rgb(), .75f);
+    byte[] file = written(even, "a.exr");
+    assertThat(file).hasSizeLessThan(64 * 40);
+    assertThat(LinearReader.decode(file).rgb()).isEqualTo(even.rgb());
+  }
+
+  @Test
+  void coloursAndAlphaOfOpenExrAreApartAgain() throws IOException {
+    Image image = ImageFixture.random(9, 20, true);
+    Image read = LinearReader.decode(written(image, "a.exr"));
+    for (int i = 0; i < image.rgb().length; i++) {
+      int pixel = i / 3;
+      assertThat(read.alpha(pixel % 9, pixel / 9)).isEqualTo(image.alpha(pixel % 9, pixel / 9));
+      assertThat(read.rgb()[i]).isCloseTo(image.rgb()[i], within(1e-6f));
+    }
+  }
+
+  @Test
+  void metadataOfOpenExrAreNoHindrance() throws IOException {
+    Map<String, String> metadata =
+        Map.of("Scene", "a", "A keyword that is longer than thirty-one", "b");
+    ImageWriter.Options options =
+        new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, metadata);
+    Image image = ImageFixture.random(3, 3, false);
+    byte[] file = ImageFixture.written(image, directory.resolve("a.exr"), options);
+    assertThat(LinearReader.decode(file).rgb()).isEqualTo(image.rgb());
+  }
+
+  @Test
+  void pngIsDecodedToLinearLight() throws IOException {
+    Image image = ImageFixture.greys(0, .001, .2140411, .7, 1, 3);
+    float[] read = LinearReader.decode(written(image, "a.png")).rgb();
+    assertThat(read[0]).isZero();
+    // Half of a step of 8 bits where the curve is steepest for its values.
+    assertThat(read[6]).isCloseTo(.214f, within(.003f));
+    assertThat(read[12]).isEqualTo(1);
+    assertThat(read[15]).isEqualTo(1);
+  }
+
+  @Test
+  void floatMapsOfOtherProgramsAreRead() throws IOException {
+    ByteBuffer file = ByteBuffer.allocate(12 + 8);
+    file.put("Pf 1 2\r\n2.5\n".getBytes(StandardCharsets.US_ASCII)).putFloat(3).putFloat(7);
+    // Big-endian, grey, the bottom row first.
+    assertThat(LinearReader.decode(file.array()).rgb()).containsExactly(7, 7, 7, 3, 3, 3);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "P", "PF\n", "PF\nx 1\n-1\n", "PF\n0 1\n-1\n", "PF\n9 9\n-1\nab"})
+  void brokenFilesAreRefused(String text) {
+    assertThatThrownBy(() -> LinearReader.decode(text.getBytes(StandardCharsets.US_ASCII)))
+        .isInstanceOf(ImageFormatException.class);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"a.exr", "a.pfm"})
+  void everyTruncationIsRefused(String name) throws IOException {
+    byte[] file = written(ImageFixture.random(7, 18, false), name);
+    for (int length = 0; length < file.length; length++) {
+      byte[] part = Arrays.copyOf(file, length);
+      assertThatThrownBy(() -> LinearReader.decode(part)).isInstanceOf(ImageFormatException.class);
+    }
+  }
+
+  @Test
+  void damagedOpenExrGivesAPictureOrARefusal() throws IOException {
+    byte[] file = written(ImageFixture.random(7, 18, true), "a.exr");
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < 20_000; i++) {
+      byte[] damaged = file.clone();
+      damaged[random.nextInt(i % 2 == 0 ? 400 : file.length)] = (byte) random.nextInt(256);
+      try {
+        LinearReader.decode(damaged);
+      } catch (ImageFormatException e) {
+        assertThat(e).hasMessageNotContaining("null");
+      }
+    }
+  }
+}
