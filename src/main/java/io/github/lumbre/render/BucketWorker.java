@@ -18,14 +18,17 @@ final class BucketWorker implements Runnable {
   /** After so many samples the listener hears of them, and may cancel. */
   private static final int SAMPLES_PER_REPORT = 1024;
 
+  /** After so many samples a worker asks whether to stop. */
+  private static final int SAMPLES_PER_QUESTION = 16;
+
   private static final int MAX_REPORTED_REJECTS = 10;
 
   private final RenderSettings settings;
   private final Scene scene;
   private final Integrator integrator;
   private final Film film;
+  private final SampleTarget target;
   private final RenderQueue queue;
-  private final RenderSettings.Crop window;
   private final Sampler sampler;
   private final Scratch scratch = new Scratch();
   private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
@@ -35,13 +38,18 @@ final class BucketWorker implements Runnable {
   private long saturated;
 
   BucketWorker(
-      RenderSettings settings, Scene scene, Integrator integrator, Film film, RenderQueue queue) {
+      RenderSettings settings,
+      Scene scene,
+      Integrator integrator,
+      Film film,
+      SampleTarget target,
+      RenderQueue queue) {
     this.settings = settings;
     this.scene = scene;
     this.integrator = integrator;
     this.film = film;
+    this.target = target;
     this.queue = queue;
-    window = settings.window();
     sampler = new SobolSampler(settings.seed());
   }
 
@@ -76,15 +84,16 @@ final class BucketWorker implements Runnable {
   }
 
   private boolean renderPixel(int x, int y) {
-    int pixel = (y - window.y()) * window.width() + (x - window.x());
-    for (int sample = 0; sample < settings.samples(); sample++) {
+    int pixel = film.index(x, y);
+    int wanted = target.samples(x, y);
+    for (int count = film.samples(pixel); count < wanted; count++) {
       if (samples - reported >= SAMPLES_PER_REPORT) {
         report();
       }
-      if ((sample & 63) == 0 && queue.isStopped()) {
+      if (samples % SAMPLES_PER_QUESTION == 0 && queue.isStopped()) {
         return false;
       }
-      renderSample(x, y, sample, pixel);
+      renderSample(x, y, film.firstSample() + count, pixel);
     }
     return true;
   }

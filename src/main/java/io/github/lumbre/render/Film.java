@@ -2,20 +2,26 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Sums of samples, exact: each value is rounded once to a multiple of 2^-64 and added in 128 bits,
  * so that the same samples give the same bits in whatever order and grouping they arrive. Mutable;
  * different threads may write different pixels.
  *
+ * <p>A film holds a window of the full frame. Each pixel has samples of consecutive numbers, from
+ * the film's first one on, and knows how many, so that pixels may have different ones.
+ *
  * <p>Takes 52 bytes a pixel, 56 with alpha.
  */
-final class Film {
+public final class Film {
   /** What one sample value is cut to: 2^30 of them still fit. */
   static final double LARGEST = 0x1p32;
 
-  private final int width;
-  private final int height;
+  private final Crop window;
+  private final int firstSample;
 
   /** Whole parts and fractions (in units of 2^-64, unsigned) of the sums, three a pixel. */
   private final long[] whole;
@@ -26,18 +32,73 @@ final class Film {
   /** How many of a pixel's samples cover it; empty if all do. */
   private final int[] covered;
 
-  Film(int width, int height, boolean hasAlpha) {
-    this.width = width;
-    this.height = height;
-    int pixels = Math.multiplyExact(width, height);
+  /**
+   * An empty film.
+   *
+   * @param firstSample the number of each pixel's first sample, at least 0
+   */
+  public Film(Crop window, boolean hasAlpha, int firstSample) {
+    this.window = Objects.requireNonNull(window, "window");
+    if (firstSample < 0) {
+      throw new IllegalArgumentException("firstSample: expected at least 0, found " + firstSample);
+    }
+    this.firstSample = firstSample;
+    int pixels = Math.multiplyExact(window.width(), window.height());
     whole = new long[Math.multiplyExact(3, pixels)];
     fraction = new long[3 * pixels];
     counts = new int[pixels];
     covered = new int[hasAlpha ? pixels : 0];
   }
 
+  /** Returns the part of the full frame that this film holds. */
+  public Crop window() {
+    return window;
+  }
+
+  /** Tells whether it is known how many of a pixel's samples cover it. */
+  public boolean hasAlpha() {
+    return covered.length != 0;
+  }
+
+  /** Returns the number of each pixel's first sample. */
+  public int firstSample() {
+    return firstSample;
+  }
+
+  /** Returns how many samples a pixel of the full frame, inside the window, has. */
+  public int samples(int x, int y) {
+    Objects.checkIndex(x - window.x(), window.width());
+    Objects.checkIndex(y - window.y(), window.height());
+    return counts[index(x, y)];
+  }
+
+  /** Returns how many samples the pixel with the fewest has. */
+  public int fewestSamples() {
+    return Arrays.stream(counts).min().getAsInt();
+  }
+
+  /** Returns how many samples the pixel with the most has. */
+  public int mostSamples() {
+    return Arrays.stream(counts).max().getAsInt();
+  }
+
+  /** Returns how many samples all pixels have together. */
+  public long totalSamples() {
+    return Arrays.stream(counts).asLongStream().sum();
+  }
+
+  /** Returns the place of a pixel of the full frame: row by row from the window's top left. */
+  int index(int x, int y) {
+    return (y - window.y()) * window.width() + (x - window.x());
+  }
+
+  /** Returns how many samples the pixel at a place has. */
+  int samples(int pixel) {
+    return counts[pixel];
+  }
+
   /**
-   * Adds a sample; values above {@link #LARGEST} count as that.
+   * Adds the next sample; values above {@link #LARGEST} count as that.
    *
    * @param value finite and ≥ 0
    * @param covers whether the sample belongs to the picture, for its alpha
@@ -65,7 +126,7 @@ final class Film {
   }
 
   /** Returns the means of the samples; pixels without samples are black and transparent. */
-  Image develop() {
+  public Image develop() {
     float[] rgb = new float[whole.length];
     float[] alpha = new float[covered.length];
     for (int pixel = 0; pixel < counts.length; pixel++) {
@@ -78,7 +139,7 @@ final class Film {
         alpha[pixel] = (float) count / counts[pixel];
       }
     }
-    return new Image(width, height, rgb, alpha);
+    return new Image(window.width(), window.height(), rgb, alpha);
   }
 
   private double sum(int i) {

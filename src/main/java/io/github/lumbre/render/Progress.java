@@ -14,10 +14,10 @@ public interface Progress {
   /** So many more samples are done: a fraction of a bucket, many times a second. */
   default void advanced(long samples) {}
 
-  /** All pixels of a bucket are done. */
+  /** All pixels of a bucket have what a pass gives them. */
   default void finished(Bucket bucket) {}
 
-  /** Asked between pixels: true makes the render stop and return what it has. */
+  /** Asked every few samples: true makes the render stop and return what it has. */
   default boolean isCancelled() {
     return false;
   }

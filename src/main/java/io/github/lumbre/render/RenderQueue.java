@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** The buckets still to be rendered, and whether to go on. Shared by the workers. */
+/** The buckets of a pass still to be rendered, and whether to go on. Shared by the workers. */
 final class RenderQueue {
   private final List<Bucket> buckets;
   private final Progress progress;

@@ -22,7 +22,7 @@ public record RenderStatistics(
     List<RejectedSample> firstRejected,
     long saturated) {
   /** Nothing done. */
-  static final RenderStatistics ZERO = new RenderStatistics(0, 0, 0, 0, List.of(), 0);
+  public static final RenderStatistics ZERO = new RenderStatistics(0, 0, 0, 0, List.of(), 0);
 
   private static final int MAX_FIRST_REJECTED = 10;
 
@@ -30,8 +30,8 @@ public record RenderStatistics(
     firstRejected = List.copyOf(firstRejected);
   }
 
-  /** Returns what two workers did together. */
-  RenderStatistics plus(RenderStatistics o) {
+  /** Returns what two workers, or two passes, did together. */
+  public RenderStatistics plus(RenderStatistics o) {
     return new RenderStatistics(
         samples + o.samples,
         rays + o.rays,

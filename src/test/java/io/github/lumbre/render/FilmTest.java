@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -16,7 +17,7 @@ class FilmTest {
   private static final double GRID = 0x1p-64;
 
   private static float develop(double... values) {
-    Film film = new Film(1, 1, false);
+    Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (double value : values) {
       film.add(0, Rgb.grey(value), true);
     }
@@ -92,7 +93,7 @@ class FilmTest {
     Rgb one = new Rgb(part[0], part[1], part[2]);
     // Exact: the parts are within a factor of 2 of what they are subtracted from (Sterbenz 1974).
     Rgb other = new Rgb(2 * ties[0] - part[0], 2 * ties[1] - part[1], 2 * ties[2] - part[2]);
-    Film film = new Film(1, 1, false);
+    Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (int i = 0; i < 10_000_000; i++) {
       film.add(0, i < 5_000_000 ? one : other, true);
     }
@@ -102,14 +103,14 @@ class FilmTest {
 
   @Test
   void everyBitOfTheFractionIsSummed() {
-    Film film = new Film(1, 1, false);
+    Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     int n = 1 << 20;
     for (int i = 0; i < n; i++) {
       // 2^-44 - 2^-64 and 2^-64 in turn: 2^-44 a pair.
       film.add(0, Rgb.grey(i % 2 == 0 ? 0x1p-44 - GRID : GRID), true);
     }
     assertThat(film.develop().rgb()[0]).isEqualTo(0x1p-45f);
-    Film carry = new Film(1, 1, false);
+    Film carry = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (int i = 0; i < 1 << 12; i++) {
       carry.add(0, Rgb.grey(Math.nextDown(1.0)), true);
     }
@@ -119,7 +120,7 @@ class FilmTest {
 
   @Test
   void alphaIsTheShareThatCoversAndColourIsStraight() {
-    Film film = new Film(2, 1, true);
+    Film film = new Film(new Crop(0, 0, 2, 1), true, 0);
     film.add(0, new Rgb(.5, .25, 1), true);
     film.add(0, Rgb.BLACK, false);
     film.add(0, Rgb.BLACK, false);
@@ -134,7 +135,7 @@ class FilmTest {
 
   @Test
   void filmWithoutAlphaAveragesOverAllSamples() {
-    Film film = new Film(1, 1, false);
+    Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     film.add(0, Rgb.WHITE, true);
     film.add(0, Rgb.BLACK, false);
     assertThat(film.develop().pixel(0, 0)).isEqualTo(Rgb.grey(.5));
@@ -143,7 +144,7 @@ class FilmTest {
 
   @Test
   void pixelsAndChannelsAreTheirOwn() {
-    Film film = new Film(3, 2, true);
+    Film film = new Film(new Crop(0, 0, 3, 2), true, 0);
     for (int pixel = 0; pixel < 6; pixel++) {
       film.add(pixel, new Rgb(pixel, 10 * pixel, 100 * pixel), true);
     }
@@ -154,13 +155,13 @@ class FilmTest {
 
   @Test
   void pixelsWithoutSamplesAreBlackAndTransparent() {
-    assertThat(new Film(1, 1, false).develop().pixel(0, 0)).isEqualTo(Rgb.BLACK);
-    assertThat(new Film(1, 1, true).develop().alpha(0, 0)).isZero();
+    assertThat(new Film(new Crop(0, 0, 1, 1), false, 0).develop().pixel(0, 0)).isEqualTo(Rgb.BLACK);
+    assertThat(new Film(new Crop(0, 0, 1, 1), true, 0).develop().alpha(0, 0)).isZero();
   }
 
   @Test
   void valuesThatAreNoRadianceAreBugs() {
-    Film film = new Film(1, 1, false);
+    Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (double value : new double[] {Double.NaN, -1, Double.POSITIVE_INFINITY}) {
       assertThatThrownBy(() -> film.add(0, Rgb.grey(value), true))
           .isInstanceOf(AssertionError.class);

@@ -1,0 +1,183 @@
+package io.github.lumbre.render;
+
+import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.PathTracer;
+import io.github.lumbre.integrator.RayTracer;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/**
+ * Adds samples of one scene to films, a pass at a time: between passes the caller may look at the
+ * film, keep it, stop, or give some pixels more samples than others. Each pass divides the film
+ * into buckets, which threads take from a queue.
+ *
+ * <p>Immutable; several threads may use it at once, each with a film of its own. A sample is a
+ * function of scene, seed, pixel and number, and films add exactly: so neither the passes nor the
+ * threads nor the buckets change a bit of the sums.
+ */
+public final class FilmRenderer {
+  private final RenderSettings settings;
+  private final Scene scene;
+  private final Integrator integrator;
+  private final boolean hasAlpha;
+
+  /**
+   * @param settings whose number of samples is not used here
+   */
+  public FilmRenderer(RenderSettings settings, Scene scene) {
+    this(settings, scene, integrator(settings, scene));
+  }
+
+  FilmRenderer(RenderSettings settings, Scene scene, Integrator integrator) {
+    this.settings = Objects.requireNonNull(settings, "settings");
+    this.scene = Objects.requireNonNull(scene, "scene");
+    this.integrator = Objects.requireNonNull(integrator, "integrator");
+    hasAlpha = settings.transparent() || scene.camera().leavesBlanks();
+  }
+
+  private static Integrator integrator(RenderSettings settings, Scene scene) {
+    return switch (settings.mode()) {
+      case PATH -> new PathTracer(scene, settings.maxTraceDepth());
+      case RAY ->
+          new RayTracer(scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());
+    };
+  }
+
+  /** Returns an empty film of the settings' window. */
+  public Film newFilm() {
+    return newFilm(0);
+  }
+
+  /**
+   * Returns an empty film of the settings' window, whose samples begin at a number other than 0:
+   * films of the same window with numbers that follow on each other add up to one.
+   */
+  public Film newFilm(int firstSample) {
+    return new Film(settings.window(), hasAlpha, firstSample);
+  }
+
+  /**
+   * Adds samples until each pixel has so many; see {@link #addSamples(Film, SampleTarget,
+   * Progress)}.
+   */
+  public PassResult addSamples(Film film, int samples, Progress progress)
+      throws InterruptedException {
+    return addSamples(film, (x, y) -> samples, progress);
+  }
+
+  /**
+   * Adds samples until each pixel has as many as it is to have; pixels that have more keep them.
+   * Each pixel's samples follow on those that it has, all at once, so a pass that was cancelled is
+   * made up for by another with the same target.
+   *
+   * @param film of the settings' window and with alpha just if this one's films have it; no other
+   *     thread may use it meanwhile
+   * @param progress hears of samples and buckets, not of the start
+   * @throws InterruptedException if the calling thread is interrupted; all workers have ended then,
+   *     and the film holds what they did
+   * @throws RenderException if a worker failed
+   */
+  public PassResult addSamples(Film film, SampleTarget target, Progress progress)
+      throws InterruptedException {
+    requireOwn(film);
+    List<Bucket> buckets = buckets(settings.window());
+    RenderQueue queue = new RenderQueue(buckets, progress);
+    List<BucketWorker> workers = new ArrayList<>();
+    for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {
+      workers.add(new BucketWorker(settings, scene, integrator, film, target, queue));
+    }
+    run(workers, queue);
+    return new PassResult(queue.isExhausted(), statistics(workers));
+  }
+
+  private void requireOwn(Film film) {
+    if (!film.window().equals(settings.window()) || film.hasAlpha() != hasAlpha) {
+      throw new IllegalArgumentException(
+          "film: expected the window "
+              + settings.window()
+              + (hasAlpha ? " with" : " without")
+              + " alpha, found "
+              + film.window()
+              + (film.hasAlpha() ? " with" : " without"));
+    }
+  }
+
+  private int threads() {
+    return settings.threads() == 0
+        ? Runtime.getRuntime().availableProcessors()
+        : settings.threads();
+  }
+
+  private List<Bucket> buckets(RenderSettings.Crop window) {
+    int size = settings.bucketSize();
+    List<Bucket> buckets = new ArrayList<>();
+    for (long y = 0; y < window.height(); y += size) {
+      for (long x = 0; x < window.width(); x += size) {
+        buckets.add(
+            new Bucket(
+                window.x() + (int) x,
+                window.y() + (int) y,
+                (int) Math.min(size, window.width() - x),
+                (int) Math.min(size, window.height() - y)));
+      }
+    }
+    return buckets;
+  }
+
+  private static void run(List<BucketWorker> workers, RenderQueue queue)
+      throws InterruptedException {
+    List<Thread> threads = new ArrayList<>();
+    ExecutorService pool =
+        Executors.newFixedThreadPool(
+            workers.size(),
+            task -> {
+              Thread thread = new Thread(task, "lumbre-render-" + (threads.size() + 1));
+              thread.setDaemon(true);
+              threads.add(thread);
+              return thread;
+            });
+    try {
+      List<Future<?>> futures = new ArrayList<>();
+      workers.forEach(worker -> futures.add(pool.submit(worker)));
+      for (Future<?> future : futures) {
+        future.get();
+      }
+    } catch (ExecutionException e) {
+      throw new RenderException("rendering failed: " + e.getCause(), e.getCause());
+    } finally {
+      queue.stop();
+      pool.shutdown();
+      awaitEnd(threads);
+    }
+  }
+
+  /** Waits for the threads, which end within a moment, and keeps an interruption for later. */
+  private static void awaitEnd(List<Thread> threads) {
+    boolean interrupted = Thread.interrupted();
+    for (Thread thread : threads) {
+      while (thread.isAlive()) {
+        try {
+          thread.join();
+        } catch (InterruptedException e) {
+          interrupted = true;
+        }
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private static RenderStatistics statistics(List<BucketWorker> workers) {
+    return workers.stream()
+        .map(BucketWorker::statistics)
+        .reduce(RenderStatistics.ZERO, RenderStatistics::plus);
+  }
+}
