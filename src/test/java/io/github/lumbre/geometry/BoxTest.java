@@ -27,8 +27,11 @@ class BoxTest {
           for (double z : places) {
             Vec3 origin = new Vec3(x, 2 * y, 3 * z);
             Double expected = Shapes.distance(BOX, new Ray(origin, new Vec3(d[0], d[1], d[2])));
-            Vec3 negative = new Vec3(negative(d[0]), negative(d[1]), negative(d[2]));
-            assertThat(Shapes.distance(BOX, new Ray(origin, negative))).isEqualTo(expected);
+            for (int signs = 1; signs < 8; signs++) {
+              Vec3 other =
+                  new Vec3(zero(d[0], signs), zero(d[1], signs >> 1), zero(d[2], signs >> 2));
+              assertThat(Shapes.distance(BOX, new Ray(origin, other))).isEqualTo(expected);
+            }
             assertThat(expected).isEqualTo((Double) reference(origin, d));
             hits += expected > 0 ? 1 : 0;
           }
@@ -38,8 +41,9 @@ class BoxTest {
     assertThat(hits).isGreaterThan(1000);
   }
 
-  private static double negative(double d) {
-    return d == 0 ? -0.0 : d;
+  /** Returns a number, if it is 0 with a sign by the lowest bit. */
+  private static double zero(double d, int signs) {
+    return d != 0 ? d : (signs & 1) == 0 ? 0.0 : -0.0;
   }
 
   /** The slabs by their definition: t of the first crossing at which the ray is on the box. */

@@ -7,7 +7,9 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Effort;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
@@ -23,9 +25,10 @@ class BvhTest {
   void findsWhatAskingEveryShapeFinds(Kernel kernel) {
     assumeTrue(kernel != Kernel.VECTOR || Kernel.vectorObstacle().isEmpty());
     for (int seed = 0; seed < 5; seed++) {
-      Random random = new Random(seed);
+      Random random = new Random(Effort.seed(seed));
       List<Shape> shapes = Shapes.zoo(random, 10 + 20 * seed);
-      assertSameAsBruteForce(kernel, shapes, random, 10_000, AROUND);
+      int rays = Effort.count(10_000, 200_000);
+      assertSameAsBruteForce(kernel, shapes, random, rays, AROUND);
     }
   }
 
@@ -45,13 +48,20 @@ class BvhTest {
         hits++;
         assertThat(found.t()).isEqualTo(expected.t());
         assertThat(found.element).isEqualTo(expected.element);
-        SurfaceHit surface = shapes.get(found.shape()).surfaceAt(ray, found);
-        assertThat(surface)
-            .usingRecursiveComparison()
-            .isEqualTo(shapes.get(found.shape()).surfaceAt(ray, expected));
+        Shape shape = shapes.get(found.shape());
+        assertSameSurface(shape.surfaceAt(ray, found), shape.surfaceAt(ray, expected));
       }
     }
     assertThat(hits).isGreaterThan(rays / 20);
+  }
+
+  private static void assertSameSurface(SurfaceHit found, SurfaceHit expected) {
+    assertThat(found.position()).isEqualTo(expected.position());
+    assertThat(found.geometricNormal()).isEqualTo(expected.geometricNormal());
+    assertThat(found.shading()).isEqualTo(expected.shading());
+    assertThat(found.texture()).isEqualTo(expected.texture());
+    assertThat(found.wo()).isEqualTo(expected.wo());
+    assertThat(found.error()).isEqualTo(expected.error());
   }
 
   @Test
@@ -204,6 +214,97 @@ class BvhTest {
     assertThat(bvh.intersect(touching, new NearestHit())).isFalse();
     assertThat(bvh.isOccluded(reaching, new NearestHit())).isTrue();
     assertThat(bvh.intersect(reaching, new NearestHit())).isTrue();
+  }
+
+  @Test
+  void flatBoxesAndBoxesOfOneCentreMakeATreeOfBoundedDepth() {
+    int n = Effort.count(20_000, 1_000_000);
+    double[] concentric = new double[9 * n];
+    double[] flat = new double[9 * n];
+    int[] f = new int[3 * n];
+    Random random = new Random(Effort.seed(6));
+    for (int i = 0; i < n; i++) {
+      double size = 1 + (double) i / n;
+      double[] around = {-size, -size, -size, size, -size, size, 0, size, 0};
+      double x = random.nextInt(100);
+      double[] tile = {x, 0, i % 100, x + 1, 0, i % 100, x, 0, i % 100 + 1};
+      System.arraycopy(around, 0, concentric, 9 * i, 9);
+      System.arraycopy(tile, 0, flat, 9 * i, 9);
+      for (int k = 0; k < 3; k++) {
+        f[3 * i + k] = 3 * i + k;
+      }
+    }
+    NearestHit hit = new NearestHit();
+    TriangleMesh nested = TriangleMesh.of(concentric, new double[0], new double[0], f);
+    Bvh one = Bvh.over(List.of(Mesh.baked(nested, Transform.IDENTITY)));
+    assertThat(one.intersect(new Ray(new Vec3(.1, .2, -9), Vec3.Z), hit)).isTrue();
+    TriangleMesh tiles = TriangleMesh.of(flat, new double[0], new double[0], f);
+    Bvh other = Bvh.over(List.of(Mesh.baked(tiles, Transform.IDENTITY)));
+    assertThat(other.intersect(new Ray(new Vec3(50.2, 1, 50.3), Vec3.Y.negated()), hit)).isTrue();
+    assertThat(hit.t()).isEqualTo(1);
+  }
+
+  /** A plane cut into triangles, with corners, edges and rays that doubles hold exactly. */
+  @Test
+  void sharedEdgesBelongToTheLowestElement() {
+    int side = 8;
+    Random random = new Random(7);
+    for (int order = 0; order < 10; order++) {
+      Mesh grid = Mesh.baked(shuffledGrid(side, random), Transform.IDENTITY);
+      List<Mesh> triangles = Shapes.singly(grid);
+      for (Kernel kernel : Kernel.values()) {
+        if (kernel == Kernel.VECTOR && Kernel.vectorObstacle().isPresent()) {
+          continue;
+        }
+        Bvh bvh = Bvh.over(List.of(grid), kernel);
+        NearestHit found = new NearestHit();
+        for (int i = 0; i < 16 * side * side; i++) {
+          Vec3 target = new Vec3(.25 * (i % (4 * side)), 0, .25 * (i / (4 * side)));
+          Ray ray = new Ray(target.plus(new Vec3(2, 4, 1)), new Vec3(-2, -4, -1));
+          NearestHit expected = new NearestHit();
+          assertThat(bvh.intersect(ray, found)).isTrue();
+          assertThat(Shapes.bruteForce(triangles, ray, expected)).isTrue();
+          assertThat(found.t()).isEqualTo(1);
+          assertThat(found.element).isEqualTo(expected.shape());
+        }
+      }
+    }
+  }
+
+  private static TriangleMesh shuffledGrid(int side, Random random) {
+    List<int[]> faces = new ArrayList<>();
+    int row = side + 1;
+    double[] p = new double[3 * row * row];
+    for (int i = 0; i < row * row; i++) {
+      p[3 * i] = i % row;
+      p[3 * i + 2] = i / row;
+      if (i % row < side && i / row < side) {
+        faces.add(new int[] {i, i + 1, i + row});
+        faces.add(new int[] {i + 1, i + row + 1, i + row});
+      }
+    }
+    Collections.shuffle(faces, random);
+    int[] f = faces.stream().flatMapToInt(Arrays::stream).toArray();
+    return TriangleMesh.of(p, new double[0], new double[0], f);
+  }
+
+  /** A ray is blocked just if its nearest hit lies before its end, to the last bit. */
+  @Test
+  void occlusionAgreesWithTheNearestHitAtItsVeryEnd() {
+    Random random = new Random(Effort.seed(8));
+    Bvh bvh = Bvh.over(Shapes.zoo(random, 60));
+    NearestHit nearest = new NearestHit();
+    NearestHit scratch = new NearestHit();
+    for (int i = 0; i < Effort.count(10_000, 1_000_000); i++) {
+      Ray ray = Shapes.ray(random, AROUND);
+      if (bvh.intersect(ray, nearest)) {
+        for (double end : new double[] {.5 * nearest.t(), nearest.t(), Math.nextUp(nearest.t())}) {
+          Ray cut = new Ray(ray.origin(), ray.direction(), end);
+          assertThat(bvh.isOccluded(cut, scratch)).isEqualTo(nearest.t() < end);
+          assertThat(bvh.intersect(cut, scratch)).isEqualTo(nearest.t() < end);
+        }
+      }
+    }
   }
 
   @Test

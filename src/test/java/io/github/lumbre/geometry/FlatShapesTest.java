@@ -8,6 +8,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Effort;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,6 +77,50 @@ class FlatShapesTest {
     assertThat(Shapes.distance(PLANE, ray) * cos).isCloseTo(1, within(8 * 0x1p-52));
     assertThat(hit.position().y()).isEqualTo(0);
     assertThat(hit.texture().u()).isCloseTo(.1 * sin / cos, within(1e-14 / cos));
+  }
+
+  /** However flat the ray and however the surface is turned, to some ulp of the way. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-1, 1e-5, 1e-10, 1e-13, 1e-15})
+  void grazingRaysHitOnTheSurface(double cos) {
+    Random random = new Random(Effort.seed(3));
+    double sin = Math.sqrt((1 - cos) * (1 + cos));
+    double worstDistance = 0;
+    double worstPosition = 0;
+    for (int i = 0; i < Effort.count(2000, 200_000); i++) {
+      Transform place = Shapes.rotation(random);
+      Vec3 normal = place.normal(Vec3.Y);
+      Vec3 along = place.vector(Vec3.X);
+      Vec3 direction = along.times(sin).plus(-cos, normal);
+      // What the rounded coordinates of the ray stand for, and not what they were meant to.
+      double height = normal.dot(normal);
+      double slope = -direction.dot(normal);
+      Ray ray = new Ray(normal, direction);
+      if (slope < .1 * cos) {
+        continue;
+      }
+      for (Shape shape :
+          new Shape[] {new Plane(place, false), new Rectangle(place, 1e17, 1e17, false)}) {
+        double t = Shapes.distance(shape, ray);
+        worstDistance = Math.max(worstDistance, Math.abs(t * slope / height - 1) * cos);
+        double off = Shapes.hit(shape, ray).orElseThrow().position().dot(normal);
+        worstPosition = Math.max(worstPosition, Math.abs(off) / (1 + t));
+      }
+    }
+    assertThat(worstDistance).isBetween(1e-18, 8 * 0x1p-52);
+    assertThat(worstPosition).isBetween(1e-18, 8 * 0x1p-52);
+  }
+
+  @Test
+  void planesAreHitAndMappedFarAway() {
+    for (double height : new double[] {1e12, 1e15, 1e100, 1e150}) {
+      Vec3 origin = new Vec3(.25 * height, height, 0);
+      SurfaceHit hit = Shapes.hit(PLANE, new Ray(origin, DOWN)).orElseThrow();
+      assertThat(Shapes.distance(PLANE, new Ray(origin, DOWN))).isEqualTo(height);
+      assertThat(hit.position()).isEqualTo(new Vec3(.25 * height, 0, 0));
+      assertThat(hit.texture().u()).isEqualTo(.25 * height / 10);
+      assertThat(hit.texture().v()).isZero();
+    }
   }
 
   @Test

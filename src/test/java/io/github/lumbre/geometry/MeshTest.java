@@ -8,9 +8,14 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Effort;
+import java.math.BigDecimal;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class MeshTest {
   private static final double[] NONE = {};
@@ -89,6 +94,11 @@ class MeshTest {
         Vec3 mirroredDirection = MIRROR.vector(direction);
         SurfaceHit plain = hit(data, Transform.IDENTITY, origin, direction);
         SurfaceHit mirrored = hit(data, MIRROR, mirroredOrigin, mirroredDirection);
+        assertThat(
+                Shapes.distance(
+                    Mesh.baked(data, MIRROR), new Ray(mirroredOrigin, mirroredDirection)))
+            .isEqualTo(
+                Shapes.distance(Mesh.baked(data, Transform.IDENTITY), new Ray(origin, direction)));
         assertSame(MIRROR.point(plain.position()), mirrored.position());
         assertSame(MIRROR.vector(plain.geometricNormal()), mirrored.geometricNormal());
         Frame frame = mirrored.shading();
@@ -182,6 +192,95 @@ class MeshTest {
       TriangleMesh mesh = TriangleMesh.of(CORNER, NONE, uvs, ONE);
       SurfaceHit hit = hit(mesh, Transform.IDENTITY, new Vec3(.2, .2, 1), Vec3.Z.negated());
       assertThat(hit.shading()).isEqualTo(Frame.around(Vec3.Z));
+    }
+  }
+
+  /** Rays that pass a border by more than rounding moves them meet a sliver just if they do. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-6, 1e-9, 1e-12})
+  void sliversAreHitWhereExactArithmeticSaysSo(double width) {
+    Random random = new Random(Effort.seed(3));
+    int rays = Effort.count(1500, 100_000);
+    int hits = 0;
+    int decided = 0;
+    for (int i = 0; i < rays; i++) {
+      Frame frame = Frame.around(Shapes.direction(random));
+      Vec3 a = Shapes.point(random, 1);
+      Vec3 b = a.plus(frame.tangent());
+      Vec3 c = a.plus(random.nextDouble(), frame.tangent()).plus(width, frame.bitangent());
+      Mesh sliver = Mesh.baked(Shapes.triangle(a, b, c), Transform.IDENTITY);
+      Vec3 target =
+          a.plus(random.nextDouble(), frame.tangent())
+              .plus(width * random.nextDouble(-.5, 1), frame.bitangent());
+      Vec3 origin = target.plus(random.nextDouble(-3, 3), Shapes.direction(random));
+      Ray ray = new Ray(origin, target.minus(origin).normalized());
+      Optional<SurfaceHit> hit = Shapes.hit(sliver, ray);
+      hit.ifPresent(h -> assertThat(h.geometricNormal().isFinite()).isTrue());
+      ExactTriangle exactly = new ExactTriangle(ray, a, b, c);
+      if (exactly.distanceFromBorder() > 4 * Math.ulp(4.0)) {
+        decided++;
+        assertThat(hit.isPresent()).as("%s %s %s %s", ray, a, b, c).isEqualTo(exactly.isHit());
+        hits += exactly.isHit() ? 1 : 0;
+      }
+    }
+    assertThat(decided).isGreaterThan(width < 1e-9 ? rays / 2 : rays * 9 / 10);
+    assertThat(hits).isGreaterThan(rays / 5);
+  }
+
+  /** A ray and a triangle without any rounding: edge functions of whole numbers of digits. */
+  private static final class ExactTriangle {
+    private final BigDecimal[] edges = new BigDecimal[3];
+    private final double[] distances = new double[3];
+    private final int sideOfOrigin;
+    private final int sideOfDirection;
+
+    ExactTriangle(Ray ray, Vec3 a, Vec3 b, Vec3 c) {
+      Vec3[] corners = {a, b, c};
+      BigDecimal[] d = exact(ray.direction());
+      for (int i = 0; i < 3; i++) {
+        Vec3 p = corners[i];
+        Vec3 q = corners[(i + 1) % 3];
+        edges[i] = dot(d, cross(from(ray.origin(), p), from(ray.origin(), q)));
+        double length = ray.direction().cross(q.minus(p)).length();
+        distances[i] = Math.abs(edges[i].doubleValue()) / length;
+      }
+      BigDecimal[] normal = cross(from(a, b), from(a, c));
+      sideOfOrigin = dot(normal, from(ray.origin(), a)).signum();
+      sideOfDirection = dot(normal, d).signum();
+    }
+
+    boolean isHit() {
+      int sum = edges[0].signum() + edges[1].signum() + edges[2].signum();
+      return Math.abs(sum) == 3 && sideOfOrigin == sideOfDirection;
+    }
+
+    /** Returns how far the ray's line is from those of the edges. */
+    double distanceFromBorder() {
+      return Math.min(distances[0], Math.min(distances[1], distances[2]));
+    }
+
+    private static BigDecimal[] exact(Vec3 v) {
+      return new BigDecimal[] {new BigDecimal(v.x()), new BigDecimal(v.y()), new BigDecimal(v.z())};
+    }
+
+    private static BigDecimal[] from(Vec3 start, Vec3 end) {
+      BigDecimal[] a = exact(start);
+      BigDecimal[] b = exact(end);
+      return new BigDecimal[] {b[0].subtract(a[0]), b[1].subtract(a[1]), b[2].subtract(a[2])};
+    }
+
+    private static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
+      return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
+    }
+
+    private static BigDecimal[] cross(BigDecimal[] a, BigDecimal[] b) {
+      BigDecimal[] result = new BigDecimal[3];
+      for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        int k = (i + 2) % 3;
+        result[i] = a[j].multiply(b[k]).subtract(a[k].multiply(b[j]));
+      }
+      return result;
     }
   }
 

@@ -8,6 +8,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Effort;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,8 +21,8 @@ class SphereTest {
   @ParameterizedTest
   @ValueSource(doubles = {10, 1e4, 1e6, 1e8, 1e12})
   void distantRaysHitWhereTheyShould(double distance) {
-    Random random = new Random(1);
-    for (int i = 0; i < 20_000; i++) {
+    Random random = new Random(Effort.seed(1));
+    for (int i = 0; i < Effort.count(20_000, 2_000_000); i++) {
       double impact = .999 * Math.sqrt(random.nextDouble());
       Ray ray = passing(random, distance, impact);
       double t = Shapes.distance(UNIT, ray);
@@ -33,8 +34,8 @@ class SphereTest {
   @ParameterizedTest
   @ValueSource(doubles = {10, 1e4, 1e6, 1e8, 1e12})
   void distantRaysThatPassDoNotHit(double distance) {
-    Random random = new Random(2);
-    for (int i = 0; i < 20_000; i++) {
+    Random random = new Random(Effort.seed(2));
+    for (int i = 0; i < Effort.count(20_000, 2_000_000); i++) {
       Ray ray = passing(random, distance, 1.001 + .099 * random.nextDouble());
       assertThat(Shapes.distance(UNIT, ray)).isNaN();
     }
@@ -49,8 +50,8 @@ class SphereTest {
 
   @Test
   void raysFromInsideHitOnce() {
-    Random random = new Random(3);
-    for (int i = 0; i < 50_000; i++) {
+    Random random = new Random(Effort.seed(3));
+    for (int i = 0; i < Effort.count(50_000, 1_000_000); i++) {
       Vec3 origin = Shapes.direction(random).times(random.nextDouble() * (1 - 1e-12));
       Ray ray = new Ray(origin, Shapes.direction(random));
       double t = Shapes.distance(UNIT, ray);
@@ -82,6 +83,38 @@ class SphereTest {
     }
   }
 
+  /** Rounding of the ray moves it by some ulp of its distance from the sphere. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, .5, 1, 10, 1e3, 1e6})
+  void tangentRaysOfAnyDirectionHitWithinTheUlpOfTheirDistance(double distance) {
+    Random random = new Random(Effort.seed(11));
+    double least = 16 * (1 + distance);
+    for (int i = 0; i < Effort.count(20_000, 1_000_000); i++) {
+      double ulp = least * (1 + 15 * random.nextDouble());
+      assertThat(Shapes.distance(UNIT, passing(random, distance, 1 + ulp * EPS))).isNaN();
+      double t = Shapes.distance(UNIT, passing(random, distance, 1 - ulp * EPS));
+      if (distance > 0) {
+        assertThat(t).isCloseTo(distance, within(1e-6 * (1 + Math.sqrt(distance))));
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9})
+  void spheresOfAnySizeAreHitLikeTheUnitSphere(double radius) {
+    Random random = new Random(Effort.seed(12));
+    Transform scaled = Transform.scale(new Vec3(radius, radius, radius));
+    for (int i = 0; i < Effort.count(5000, 500_000); i++) {
+      double distance = StrictMath.pow(10, 12 * random.nextDouble());
+      Sphere sphere = i % 2 == 0 ? new Sphere(Transform.IDENTITY, radius) : new Sphere(scaled, 1);
+      Ray ray = passing(random, distance * radius, radius * .999 * Math.sqrt(random.nextDouble()));
+      double off = ray.at(Shapes.distance(sphere, ray)).length() - radius;
+      assertThat(Math.abs(off)).isLessThanOrEqualTo(8 * EPS * radius * (distance + 1));
+      double beyond = radius * (1.001 + .099 * random.nextDouble());
+      assertThat(Shapes.distance(sphere, passing(random, distance * radius, beyond))).isNaN();
+    }
+  }
+
   @Test
   void ellipsoidsAreHitOnTheirQuadricWithItsGradient() {
     Transform squash = Transform.scale(new Vec3(1e-3, 1, 1e3));
@@ -103,11 +136,11 @@ class SphereTest {
 
   @Test
   void framesAreOrthonormalAndFollowTheTexture() {
-    Random random = new Random(5);
+    Random random = new Random(Effort.seed(5));
     Transform place = Shapes.placement(random, 3, 4);
     for (Sphere sphere : new Sphere[] {UNIT, new Sphere(place, 2)}) {
       Vec3 centre = sphere.bounds().centre();
-      for (int i = 0; i < 20_000; i++) {
+      for (int i = 0; i < Effort.count(20_000, 1_000_000); i++) {
         Vec3 from = Shapes.direction(random);
         Ray ray = new Ray(centre.plus(20, from), from.negated());
         assertOrthonormal(Shapes.hit(sphere, ray).orElseThrow().shading());

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Effort;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -21,9 +22,9 @@ class SurfaceHitTest {
   @ParameterizedTest
   @ValueSource(doubles = {1e-8, 1e-4, 1, 1e4, 1e8})
   void raysThatLeaveDoNotMeetTheSurfaceAgain(double size) {
-    Random random = new Random(7);
+    Random random = new Random(Effort.seed(7));
     int hits = 0;
-    for (int i = 0; i < 1200; i++) {
+    for (int i = 0; i < Effort.count(1200, 50_000); i++) {
       double offset = size * StrictMath.pow(10, random.nextInt(7) - 2);
       Transform place = placed(random, size, offset);
       for (Shape shape : convexShapes(place, size)) {
@@ -65,7 +66,7 @@ class SurfaceHitTest {
     }
     SurfaceHit hit = found.get();
     boolean isClosed = shape instanceof Sphere || shape instanceof Box;
-    for (int k = 0; k < 8; k++) {
+    for (int k = 0; k < Effort.count(8, 100); k++) {
       Vec3 direction = Shapes.direction(random);
       boolean isOutward = direction.dot(hit.geometricNormal()) > 0;
       if (!isClosed || isOutward) {
@@ -79,11 +80,11 @@ class SurfaceHitTest {
 
   @Test
   void raysIntoSpheresMeetTheFarSide() {
-    Random random = new Random(8);
+    Random random = new Random(Effort.seed(8));
     for (double scale = 1e-8; scale < 1e9; scale *= 10) {
       Sphere sphere = new Sphere(Transform.translation(Shapes.point(random, 5 * scale)), scale);
       Vec3 centre = sphere.bounds().centre();
-      for (int i = 0; i < 300; i++) {
+      for (int i = 0; i < Effort.count(300, 50_000); i++) {
         Vec3 from = Shapes.direction(random);
         SurfaceHit hit =
             Shapes.hit(sphere, new Ray(centre.plus(3 * scale, from), from.negated())).orElseThrow();
@@ -117,8 +118,8 @@ class SurfaceHitTest {
 
   @Test
   void shadowRaysEndBeforeTheSampledSurface() {
-    Random random = new Random(10);
-    for (int i = 0; i < 2000; i++) {
+    Random random = new Random(Effort.seed(10));
+    for (int i = 0; i < Effort.count(2000, 200_000); i++) {
       Transform place = placed(random, 1, 1000);
       List<Shape> shapes = new ArrayList<>(convexShapes(place, 1));
       shapes.removeIf(Plane.class::isInstance);

@@ -3,8 +3,13 @@ package io.github.lumbre.math;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.testing.Effort;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class TransformTest {
   private static final double EPS = 0x1p-52;
@@ -134,9 +139,9 @@ class TransformTest {
     assertThat(t.inversePoint(new Vec3(3, 3, 4))).isEqualTo(new Vec3(1, 1, 1));
   }
 
-  @Test
-  void longChainThatUndoesItselfIsTheIdentity() {
-    int depth = 10_000;
+  @ParameterizedTest
+  @ValueSource(ints = {4, 40, 1000, 10_000, 100_000})
+  void longChainThatUndoesItselfIsTheIdentity(int depth) {
     Transform chain = Transform.IDENTITY;
     for (int i = 0; i < depth / 4; i++) {
       Vec3 offset = vector(1);
@@ -149,6 +154,169 @@ class TransformTest {
       Vec3 p = vector(1);
       assertThat(chain.point(p).minus(p).maxAbs()).isLessThan(bound);
       assertThat(chain.inversePoint(p).minus(p).maxAbs()).isLessThan(bound);
+    }
+  }
+
+  /** Quarter turns are exact, so a chain of them is, however deep. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 10, 1000, 10_000})
+  void chainsOfQuarterTurnsAreExact(int depth) {
+    for (int quarters = 1; quarters < 4; quarters++) {
+      Transform chain = Transform.IDENTITY;
+      for (int i = 0; i < depth; i++) {
+        chain = chain.times(rotation(0, 90 * quarters, 0));
+      }
+      Transform once = rotation(0, 90.0 * (depth * quarters % 4), 0);
+      for (Vec3 axis : new Vec3[] {Vec3.X, Vec3.Y, Vec3.Z}) {
+        assertThat(exact(chain.vector(axis))).isEqualTo(exact(once.vector(axis)));
+        assertThat(exact(chain.inverseVector(axis))).isEqualTo(exact(once.inverseVector(axis)));
+      }
+    }
+  }
+
+  /** A turn cut into a thousand levels or ten thousand is that turn, to a few ulp a level. */
+  @ParameterizedTest
+  @ValueSource(ints = {10, 1000, 10_000})
+  void chainsOfSmallTurnsAreTheWholeTurn(int depth) {
+    for (double whole : new double[] {90, 180, 270, 77}) {
+      Transform chain = Transform.IDENTITY;
+      for (int i = 0; i < depth; i++) {
+        chain = chain.times(rotation(0, whole / depth, 0));
+      }
+      for (Vec3 axis : new Vec3[] {Vec3.X, Vec3.Y, Vec3.Z}) {
+        Vec3 off = chain.vector(axis).minus(rotation(0, whole, 0).vector(axis));
+        assertThat(off.maxAbs()).isLessThan(depth * 8 * EPS);
+      }
+    }
+  }
+
+  @Test
+  void shearsOfScalesAndTurnsAreThoseOfFiftyDigits() {
+    for (int i = 0; i < Effort.count(60, 10_000); i++) {
+      Vec3 outer = new Vec3(decades(3), decades(3), decades(3));
+      Vec3 angles = vector(360);
+      Vec3 inner = new Vec3(decades(3), decades(3), decades(3));
+      Transform t =
+          Transform.scale(outer)
+              .times(Transform.rotationDegrees(angles))
+              .times(Transform.scale(inner));
+      BigDecimal[][] exactly = Exactly.sheared(outer, angles, inner);
+      double condition = condition(t);
+      Vec3[] axes = {Vec3.X, Vec3.Y, Vec3.Z};
+      BigDecimal[][] inverse = Exactly.inverse(exactly);
+      double size = Exactly.largest(exactly);
+      double inverseSize = Exactly.largest(inverse);
+      for (int column = 0; column < 3; column++) {
+        for (int row = 0; row < 3; row++) {
+          double there = Exactly.difference(t.vector(axes[column]).get(row), exactly[row][column]);
+          double back =
+              Exactly.difference(t.inverseVector(axes[column]).get(row), inverse[row][column]);
+          assertThat(there).isLessThanOrEqualTo(64 * EPS * size);
+          assertThat(back).isLessThanOrEqualTo(64 * EPS * inverseSize * condition);
+        }
+      }
+    }
+  }
+
+  private static double condition(Transform t) {
+    double norm = 0;
+    double inverseNorm = 0;
+    for (Vec3 axis : new Vec3[] {Vec3.X, Vec3.Y, Vec3.Z}) {
+      norm += t.vector(axis).lengthSquared();
+      inverseNorm += t.inverseVector(axis).lengthSquared();
+    }
+    return Math.sqrt(norm * inverseNorm);
+  }
+
+  /** Matrices in fifty digits. */
+  private static final class Exactly {
+    private static final MathContext DIGITS = new MathContext(50);
+    private static final BigDecimal PI =
+        new BigDecimal("3.14159265358979323846264338327950288419716939937510582097494");
+
+    static BigDecimal[][] sheared(Vec3 outer, Vec3 degrees, Vec3 inner) {
+      BigDecimal[][] turned =
+          product(product(turn(1, degrees.y()), turn(0, degrees.x())), turn(2, degrees.z()));
+      return product(product(diagonal(outer), turned), diagonal(inner));
+    }
+
+    /** Returns the turn about an axis that takes the next axis to the one after it. */
+    private static BigDecimal[][] turn(int axis, double degrees) {
+      BigDecimal angle =
+          new BigDecimal(degrees).multiply(PI).divide(BigDecimal.valueOf(180), DIGITS);
+      BigDecimal cos = series(angle, 0);
+      BigDecimal sin = series(angle, 1);
+      int next = (axis + 1) % 3;
+      int last = (axis + 2) % 3;
+      BigDecimal[][] m = diagonal(new Vec3(1, 1, 1));
+      m[next][next] = cos;
+      m[last][last] = cos;
+      m[last][next] = sin;
+      m[next][last] = sin.negate();
+      return m;
+    }
+
+    /** Sums (-1)^k x^(2k+first) / (2k+first)!, the cosine or the sine. */
+    private static BigDecimal series(BigDecimal x, int first) {
+      BigDecimal term = first == 0 ? BigDecimal.ONE : x;
+      BigDecimal sum = BigDecimal.ZERO;
+      for (int n = first; n < 100; n += 2) {
+        sum = sum.add(term, DIGITS);
+        BigDecimal divisor = BigDecimal.valueOf(-(n + 1L) * (n + 2L));
+        term = term.multiply(x, DIGITS).multiply(x, DIGITS).divide(divisor, DIGITS);
+      }
+      return sum;
+    }
+
+    private static BigDecimal[][] diagonal(Vec3 v) {
+      BigDecimal[][] m = new BigDecimal[3][3];
+      for (int i = 0; i < 9; i++) {
+        m[i / 3][i % 3] = i % 4 == 0 ? new BigDecimal(v.get(i / 3)) : BigDecimal.ZERO;
+      }
+      return m;
+    }
+
+    private static BigDecimal[][] product(BigDecimal[][] a, BigDecimal[][] b) {
+      BigDecimal[][] m = new BigDecimal[3][3];
+      for (int i = 0; i < 9; i++) {
+        m[i / 3][i % 3] = BigDecimal.ZERO;
+        for (int k = 0; k < 3; k++) {
+          m[i / 3][i % 3] = m[i / 3][i % 3].add(a[i / 3][k].multiply(b[k][i % 3]), DIGITS);
+        }
+      }
+      return m;
+    }
+
+    /** Cofactors over the determinant. */
+    static BigDecimal[][] inverse(BigDecimal[][] a) {
+      BigDecimal[][] m = new BigDecimal[3][3];
+      for (int i = 0; i < 9; i++) {
+        int r = (i % 3 + 1) % 3;
+        int s = (i % 3 + 2) % 3;
+        int c = (i / 3 + 1) % 3;
+        int d = (i / 3 + 2) % 3;
+        m[i / 3][i % 3] = a[r][c].multiply(a[s][d]).subtract(a[r][d].multiply(a[s][c]));
+      }
+      BigDecimal determinant = BigDecimal.ZERO;
+      for (int k = 0; k < 3; k++) {
+        determinant = determinant.add(a[0][k].multiply(m[k][0]));
+      }
+      for (int i = 0; i < 9; i++) {
+        m[i / 3][i % 3] = m[i / 3][i % 3].divide(determinant, DIGITS);
+      }
+      return m;
+    }
+
+    static double largest(BigDecimal[][] m) {
+      double largest = 0;
+      for (int i = 0; i < 9; i++) {
+        largest = Math.max(largest, Math.abs(m[i / 3][i % 3].doubleValue()));
+      }
+      return largest;
+    }
+
+    static double difference(double found, BigDecimal expected) {
+      return new BigDecimal(found).subtract(expected).abs().doubleValue();
     }
   }
 
