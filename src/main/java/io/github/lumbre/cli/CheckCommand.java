@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code lumbre check}: reads a scene as a render would, and tells what it holds. */
@@ -32,13 +33,31 @@ import picocli.CommandLine.Spec;
     })
 final class CheckCommand implements Callable<Integer> {
   @Mixin private SceneOptions options;
+
+  @Option(
+      names = "--json",
+      description = "Print what the scene holds as a JSON object, on one line of standard output.")
+  private boolean json;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, CommandException {
+    Messages out = new Messages(spec.commandLine().getOut());
     Messages errors = new Messages(spec.commandLine().getErr());
-    SceneFile file = options.load(options.parser(), errors);
-    describe(file, new Messages(spec.commandLine().getOut()));
+    if (!json) {
+      describe(options.load(options.parser(), errors), out);
+      return ExitCodes.OK;
+    }
+    JsonSummary report = new JsonSummary("check", options.scene());
+    return report.around(() -> print(options.load(options.parser(), errors), report, out), out);
+  }
+
+  private static int print(SceneFile file, JsonSummary report, Messages out) {
+    report.putScene(file);
+    report.putContents(file.contents());
+    report.put("exit_code", ExitCodes.OK);
+    report.print(out);
     return ExitCodes.OK;
   }
 

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.RenderException;
+import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -26,42 +27,51 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
   /** Reports anything thrown by a command and returns the exit code. */
   static int report(Throwable thrown, CommandLine command, boolean debug) {
     Messages messages = new Messages(command.getErr());
-    int exitCode = describe(thrown, messages, debug);
+    if (thrown instanceof SceneFormatException) {
+      problems(thrown).forEach(messages::line);
+    } else {
+      boolean unexplained = exitCode(thrown) == ExitCodes.INTERNAL && !debug;
+      String advice = unexplained ? " (--debug shows where)" : "";
+      problems(thrown).forEach(problem -> messages.error(problem + advice));
+    }
     if (debug) {
       thrown.printStackTrace(command.getErr());
       command.getErr().flush();
     }
-    return exitCode;
+    return exitCode(thrown);
   }
 
-  private static int describe(Throwable thrown, Messages messages, boolean debug) {
+  /** Returns how the program ends after this was thrown. */
+  static int exitCode(Throwable thrown) {
     if (thrown instanceof CommandException e) {
-      messages.error(e.getMessage());
       return e.exitCode();
     }
     if (thrown instanceof SceneFormatException e) {
-      e.problems().forEach(messages::line);
-      return exitCode(e.kind());
+      return switch (e.kind()) {
+        case INVALID -> ExitCodes.SCENE;
+        case ASSET -> ExitCodes.ASSET;
+        case LIMIT -> ExitCodes.LIMIT;
+      };
+    }
+    return rootIs(thrown, OutOfMemoryError.class) ? ExitCodes.LIMIT : ExitCodes.INTERNAL;
+  }
+
+  /** Returns what went wrong when this was thrown, at least one line. */
+  static List<String> problems(Throwable thrown) {
+    if (thrown instanceof CommandException e) {
+      return List.of(e.getMessage());
+    }
+    if (thrown instanceof SceneFormatException e) {
+      return e.problems();
     }
     if (rootIs(thrown, OutOfMemoryError.class)) {
-      messages.error(
+      return List.of(
           "out of memory: the heap is limited to "
               + MemoryEstimate.mebibytes(Runtime.getRuntime().maxMemory())
               + " (LUMBRE_JAVA_OPTS=-Xmx8g raises that)");
-      return ExitCodes.LIMIT;
     }
-    String advice = debug ? "" : " (--debug shows where)";
     String what = thrown instanceof RenderException ? thrown.getMessage() : thrown.toString();
-    messages.error("internal error: " + what + advice);
-    return ExitCodes.INTERNAL;
-  }
-
-  private static int exitCode(SceneFormatException.Kind kind) {
-    return switch (kind) {
-      case INVALID -> ExitCodes.SCENE;
-      case ASSET -> ExitCodes.ASSET;
-      case LIMIT -> ExitCodes.LIMIT;
-    };
+    return List.of("internal error: " + what);
   }
 
   private static boolean rootIs(Throwable thrown, Class<? extends Throwable> type) {

@@ -125,6 +125,21 @@ final class FlagConverters {
     }
   }
 
+  /** How a render tells how far it is. */
+  enum ProgressStyle {
+    BAR,
+    JSON,
+    NONE
+  }
+
+  /** {@code bar}, {@code json} or {@code none}. */
+  static final class OfProgressStyle implements ITypeConverter<ProgressStyle> {
+    @Override
+    public ProgressStyle convert(String text) {
+      return oneOf(ProgressStyle.values(), text);
+    }
+  }
+
   private static <E extends Enum<E>> E oneOf(E[] values, String text) {
     return Arrays.stream(values)
         .filter(value -> lower(value).equals(text))

@@ -40,7 +40,9 @@ final class Messages {
               if (isSafe(c)) {
                 safe.appendCodePoint(c);
               } else {
-                safe.append(String.format(Locale.ROOT, "\\u%04x", c));
+                for (char unit : Character.toChars(c)) {
+                  safe.append(String.format(Locale.ROOT, "\\u%04x", (int) unit));
+                }
               }
             });
     return safe.toString();

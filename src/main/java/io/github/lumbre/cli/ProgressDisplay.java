@@ -15,6 +15,9 @@ interface ProgressDisplay extends AutoCloseable {
   /** So many more samples are done. */
   void advanced(long samples);
 
+  /** The picture's error is about so large, relative to the picture. */
+  default void estimated(double relativeError) {}
+
   @Override
   void close();
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.FlagConverters.ProgressStyle;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.parser.SceneFile;
@@ -95,6 +96,21 @@ final class RenderCommand implements Callable<Integer> {
       description = "Tell what the render would take of memory, and render nothing.")
   private boolean dryRun;
 
+  @Option(
+      names = "--progress",
+      paramLabel = "STYLE",
+      converter = FlagConverters.OfProgressStyle.class,
+      description = {
+        "How to tell the progress on standard error: bar, none, or json, which is an object on a",
+        "line of its own every second. Default: bar on a terminal, else none."
+      })
+  private Optional<ProgressStyle> progress;
+
+  @Option(
+      names = "--json",
+      description = "Print a summary as a JSON object, on one line of standard output.")
+  private boolean json;
+
   @Option(names = "--quiet", description = "No progress bar, no summary.")
   private boolean quiet;
 
@@ -105,6 +121,15 @@ final class RenderCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, CommandException {
+    JsonSummary report = new JsonSummary("render", options.scene());
+    return json ? report.around(() -> run(report), out()) : run(report);
+  }
+
+  private Messages out() {
+    return new Messages(spec.commandLine().getOut());
+  }
+
+  private int run(JsonSummary report) throws SceneFormatException, CommandException {
     flags.validate();
     kernel.apply();
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
@@ -115,22 +140,44 @@ final class RenderCommand implements Callable<Integer> {
         Interruption interruption = Interruption.listen(picture::close)) {
       SceneFile file = options.load(flags.over(options.parser()), messages);
       if (dryRun) {
-        return estimate(file.settings());
+        return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
-      RenderMonitor monitor =
-          new RenderMonitor(interruption, !quiet && Boolean.getBoolean("lumbre.tty"), deadline);
+      RenderMonitor monitor = new RenderMonitor(interruption, this::display, deadline);
       return interruption.beginRender()
-          ? render(file, picture, monitor, messages)
+          ? render(file, picture, monitor, report)
           : ExitCodes.INTERRUPTED;
     }
   }
 
-  private int estimate(RenderSettings settings) throws CommandException {
-    MemoryEstimate estimate = MemoryEstimate.measured(settings);
-    estimate.print(new Messages(spec.commandLine().getOut()));
+  private int estimate(SceneFile file, JsonSummary report) throws CommandException {
+    MemoryEstimate estimate = MemoryEstimate.measured(file.settings());
+    if (!json) {
+      estimate.print(out());
+    }
+    report.putScene(file);
+    report.putEstimate(estimate);
     estimate.require();
-    return ExitCodes.OK;
+    return ended(ExitCodes.OK, report);
+  }
+
+  private int ended(int exitCode, JsonSummary report) {
+    report.put("exit_code", exitCode);
+    if (json) {
+      report.print(out());
+    }
+    return exitCode;
+  }
+
+  private ProgressDisplay display(long totalSamples) {
+    ProgressStyle style =
+        progress.orElse(
+            !quiet && Boolean.getBoolean("lumbre.tty") ? ProgressStyle.BAR : ProgressStyle.NONE);
+    return switch (style) {
+      case BAR -> ProgressDisplay.bar(totalSamples);
+      case JSON -> new JsonProgress(totalSamples, new Messages(spec.commandLine().getErr()));
+      case NONE -> ProgressDisplay.NONE;
+    };
   }
 
   private Path target() {
@@ -152,7 +199,7 @@ final class RenderCommand implements Callable<Integer> {
   }
 
   private int render(
-      SceneFile file, PictureOutput picture, RenderMonitor monitor, Messages messages)
+      SceneFile file, PictureOutput picture, RenderMonitor monitor, JsonSummary report)
       throws CommandException {
     RenderSettings settings = file.settings();
     long start = System.nanoTime();
@@ -164,34 +211,40 @@ final class RenderCommand implements Callable<Integer> {
       return ExitCodes.INTERRUPTED;
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
-    if (result.statistics().samples() == 0) {
-      requireTimeLeft(monitor);
-      messages.error("stopped before anything was rendered; no picture is written");
-      return ExitCodes.INTERRUPTED;
-    }
+    requireSamples(result, monitor);
     Summary summary = new Summary(settings, result, seconds);
     Map<String, String> metadata = PictureMetadata.of(options.scene(), file, settings, seconds);
     if (!result.complete()) {
       metadata.put("Partial", summary.progress());
+      report.put("stopped_by", monitor.isOutOfTime() ? "timeout" : "signal");
     }
     picture.write(
         result.image(),
         new ImageWriter.Options(settings.exposure(), settings.toneCurve(), bits, metadata));
-    tell(summary, picture.target(), messages);
+    tell(summary, picture.target());
+    report.putScene(file);
+    report.put("output", picture.target().toString());
+    report.putResult(result, seconds);
     boolean rejected = result.statistics().rejected() != 0;
-    return rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK;
+    return ended(rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK, report);
   }
 
-  /** Complains if it is the time and not the user that stopped a render of nothing. */
-  private void requireTimeLeft(RenderMonitor monitor) throws CommandException {
+  private static void requireSamples(RenderResult result, RenderMonitor monitor)
+      throws CommandException {
+    if (result.statistics().samples() != 0) {
+      return;
+    }
     if (monitor.isOutOfTime()) {
       throw new CommandException(
           ExitCodes.LIMIT,
           "--timeout: the time was over before anything was rendered; no picture is written");
     }
+    throw new CommandException(
+        ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
   }
 
-  private void tell(Summary summary, Path target, Messages messages) {
+  private void tell(Summary summary, Path target) {
+    Messages messages = new Messages(spec.commandLine().getErr());
     summary.printRejected(messages);
     if (!quiet) {
       summary.print(target, messages);

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.render.Progress;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.LongFunction;
 
 /**
  * Passes on what a render has done to a display, and to the render whether the program is to end or
@@ -9,7 +10,7 @@ import java.util.concurrent.atomic.AtomicReference;
  */
 final class RenderMonitor implements Progress, AutoCloseable {
   private final Interruption interruption;
-  private final boolean hasDisplay;
+  private final LongFunction<ProgressDisplay> displayOf;
   private final Deadline deadline;
   private final AtomicReference<ProgressDisplay> display =
       new AtomicReference<>(ProgressDisplay.NONE);
@@ -18,29 +19,36 @@ final class RenderMonitor implements Progress, AutoCloseable {
    * @param hasDisplay whether to show a progress bar on standard error
    */
   RenderMonitor(Interruption interruption, boolean hasDisplay) {
-    this(interruption, hasDisplay, Deadline.NEVER);
+    this(
+        interruption,
+        hasDisplay ? ProgressDisplay::bar : totalSamples -> ProgressDisplay.NONE,
+        Deadline.NEVER);
   }
 
   /**
-   * @param hasDisplay whether to show a progress bar on standard error
+   * @param displayOf returns what shows the progress of so many samples
    * @param deadline after which the render is to stop
    */
-  RenderMonitor(Interruption interruption, boolean hasDisplay, Deadline deadline) {
+  RenderMonitor(
+      Interruption interruption, LongFunction<ProgressDisplay> displayOf, Deadline deadline) {
     this.interruption = interruption;
-    this.hasDisplay = hasDisplay;
+    this.displayOf = displayOf;
     this.deadline = deadline;
   }
 
   @Override
   public void started(long totalSamples) {
-    if (hasDisplay) {
-      display.set(ProgressDisplay.bar(totalSamples));
-    }
+    display.set(displayOf.apply(totalSamples));
   }
 
   @Override
   public void advanced(long samples) {
     display.get().advanced(samples);
+  }
+
+  /** The picture's error is about so large, relative to the picture. */
+  void estimated(double relativeError) {
+    display.get().estimated(relativeError);
   }
 
   @Override

@@ -110,7 +110,7 @@ final class Summary {
   }
 
   /** Returns the sum over the heap's parts of each one's highest use: at least the true peak. */
-  private static long peakHeapBytes() {
+  static long peakHeapBytes() {
     return ManagementFactory.getMemoryPoolMXBeans().stream()
         .filter(pool -> pool.getType() == MemoryType.HEAP)
         .map(MemoryPoolMXBean::getPeakUsage)
