@@ -37,6 +37,28 @@ final class FlagConverters {
     }
   }
 
+  /** A pixel of the full frame. */
+  record PixelPlace(int x, int y) {
+    @Override
+    public String toString() {
+      return x + "," + y;
+    }
+  }
+
+  /** {@code 100,50}. */
+  static final class OfPixel implements ITypeConverter<PixelPlace> {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9}),(\\d{1,9})");
+
+    @Override
+    public PixelPlace convert(String text) {
+      Matcher found = FORM.matcher(text);
+      if (!found.matches()) {
+        throw unexpected("x,y in pixels, such as 100,50", text);
+      }
+      return new PixelPlace(Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)));
+    }
+  }
+
   /** {@code 100,50,64,48}. */
   static final class OfCrop implements ITypeConverter<Crop> {
     private static final Pattern FORM =

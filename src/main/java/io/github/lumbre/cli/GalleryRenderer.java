@@ -84,7 +84,7 @@ final class GalleryRenderer {
         result.image(),
         new ImageWriter.Options(settings.exposure(), settings.toneCurve(), BITS, metadata));
     Summary summary = new Summary(settings, result, taken);
-    summary.printRejected(messages);
+    summary.printRejected(scenes.file(scene), messages);
     summary.print(output.target(), messages);
     Hardware hardware = Hardware.here();
     String size = result.image().width() + "x" + result.image().height();

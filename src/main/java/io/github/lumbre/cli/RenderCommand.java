@@ -245,7 +245,7 @@ final class RenderCommand implements Callable<Integer> {
 
   private void tell(Summary summary, Path target) {
     Messages messages = new Messages(spec.commandLine().getErr());
-    summary.printRejected(messages);
+    summary.printRejected(options.scene(), messages);
     if (!quiet) {
       summary.print(target, messages);
     }

@@ -11,7 +11,7 @@ import picocli.CommandLine.Parameters;
 
 /** What all commands that read a scene take. */
 final class SceneOptions {
-  @Parameters(paramLabel = "SCENE", description = "The scene, a JSON file.")
+  @Parameters(index = "0", paramLabel = "SCENE", description = "The scene, a JSON file.")
   private Path scene;
 
   @ArgGroup private Strictness strictness = new Strictness();

@@ -65,8 +65,8 @@ final class Summary {
     messages.line("peak heap    " + MemoryEstimate.mebibytes(peakHeapBytes()));
   }
 
-  /** Prints which samples were rejected, if any were. */
-  void printRejected(Messages messages) {
+  /** Prints which samples of a scene were rejected, if any were, and how to repeat them. */
+  void printRejected(Path scene, Messages messages) {
     RenderStatistics statistics = result.statistics();
     if (statistics.rejected() == 0) {
       return;
@@ -74,13 +74,20 @@ final class Summary {
     messages.line(
         "warning: "
             + statistics.rejected()
-            + " samples were negative or not finite, and count as black; with seed "
-            + settings.seed()
-            + " the first are:");
+            + " samples were negative or not finite, and count as black; the first are:");
     statistics
         .firstRejected()
         .forEach(
-            s -> messages.line("warning: pixel " + s.x() + "," + s.y() + " sample " + s.sample()));
+            s ->
+                messages.line(
+                    "warning: pixel "
+                        + s.x()
+                        + ","
+                        + s.y()
+                        + " sample "
+                        + s.sample()
+                        + ": "
+                        + ReplayCommand.of(scene, settings, s)));
   }
 
   /** Prints a suggestion if the picture will look dark on a screen. */

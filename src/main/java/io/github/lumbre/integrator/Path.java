@@ -94,6 +94,11 @@ final class Path {
     return Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));
   }
 
+  /** Returns what more light counts for, by component. */
+  Rgb weight() {
+    return new Rgb(throughputRed, throughputGreen, throughputBlue);
+  }
+
   /** Returns the light gathered so far. */
   Rgb radiance() {
     return new Rgb(red, green, blue);

@@ -29,8 +29,11 @@ import java.util.stream.IntStream;
  *
  * <p>At each vertex one emitter, chosen at random, is asked for light; the scattered ray may meet
  * an emitter as well. Multiple importance sampling weighs the two.
+ *
+ * <p>What a step does is left open for {@link PathRecorder} to listen to; a program that records
+ * nothing never loads that class, and the compiler takes the steps for final.
  */
-public final class PathTracer implements Integrator {
+public sealed class PathTracer implements Integrator permits PathRecorder {
   /** Which of the two ways to find an emitter counts. All have the same mean. */
   enum Strategy {
     /** Both, by multiple importance sampling. */
@@ -76,11 +79,11 @@ public final class PathTracer implements Integrator {
   }
 
   /** The first vertex at which a path may end at random. */
-  private static final int FIRST_ROULETTE = 3;
+  static final int FIRST_ROULETTE = 3;
 
-  private final Scene scene;
+  final Scene scene;
   private final int maxDepth;
-  private final Light[] emitters;
+  final Light[] emitters;
 
   /** Which of the emitters are domes: of ten thousand lamps an escaped ray asks none. */
   private final int[] domes;
@@ -126,7 +129,7 @@ public final class PathTracer implements Integrator {
   }
 
   /** Goes to the next vertex and gathers its light; tells whether the path goes on from there. */
-  private boolean extend(int depth, Sampler sampler, Scratch scratch) {
+  boolean extend(int depth, Sampler sampler, Scratch scratch) {
     NearestHit hit = scratch.hit;
     Path path = scratch.path;
 
@@ -165,7 +168,7 @@ public final class PathTracer implements Integrator {
   }
 
   /** Chooses where the path goes from its vertex; tells whether it goes on. */
-  private boolean scatter(int depth, Sampler sampler, Scratch scratch) {
+  boolean scatter(int depth, Sampler sampler, Scratch scratch) {
     Path path = scratch.path;
     int dimension = Sampler.vertex(depth);
     BsdfSample scattered = scratch.scattered;
@@ -190,12 +193,12 @@ public final class PathTracer implements Integrator {
     return true;
   }
 
-  private Rgb ambient(Vertex vertex) {
+  Rgb ambient(Vertex vertex) {
     return scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
   }
 
   /** Returns the light of one emitter, chosen at random, over the probability of the choice. */
-  private Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
+  Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
     Vec3 position = vertex.surface().position();
     LightChoice choice = scratch.choice;
     double u = sampler.get1d(dimension + Sampler.LIGHT_CHOICE);
@@ -219,24 +222,27 @@ public final class PathTracer implements Integrator {
     return scattered.times(strategy.lightWeight(lightPdf, value.pdf()) / lightPdf);
   }
 
-  private static Rgb emitted(Emission emission, SurfaceHit surface) {
+  static Rgb emitted(Emission emission, SurfaceHit surface) {
     return emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
   }
 
   /** Returns the share of a scattered ray, against light sampling, in meeting an emitter. */
-  private double emissionWeight(int emitter, Path path, SurfaceHit surface) {
+  double emissionWeight(int emitter, Path path, SurfaceHit surface) {
     if (emitter < 0 || path.pdf() == Double.POSITIVE_INFINITY) {
       return 1;
     }
     AreaLight light = (AreaLight) emitters[emitter];
-    double lightPdf =
-        selector.probability(path.from(), path.facing(), emitter)
-            * light.shape().pdf(path.from(), surface);
+    double lightPdf = lightPdf(emitter, path, light.shape().pdf(path.from(), surface));
     return strategy.bsdfWeight(path.pdf(), lightPdf);
   }
 
+  /** Returns the density with which light sampling would have gone where the path went. */
+  double lightPdf(int emitter, Path path, double pdfOfEmitter) {
+    return selector.probability(path.from(), path.facing(), emitter) * pdfOfEmitter;
+  }
+
   /** Returns the light from beyond everything, each dome with its own share. */
-  private Rgb escaped(Path path) {
+  Rgb escaped(Path path) {
     Vec3 direction = path.direction();
     if (path.pdf() == Double.POSITIVE_INFINITY) {
       return scene.background(direction);
@@ -244,8 +250,7 @@ public final class PathTracer implements Integrator {
     Rgb sum = Rgb.BLACK;
     for (int emitter : domes) {
       EnvironmentLight dome = (EnvironmentLight) emitters[emitter];
-      double lightPdf =
-          selector.probability(path.from(), path.facing(), emitter) * dome.pdf(direction);
+      double lightPdf = lightPdf(emitter, path, dome.pdf(direction));
       sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(path.pdf(), lightPdf)));
     }
     return sum;

@@ -25,8 +25,11 @@ import java.util.Optional;
 /**
  * Whitted's ray tracing (1980): light straight from every light, mirrors, and glass; no light from
  * one diffuse or glossy surface to another. Each area light and dome is sampled once.
+ *
+ * <p>What a step does is left open for {@link RayRecorder} to listen to; a program that records
+ * nothing never loads that class, and the compiler takes the steps for final.
  */
-public final class RayTracer implements Integrator {
+public sealed class RayTracer implements Integrator permits RayRecorder {
   /**
    * Up to so many glass surfaces a path splits into what is reflected and what passes; from then on
    * it takes one of the two at random, so that deep glass does not cost 2^depth rays.
@@ -36,8 +39,8 @@ public final class RayTracer implements Integrator {
   /** For lobes that draw nothing. */
   private static final Point2 MIDDLE = new Point2(.5, .5);
 
-  private final Scene scene;
-  private final List<Light> lights;
+  final Scene scene;
+  final List<Light> lights;
   private final int maxReflections;
   private final int maxRefractions;
 
@@ -53,7 +56,7 @@ public final class RayTracer implements Integrator {
   }
 
   /** A ray still to be followed, what it counts for, and what it has met. */
-  private record Branch(Ray ray, Rgb throughput, int reflections, int refractions) {}
+  record Branch(Ray ray, Rgb throughput, int reflections, int refractions) {}
 
   @Override
   public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
@@ -67,8 +70,7 @@ public final class RayTracer implements Integrator {
   }
 
   /** Returns the light that a branch finds at its end, and adds the branches that begin there. */
-  private Rgb follow(
-      Branch branch, int number, Sampler sampler, Scratch scratch, Deque<Branch> pending) {
+  Rgb follow(Branch branch, int number, Sampler sampler, Scratch scratch, Deque<Branch> pending) {
     NearestHit hit = scratch.hit;
     scratch.rays++;
     if (!scene.intersect(branch.ray(), hit)) {
@@ -113,13 +115,18 @@ public final class RayTracer implements Integrator {
       Optional<LightSample> drawn =
           lights.get(i).sample(vertex.surface().position(), sampler.get2d(dimension));
       if (drawn.isPresent()) {
-        sum = sum.plus(arriving(drawn.get(), vertex, scratch));
+        sum = sum.plus(arriving(i, drawn.get(), vertex, scratch));
       }
     }
     return sum;
   }
 
-  private Rgb arriving(LightSample light, Vertex vertex, Scratch scratch) {
+  /**
+   * Returns the light of one sample that scatters to the viewer.
+   *
+   * @param number of the light in the scene's list of lights
+   */
+  Rgb arriving(int number, LightSample light, Vertex vertex, Scratch scratch) {
     Rgb scattered = vertex.eval(light.wi()).times(light.radiance());
     if (scattered.isBlack() || scratch.isOccluded(scene, light.shadowRay(vertex.surface()))) {
       return Rgb.BLACK;

@@ -309,6 +309,11 @@ final class JsonNode {
     return find(childKey).flatMap(JsonNode::asString);
   }
 
+  /** Returns the value if it is a text, without complaining if it is not. */
+  Optional<String> text() {
+    return value instanceof String text ? Optional.of(text) : Optional.empty();
+  }
+
   private Optional<String> asString() {
     if (value instanceof String text) {
       return Optional.of(text);

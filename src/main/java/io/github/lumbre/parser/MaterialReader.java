@@ -89,6 +89,13 @@ final class MaterialReader {
     return asset.map(a -> surfaces.computeIfAbsent(a, this::read)).orElse(Surface.DEFAULT);
   }
 
+  /** Returns the asset that gives an object its surface; empty if it has none. */
+  Optional<JsonNode> asset(JsonNode object) {
+    return assets.has(object, "materialID", AssetTable.Type.MATERIAL)
+        ? assets.find(object, "materialID", AssetTable.Type.MATERIAL)
+        : Optional.empty();
+  }
+
   /** Returns how many materials are in use. */
   int count() {
     return surfaces.size();

@@ -80,12 +80,17 @@ final class Problems {
   }
 
   private String line(String path, String message) {
+    return file + ": " + shownPath(path) + ": " + message;
+  }
+
+  /** Returns a path as it may be printed: escaped, and without its middle if it is too long. */
+  static String shownPath(String path) {
     String shown = escaped(path);
-    if (shown.length() > MAX_PATH) {
-      int end = MAX_PATH / 2;
-      shown = shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
+    if (shown.length() <= MAX_PATH) {
+      return shown;
     }
-    return file + ": " + shown + ": " + message;
+    int end = MAX_PATH / 2;
+    return shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
   }
 
   /** Returns a text from a scene as it may be printed: in quotes, escaped and not too long. */

@@ -10,13 +10,15 @@ import java.util.List;
  * @param warnings a line each, as in {@link SceneFormatException#problems}
  * @param hash SHA-256 of the file and of every file it refers to, in hexadecimal
  * @param contents what the scene is made of, for people
+ * @param origins where in the file everything stands
  */
 public record SceneFile(
     Scene scene,
     RenderSettings settings,
     List<String> warnings,
     String hash,
-    SceneContents contents) {
+    SceneContents contents,
+    SceneOrigins origins) {
   public SceneFile {
     warnings = List.copyOf(warnings);
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -127,12 +128,14 @@ public final class SceneParser {
     SceneReader world = new SceneReader(root, assets, new AssetData(file, digest), settings.seed());
     world.read(settings.aspect(), background);
     problems.throwIfAny();
+    Scene scene = world.scene();
     return new SceneFile(
-        world.scene(),
+        scene,
         settings,
         problems.warnings(),
         HexFormat.of().formatHex(digest.digest()),
-        world.contents());
+        world.contents(),
+        world.origins());
   }
 
   /** Returns the settings; if the file's have errors, without the caller's changes. */

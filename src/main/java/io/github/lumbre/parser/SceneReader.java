@@ -23,10 +23,16 @@ final class SceneReader {
   private final MaterialReader materials;
   private final ShapeReader shapes;
   private final CameraReader cameras;
-  private final List<Consumer<SceneBuilder>> additions = new ArrayList<>();
+  private final List<Addition> additions = new ArrayList<>();
+  private final List<Origin> primitives = new ArrayList<>();
+  private final List<Origin> materialsOfPrimitives = new ArrayList<>();
+  private final List<Origin> emitters = new ArrayList<>();
   private Optional<Camera> camera = Optional.empty();
   private String cameraType = "";
   private int lightCount;
+
+  /** Something of the file that adds to the scene. */
+  private record Addition(JsonNode origin, Consumer<SceneBuilder> action) {}
 
   /**
    * @param seed from which everything random in the world follows
@@ -99,28 +105,50 @@ final class SceneReader {
   private void readShape(Placed object) {
     Surface surface = materials.of(object.node());
     Optional<Shape> shape = shapes.read(object);
-    shape.ifPresent(made -> additions.add(scene -> surface.add(made, scene)));
+    shape.ifPresent(
+        made -> additions.add(new Addition(object.node(), scene -> surface.add(made, scene))));
   }
 
   private void readLights(Optional<Rgb> background) {
     LightReader lights = new LightReader(textures, materials.hasGlass());
     for (Placed light : objects(ObjectTree.Type.LIGHT)) {
-      lights.read(light).ifPresent(additions::add);
+      lights.read(light).ifPresent(made -> additions.add(new Addition(light.node(), made)));
     }
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
       root.object("renderOptions")
           .ifPresent(o -> o.warn("background", "is ignored, since the scene has a Dome"));
     } else {
-      background.ifPresent(radiance -> additions.add(scene -> scene.addBackground(radiance)));
+      JsonNode origin = root.object("renderOptions").orElse(root);
+      background.ifPresent(
+          radiance -> additions.add(new Addition(origin, s -> s.addBackground(radiance))));
     }
   }
 
   /** Returns the world; there must be no errors. */
   Scene scene() {
     SceneBuilder scene = Scene.seenBy(camera.orElseThrow());
-    additions.forEach(addition -> addition.accept(scene));
+    for (Addition addition : additions) {
+      addition.action.accept(scene);
+      note(addition.origin, scene);
+    }
     return scene.build();
+  }
+
+  /** Notes where that stands which the scene has more than before. */
+  private void note(JsonNode node, SceneBuilder scene) {
+    if (scene.primitiveCount() > primitives.size()) {
+      primitives.add(Origin.of(node));
+      materialsOfPrimitives.add(materials.asset(node).map(Origin::of).orElse(Origin.NONE));
+    }
+    if (scene.emitterCount() > emitters.size()) {
+      emitters.add(Origin.of(node));
+    }
+  }
+
+  /** Returns where everything stands, once {@link #scene} has been made. */
+  SceneOrigins origins() {
+    return new SceneOrigins(primitives, materialsOfPrimitives, emitters);
   }
 
   /** Returns what there is to know about the world's size. */

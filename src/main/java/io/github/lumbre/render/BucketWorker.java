@@ -3,7 +3,6 @@ package io.github.lumbre.render;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.Scratch;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
@@ -99,13 +98,9 @@ final class BucketWorker implements Runnable {
   }
 
   private void renderSample(int x, int y, int sample, int pixel) {
-    sampler.startSample(x, y, sample);
     scratch.startSample();
     samples++;
-    Point2 jitter = sampler.get2d(Sampler.FILM);
-    Point2 point =
-        new Point2((x + jitter.x()) / settings.width(), (y + jitter.y()) / settings.height());
-    Optional<Ray> ray = scene.camera().rayFor(point, sampler);
+    Optional<Ray> ray = CameraSamples.start(scene, settings, sampler, x, y, sample);
     if (ray.isEmpty()) {
       film.add(pixel, Rgb.BLACK, false);
       return;
@@ -116,7 +111,7 @@ final class BucketWorker implements Runnable {
 
   /** Returns the radiance, or black and a note of it if it is no radiance. */
   private Rgb accepted(Rgb radiance, int x, int y, int sample) {
-    if (!radiance.isFinite() || radiance.r() < 0 || radiance.g() < 0 || radiance.b() < 0) {
+    if (CameraSamples.isRejected(radiance)) {
       rejected++;
       if (firstRejected.size() < MAX_REPORTED_REJECTS) {
         firstRejected.add(new RenderStatistics.RejectedSample(x, y, sample));

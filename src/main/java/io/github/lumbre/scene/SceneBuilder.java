@@ -81,6 +81,16 @@ public final class SceneBuilder {
     return this;
   }
 
+  /** Returns how many primitives there are so far. */
+  public int primitiveCount() {
+    return primitives.size();
+  }
+
+  /** Returns how many emitters there are so far. */
+  public int emitterCount() {
+    return emitters.size();
+  }
+
   public Scene build() {
     return new Scene(camera, primitives, lights, emitters, emitterOfPrimitive, ambient);
   }

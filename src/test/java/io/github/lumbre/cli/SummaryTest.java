@@ -42,8 +42,12 @@ class SummaryTest {
   @Test
   void rejectedSamplesCanBeFoundAgain() {
     Summary summary = summary(true, List.of(new RejectedSample(3, 1, 9)));
-    assertThat(lines(summary::printRejected)).contains("seed 5", "pixel 3,1 sample 9");
-    assertThat(lines(summary(true, List.of())::printRejected)).isEmpty();
+    Path scene = Path.of("my scene.json");
+    assertThat(lines(messages -> summary.printRejected(scene, messages)))
+        .contains("warning: 1 samples", "warning: pixel 3,1 sample 9: ")
+        .contains("lumbre pixel 'my scene.json' 3,1 --sample 9 --seed 5 --size 4x2 --mode path");
+    Summary flawless = summary(true, List.of());
+    assertThat(lines(messages -> flawless.printRejected(scene, messages))).isEmpty();
   }
 
   @Test

@@ -1,0 +1,105 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.cli.FlagConverters.PixelPlace;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.render.PixelReplay;
+import io.github.lumbre.scene.RenderSettings;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre pixel}: repeats the samples of one pixel and tells how they came about. */
+@Command(
+    name = "pixel",
+    header = "Repeat the samples of one pixel, and tell how they came about.",
+    description =
+        "With --sample, prints the path of that sample, vertex by vertex; without, the pixel's"
+            + " mean, variance and brightest samples. Scene, seed, size, mode and depth given"
+            + " alike, these are the samples of the render, to the bit.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre pixel scene.json 120,80",
+      "  lumbre pixel scene.json 120,80 --sample 17",
+      "  lumbre pixel scene.json 120,80 --sample 17 --seed 5 --json"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "1:There are warnings, and --strict makes them errors",
+      "2:The command line is wrong: also a pixel outside the frame",
+      "3:The scene is missing, unreadable or invalid",
+      "4:A mesh or picture of the scene cannot be decoded",
+      "5:Something is larger than a limit or than memory",
+      "7:A fault of the program, or under --strict a sample that is not a number"
+    })
+final class PixelCommand implements Callable<Integer> {
+  /** How many of the brightest samples are told. */
+  private static final int SHOWN = 8;
+
+  @Mixin private SceneOptions options;
+
+  @Parameters(
+      index = "1",
+      paramLabel = "x,y",
+      converter = FlagConverters.OfPixel.class,
+      description = "The pixel of the full frame; 0,0 is the top left one.")
+  private PixelPlace pixel;
+
+  @Option(
+      names = "--sample",
+      paramLabel = "N",
+      description = "The number of the sample; the first is 0.")
+  private Optional<Integer> sample;
+
+  @Mixin private RenderFlags flags;
+
+  @Mixin private KernelFlag kernel;
+
+  @Option(names = "--json", description = "Print JSON, for programs.")
+  private boolean json;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, CommandException {
+    flags.validate();
+    kernel.apply();
+    FlagChecks checks = new FlagChecks(spec);
+    sample.ifPresent(n -> checks.requireIn("--sample", 0, RenderSettings.MAX_SAMPLES - 1, n));
+    SceneFile file =
+        options.load(flags.over(options.parser()), new Messages(spec.commandLine().getErr()));
+    RenderSettings settings = file.settings();
+    checks.requireIn("x", 0, settings.width() - 1, pixel.x());
+    checks.requireIn("y", 0, settings.height() - 1, pixel.y());
+    PixelReplay replay = new PixelReplay(file.scene(), settings);
+    PixelReport report = new PixelReport(file, pixel);
+    Messages out = new Messages(spec.commandLine().getOut());
+    boolean rejected;
+    if (sample.isPresent()) {
+      PixelReplay.Sample one = replay.sample(pixel.x(), pixel.y(), sample.get());
+      rejected = one.rejected();
+      print(json ? PixelJson.text(report, one) : report.text(one), out);
+    } else {
+      PixelReplay.Pixel all = replay.pixel(pixel.x(), pixel.y(), SHOWN);
+      rejected = all.rejected() > 0;
+      print(json ? PixelJson.text(report, all) : report.text(all), out);
+    }
+    return rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK;
+  }
+
+  private static void print(String text, Messages out) {
+    text.lines().forEach(out::line);
+  }
+}

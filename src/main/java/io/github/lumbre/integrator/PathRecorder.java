@@ -1,0 +1,193 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.PathVertex.End;
+import io.github.lumbre.integrator.PathVertex.Gathered;
+import io.github.lumbre.integrator.PathVertex.Meeting;
+import io.github.lumbre.integrator.PathVertex.Scattering;
+import io.github.lumbre.integrator.PathVertex.Source;
+import io.github.lumbre.light.LightChoice;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.sampling.Mis;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** A path tracer that remembers the last path, vertex by vertex. Mutable. */
+public final class PathRecorder extends PathTracer implements Recorder {
+  private final int maxDepth;
+  private final List<PathVertex> vertices = new ArrayList<>();
+  private final List<Gathered> gathered = new ArrayList<>();
+  private Optional<Scattering> scattering = Optional.empty();
+  private Rgb throughput = Rgb.WHITE;
+  private boolean lostRoulette;
+  private double lightPdf;
+  private double weight;
+
+  /**
+   * @param maxDepth as of {@link PathTracer}
+   */
+  public PathRecorder(Scene scene, int maxDepth) {
+    super(scene, maxDepth);
+    this.maxDepth = maxDepth;
+  }
+
+  @Override
+  public List<PathVertex> vertices() {
+    return List.copyOf(vertices);
+  }
+
+  @Override
+  public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
+    vertices.clear();
+    return super.radiance(cameraRay, sampler, scratch);
+  }
+
+  @Override
+  boolean extend(int depth, Sampler sampler, Scratch scratch) {
+    Ray ray = scratch.path.ray();
+    double pdf = scratch.path.pdf();
+    throughput = scratch.path.weight();
+    gathered.clear();
+    scattering = Optional.empty();
+    lostRoulette = false;
+    lightPdf = 0;
+    boolean goesOn = super.extend(depth, sampler, scratch);
+    End end = goesOn ? End.GOES_ON : end(depth, scratch);
+    Optional<Meeting> meeting = Optional.empty();
+    if (end != End.ESCAPED) {
+      boolean scatters = end != End.EMITTER && end != End.DEPTH;
+      SurfaceHit surface = scatters ? scratch.vertex.surface() : scene.surfaceAt(ray, scratch.hit);
+      String bsdf = scatters ? scratch.vertex.bsdf().getClass().getSimpleName() : "";
+      meeting = Optional.of(Recorder.meeting(scratch.hit.shape(), surface, bsdf));
+      if (end == End.EMITTER) {
+        gathered.add(emission(scratch, surface, pdf));
+      }
+    }
+    vertices.add(
+        new PathVertex(
+            ray, throughput, meeting, gathered, scattering, end, scratch.path.radiance()));
+    return goesOn;
+  }
+
+  private End end(int depth, Scratch scratch) {
+    if (!scratch.hit.isHit()) {
+      return End.ESCAPED;
+    }
+    if (scene.primitiveAt(scratch.hit).emission().isPresent()) {
+      return End.EMITTER;
+    }
+    if (depth == maxDepth) {
+      return End.DEPTH;
+    }
+    return lostRoulette ? End.ROULETTE : End.ABSORBED;
+  }
+
+  private Gathered emission(Scratch scratch, SurfaceHit surface, double pdf) {
+    Rgb radiance = emitted(scene.primitiveAt(scratch.hit).emission().get(), surface);
+    return new Gathered(
+        Source.EMISSION,
+        scene.emitterAt(scratch.hit),
+        surface.wo().negated(),
+        radiance,
+        Rgb.WHITE,
+        lightPdf,
+        pdf,
+        weight,
+        false,
+        throughput.times(radiance.times(weight)));
+  }
+
+  @Override
+  double emissionWeight(int emitter, Path path, SurfaceHit surface) {
+    weight = super.emissionWeight(emitter, path, surface);
+    return weight;
+  }
+
+  @Override
+  double lightPdf(int emitter, Path path, double pdfOfEmitter) {
+    lightPdf = super.lightPdf(emitter, path, pdfOfEmitter);
+    return lightPdf;
+  }
+
+  @Override
+  Rgb escaped(Path path) {
+    Rgb light = super.escaped(path);
+    if (!light.isBlack()) {
+      // Of several domes, each has a weight of its own: told is their sum.
+      boolean isWeighed = lightPdf > 0 && scene.environments().size() == 1;
+      double bsdfWeight = isWeighed ? Mis.power(path.pdf(), lightPdf) : 1;
+      gathered.add(
+          new Gathered(
+              Source.BACKGROUND,
+              scene.environments().size() == 1
+                  ? scene.emitters().indexOf(scene.environments().get(0))
+                  : -1,
+              path.direction(),
+              isWeighed ? scene.background(path.direction()) : light,
+              Rgb.WHITE,
+              isWeighed ? lightPdf : 0,
+              path.pdf(),
+              bsdfWeight,
+              false,
+              throughput.times(light)));
+    }
+    return light;
+  }
+
+  @Override
+  Rgb ambient(Vertex vertex) {
+    Rgb light = super.ambient(vertex);
+    gathered.add(Recorder.ambient(scene.ambient(), light, throughput));
+    return light;
+  }
+
+  @Override
+  Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
+    long shadowRays = scratch.shadowRays();
+    Rgb light = super.direct(vertex, sampler, dimension, scratch);
+    boolean traced = scratch.shadowRays() > shadowRays;
+    LightChoice choice = scratch.choice;
+    // The same question again has the same answer.
+    Optional<LightSample> drawn =
+        scene
+            .emitters()
+            .get(choice.emitter())
+            .sample(vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
+    drawn.ifPresent(
+        sample -> {
+          double pdf = choice.probability() * (sample.isDelta() ? 1 : sample.pdf());
+          gathered.add(
+              new Gathered(
+                  Source.LIGHT,
+                  choice.emitter(),
+                  sample.wi(),
+                  sample.radiance(),
+                  scratch.value.f(),
+                  pdf,
+                  scratch.value.pdf(),
+                  sample.isDelta() ? 1 : Mis.power(pdf, scratch.value.pdf()),
+                  traced && light.isBlack(),
+                  throughput.times(light)));
+        });
+    return light;
+  }
+
+  @Override
+  boolean scatter(int depth, Sampler sampler, Scratch scratch) {
+    boolean goesOn = super.scatter(depth, sampler, scratch);
+    BsdfSample drawn = scratch.scattered;
+    if (!drawn.isAbsorbed()) {
+      double survival =
+          depth < FIRST_ROULETTE ? 1 : Math.min(1, throughput.times(drawn.weight()).max());
+      scattering = Optional.of(new Scattering(drawn.wi(), drawn.weight(), drawn.pdf(), survival));
+      lostRoulette = !goesOn;
+    }
+    return goesOn;
+  }
+}

@@ -1,0 +1,141 @@
+package io.github.lumbre.render;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.PathRecorder;
+import io.github.lumbre.integrator.PathVertex;
+import io.github.lumbre.integrator.RayRecorder;
+import io.github.lumbre.integrator.Recorder;
+import io.github.lumbre.integrator.Scratch;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Repeats single samples of a render, to the bit, and tells how they came about. Mutable, and
+ * confined to one thread.
+ */
+public final class PixelReplay {
+  private final Scene scene;
+  private final RenderSettings settings;
+  private final Sampler sampler;
+  private final Recorder recorder;
+  private final Scratch scratch = new Scratch();
+
+  /**
+   * @param settings those of the render whose samples are repeated
+   */
+  public PixelReplay(Scene scene, RenderSettings settings) {
+    this.scene = scene;
+    this.settings = settings;
+    sampler = new SobolSampler(settings.seed());
+    recorder =
+        switch (settings.mode()) {
+          case PATH -> new PathRecorder(scene, settings.maxTraceDepth());
+          case RAY ->
+              new RayRecorder(
+                  scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());
+        };
+  }
+
+  /**
+   * One sample and its path.
+   *
+   * @param number of the sample
+   * @param vertices of the path; none if the camera images nothing there
+   * @param radiance as the integrator returns it
+   * @param film what the film gets: the same, or black if it is rejected
+   * @param rejected whether it is negative or not finite
+   */
+  public record Sample(
+      int number, List<PathVertex> vertices, Rgb radiance, Rgb film, boolean rejected) {
+    public Sample {
+      vertices = List.copyOf(vertices);
+    }
+  }
+
+  /**
+   * All samples of a pixel.
+   *
+   * @param samples how many there are
+   * @param mean over the samples, as the film sums them; where the picture has alpha, over all
+   *     samples and not the covering ones alone
+   * @param variance of one sample, unbiased; 0 of a single one
+   * @param rejected how many count as black
+   * @param firstRejected the first of those
+   * @param brightest samples by their largest component, falling
+   */
+  public record Pixel(
+      int samples,
+      Rgb mean,
+      Rgb variance,
+      int rejected,
+      List<Sample> firstRejected,
+      List<Sample> brightest) {
+    public Pixel {
+      firstRejected = List.copyOf(firstRejected);
+      brightest = List.copyOf(brightest);
+    }
+  }
+
+  /**
+   * Repeats one sample.
+   *
+   * @param x of the pixel in the full frame
+   * @param y likewise
+   */
+  public Sample sample(int x, int y, int number) {
+    scratch.startSample();
+    Optional<Ray> ray = CameraSamples.start(scene, settings, sampler, x, y, number);
+    if (ray.isEmpty()) {
+      return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false);
+    }
+    Rgb radiance = recorder.radiance(ray.get(), sampler, scratch);
+    boolean rejected = CameraSamples.isRejected(radiance);
+    return new Sample(
+        number, recorder.vertices(), radiance, rejected ? Rgb.BLACK : radiance, rejected);
+  }
+
+  /**
+   * Repeats all samples of a pixel.
+   *
+   * @param shown how many of the brightest, and of the rejected ones, are kept
+   */
+  public Pixel pixel(int x, int y, int shown) {
+    Film film = new Film(new RenderSettings.Crop(0, 0, 1, 1), false, 0);
+    Rgb[] welford = {Rgb.BLACK, Rgb.BLACK};
+    List<Sample> rejected = new ArrayList<>();
+    List<Sample> brightest = new ArrayList<>();
+    Comparator<Sample> byBrightness = Comparator.comparingDouble(s -> -s.film().max());
+    int rejects = 0;
+    for (int number = 0; number < settings.samples(); number++) {
+      Sample sample = sample(x, y, number);
+      film.add(0, sample.film(), true);
+      addToMoments(welford, sample.film(), number + 1);
+      if (sample.rejected() && rejects++ < shown) {
+        rejected.add(sample);
+      }
+      if (brightest.size() < shown
+          || sample.film().max() > brightest.get(brightest.size() - 1).film().max()) {
+        brightest.add(sample);
+        brightest.sort(byBrightness);
+        brightest.subList(Math.min(shown, brightest.size()), brightest.size()).clear();
+      }
+    }
+    Rgb variance = welford[1].times(1.0 / Math.max(1, settings.samples() - 1));
+    return new Pixel(
+        settings.samples(), film.develop().pixel(0, 0), variance, rejects, rejected, brightest);
+  }
+
+  /** Updates mean and sum of squared deviations (Welford 1962). */
+  private static void addToMoments(Rgb[] moments, Rgb value, int count) {
+    Rgb before = value.plus(moments[0].times(-1));
+    moments[0] = moments[0].plus(before.times(1.0 / count));
+    moments[1] = moments[1].plus(before.times(value.plus(moments[0].times(-1))));
+  }
+}

@@ -1,0 +1,96 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class PixelCommandTest {
+  /** So bright that one light in sixteen, over the probability of its choice, overflows. */
+  private static final String BLINDING =
+      "{\"type\": \"Light\", \"lightType\": \"Directional\", \"intensity\": 1.7e308,"
+          + " \"localRotation\": {\"x\": 60, \"y\": 0, \"z\": 0}}, ";
+
+  @TempDir private Path directory;
+
+  private Outcome pixel(String json, String... flags) {
+    Path scene = TinyScene.write(directory, json);
+    Stream<String> first = Stream.of("pixel", scene.toString());
+    return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
+  }
+
+  private static String blinding() {
+    return TinyScene.with("{\"id\": 5", BLINDING.repeat(16) + "{\"id\": 5");
+  }
+
+  @Test
+  void pathIsToldVertexByVertexWithItsPlacesInTheFile() {
+    Outcome outcome = pixel(TinyScene.JSON, "8,6", "--sample", "1");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).isEmpty();
+    assertThat(outcome.out().lines())
+        .contains("pixel 8,6, sample 1, seed 0", "vertex 0", "vertex 1")
+        .anyMatch(line -> line.startsWith("  meets      $.objects[2]"))
+        .anyMatch(line -> line.startsWith("  made of    $.assets[1]"))
+        .anyMatch(line -> line.startsWith("film gets    ("));
+  }
+
+  @Test
+  void pixelAsAWholeHasMeanVarianceAndBrightestSamples() {
+    Outcome outcome = pixel(TinyScene.JSON, "8,6", "-s", "20");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.out().lines())
+        .contains("pixel 8,6, 20 samples, seed 0", "rejected     0 samples")
+        .filteredOn(line -> line.startsWith("brightest "))
+        .hasSize(8);
+  }
+
+  @Test
+  void jsonHoldsTheSame() {
+    String text = pixel(TinyScene.JSON, "8,6", "--sample", "1", "--json").out();
+    JsonObject sample = JsonParser.parseString(text).getAsJsonObject();
+    assertThat(sample.get("format").getAsString()).isEqualTo(PixelJson.FORMAT);
+    JsonObject first = sample.getAsJsonArray("vertices").get(0).getAsJsonObject();
+    assertThat(first.getAsJsonObject("meets").get("object_path").getAsString())
+        .isEqualTo("$.objects[2]");
+    assertThat(sample.get("film")).isEqualTo(sample.get("radiance"));
+    String all = pixel(TinyScene.JSON, "8,6", "--json").out();
+    assertThat(JsonParser.parseString(all).getAsJsonObject().get("samples").getAsInt())
+        .isEqualTo(2);
+  }
+
+  @Test
+  void wrongPlacesAreRefused() {
+    pixel(TinyScene.JSON, "16,6").assertFailed(ExitCodes.USAGE, "x: expected 0 to 15, found 16");
+    pixel(TinyScene.JSON, "0,12").assertFailed(ExitCodes.USAGE, "y: expected 0 to 11");
+    pixel(TinyScene.JSON, "0;1").assertFailed(ExitCodes.USAGE, "expected x,y in pixels");
+    pixel(TinyScene.JSON, "0,1", "--sample", "-1").assertFailed(ExitCodes.USAGE, "--sample");
+  }
+
+  /** The warning of a render says what to type; typed, it tells of the same sample. */
+  @Test
+  void rejectedSamplesAreReplayedByTheCommandOfTheWarning() {
+    Path scene = TinyScene.write(directory, blinding());
+    Path picture = directory.resolve("tiny.png");
+    Outcome render =
+        Outcome.of("render", "" + scene, "-o", "" + picture, "--quiet", "--seed", "3", "-s", "4");
+    assertThat(render.exitCode()).isZero();
+    List<String> warnings =
+        render.err().lines().filter(line -> line.contains("lumbre pixel ")).toList();
+    assertThat(warnings).isNotEmpty();
+    String command = warnings.get(0).replaceFirst(".*lumbre ", "");
+    Outcome replay = Outcome.of(command.split(" "));
+    assertThat(replay.exitCode()).isZero();
+    assertThat(replay.out())
+        .contains(
+            "Infinity", "rejected     negative or not finite", "film gets    (0.0, 0.0, 0.0)");
+    Outcome strict = Outcome.of((command + " --strict").split(" "));
+    assertThat(strict.exitCode()).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(Outcome.of((command + " --json").split(" ")).out()).contains("\"Infinity\"");
+  }
+}

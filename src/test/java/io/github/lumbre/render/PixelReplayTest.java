@@ -1,0 +1,156 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.PathTracer;
+import io.github.lumbre.integrator.PathVertex;
+import io.github.lumbre.integrator.PathVertex.End;
+import io.github.lumbre.integrator.PathVertex.Gathered;
+import io.github.lumbre.integrator.PathVertex.Source;
+import io.github.lumbre.integrator.RayTracer;
+import io.github.lumbre.integrator.Scratch;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class PixelReplayTest {
+  private static final int WIDTH = 24;
+  private static final int HEIGHT = 16;
+
+  private static SceneFile scene(String name, Mode mode) throws Exception {
+    return new SceneParser()
+        .inMode(mode)
+        .overriding(s -> s.toBuilder().size(WIDTH, HEIGHT).samples(3).seed(11).build())
+        .parse(Path.of("scenes", name + ".json"));
+  }
+
+  /** Whoever watches a path does not change it: all bits are those of a render. */
+  @ParameterizedTest
+  @CsvSource({
+    "cornell-box, PATH",
+    "cornell-box-dome, PATH",
+    "cornell-box, RAY",
+    "glass-and-mirror, PATH",
+    "glass-and-mirror, RAY",
+    "camera-fisheye, PATH",
+    "table-13-voronoi, PATH"
+  })
+  void replayedSamplesHaveTheBitsOfTheRender(String name, Mode mode) throws Exception {
+    SceneFile file = scene(name, mode);
+    RenderSettings settings = file.settings();
+    Image image = new BucketRenderer(settings).render(file.scene());
+    Integrator integrator = integrator(file);
+    PixelReplay replay = new PixelReplay(file.scene(), settings);
+    Sampler sampler = new SobolSampler(settings.seed());
+    Scratch scratch = new Scratch();
+    for (int y = 0; y < HEIGHT; y += 3) {
+      for (int x = 0; x < WIDTH; x++) {
+        if (!file.scene().camera().leavesBlanks()) {
+          assertThat(replay.pixel(x, y, 2).mean()).isEqualTo(image.pixel(x, y));
+        }
+        for (int sample = 0; sample < settings.samples(); sample++) {
+          Optional<Ray> ray = CameraSamples.start(file.scene(), settings, sampler, x, y, sample);
+          Rgb expected = ray.map(r -> integrator.radiance(r, sampler, scratch)).orElse(Rgb.BLACK);
+          PixelReplay.Sample replayed = replay.sample(x, y, sample);
+          assertThat(replayed.film()).isEqualTo(expected);
+          assertAddsUp(replayed, mode);
+        }
+      }
+    }
+  }
+
+  private static Integrator integrator(SceneFile file) {
+    RenderSettings s = file.settings();
+    return s.mode() == Mode.PATH
+        ? new PathTracer(file.scene(), s.maxTraceDepth())
+        : new RayTracer(file.scene(), s.reflectionTraceDepth(), s.refractionTraceDepth());
+  }
+
+  /** The contributions told are all there are; of a path, in the order in which it adds them. */
+  private static void assertAddsUp(PixelReplay.Sample sample, Mode mode) {
+    Rgb sum = Rgb.BLACK;
+    for (PathVertex vertex : sample.vertices()) {
+      for (Gathered light : vertex.gathered()) {
+        sum = sum.plus(light.contribution());
+        assertExplained(vertex, light);
+      }
+    }
+    if (mode == Mode.PATH) {
+      assertThat(sum).isEqualTo(sample.radiance());
+    } else {
+      assertThat(sum.r()).isCloseTo(sample.radiance().r(), within(1e-14 * (1 + sum.r())));
+    }
+    List<PathVertex> vertices = sample.vertices();
+    if (!vertices.isEmpty()) {
+      assertThat(vertices.get(vertices.size() - 1).sum()).isEqualTo(sample.radiance());
+    }
+  }
+
+  /** throughput · f · L · weight / pdf is the contribution. */
+  private static void assertExplained(PathVertex vertex, Gathered light) {
+    Rgb product = vertex.throughput().times(light.f()).times(light.radiance());
+    double factor = light.source() == Source.LIGHT ? light.weight() / light.lightPdf() : 1;
+    if (light.source() == Source.EMISSION || light.source() == Source.BACKGROUND) {
+      factor = light.weight();
+    }
+    if (light.source() != Source.AMBIENT && !light.blocked()) {
+      double expected = product.g() * factor;
+      assertThat(light.contribution().g()).isCloseTo(expected, within(1e-12 * (1 + expected)));
+    }
+  }
+
+  @Test
+  void pathsAreToldToTheirEnd() throws Exception {
+    SceneFile file = scene("cornell-box", Mode.PATH);
+    PixelReplay replay = new PixelReplay(file.scene(), file.settings());
+    for (int x = 0; x < WIDTH; x++) {
+      List<PathVertex> vertices = replay.sample(x, 9, 1).vertices();
+      for (int i = 0; i < vertices.size(); i++) {
+        PathVertex vertex = vertices.get(i);
+        boolean isLast = i == vertices.size() - 1;
+        assertThat(vertex.end() != End.GOES_ON).isEqualTo(isLast);
+        assertThat(vertex.meeting().isPresent()).isEqualTo(vertex.end() != End.ESCAPED);
+        if (!isLast) {
+          PathVertex next = vertices.get(i + 1);
+          assertThat(next.ray().direction()).isEqualTo(vertex.scattering().get().wi());
+          double survival = vertex.scattering().get().survival();
+          Rgb carried =
+              vertex.throughput().times(vertex.scattering().get().weight()).times(1 / survival);
+          assertThat(next.throughput()).isEqualTo(carried);
+        }
+      }
+    }
+  }
+
+  @Test
+  void varianceIsThatOfTheSamples() throws Exception {
+    SceneFile file = scene("cornell-box", Mode.PATH);
+    PixelReplay replay = new PixelReplay(file.scene(), file.settings());
+    PixelReplay.Pixel pixel = replay.pixel(12, 8, 2);
+    ToDoubleFunction<Integer> red = n -> replay.sample(12, 8, n).film().r();
+    double mean = (red.applyAsDouble(0) + red.applyAsDouble(1) + red.applyAsDouble(2)) / 3;
+    double squares = 0;
+    for (int n = 0; n < 3; n++) {
+      squares += Math.pow(red.applyAsDouble(n) - mean, 2);
+    }
+    assertThat(pixel.variance().r()).isCloseTo(squares / 2, within(1e-12));
+    assertThat(pixel.brightest()).hasSize(2);
+    assertThat(pixel.brightest().get(0).film().max())
+        .isGreaterThanOrEqualTo(pixel.brightest().get(1).film().max());
+  }
+}
