@@ -11,8 +11,8 @@ import java.util.Locale;
  * @param maxHeapBytes what the heap may grow to
  */
 record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapBytes) {
-  /** The film takes at most 56 bytes a pixel, and the picture made from it 16. */
-  private static final int BYTES_PER_PIXEL = 72;
+  /** The film takes at most 64 bytes a pixel, and the picture made from it 16. */
+  private static final int BYTES_PER_PIXEL = 80;
 
   /** What a thread keeps, and the part of the heap that is set aside for it alone. */
   private static final long BYTES_PER_THREAD = 64 << 10;

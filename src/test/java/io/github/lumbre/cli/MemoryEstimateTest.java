@@ -19,7 +19,7 @@ class MemoryEstimateTest {
         catchThrowableOfType(CommandException.class, () -> estimate.require());
     assertThat(thrown.exitCode()).isEqualTo(ExitCodes.LIMIT);
     assertThat(thrown)
-        .hasMessageContaining("16384x16384 pixels need 18441 MiB")
+        .hasMessageContaining("16384x16384 pixels need 20489 MiB")
         .hasMessageContaining("100 MiB of the scene")
         .hasMessageContaining("limited to 512 MiB");
   }

@@ -2,6 +2,8 @@ package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
@@ -157,6 +159,31 @@ class FilmTest {
   void pixelsWithoutSamplesAreBlackAndTransparent() {
     assertThat(new Film(new Crop(0, 0, 1, 1), false, 0).develop().pixel(0, 0)).isEqualTo(Rgb.BLACK);
     assertThat(new Film(new Crop(0, 0, 1, 1), true, 0).develop().alpha(0, 0)).isZero();
+  }
+
+  @Test
+  void halvesAreTheMeansBeforeAndAfterThePowerOfTwo() {
+    Film film = new Film(new Crop(5, 7, 1, 1), false, 0);
+    double[] sums = new double[101];
+    for (int i = 1; i <= 100; i++) {
+      film.add(0, new Rgb(i, 2 * i, 0), true);
+      sums[i] = sums[i - 1] + i;
+      if (i == 1) {
+        assertThat(film.halves(5, 7)).isEmpty();
+        continue;
+      }
+      int first = Integer.highestOneBit(i - 1);
+      PixelHalves halves = film.halves(5, 7).orElseThrow();
+      assertThat(halves.firstCount()).isEqualTo(first);
+      assertThat(halves.secondCount()).isEqualTo(i - first);
+      double firstMean = sums[first] / first;
+      double secondMean = (sums[i] - sums[first]) / (i - first);
+      assertThat(halves.first().r()).isCloseTo(firstMean, withinPercentage(.001));
+      assertThat(halves.first().g()).isCloseTo(2 * firstMean, withinPercentage(.001));
+      double slack = firstMean * first / (i - first) * 2e-5;
+      assertThat(halves.second().r()).isCloseTo(secondMean, within(slack));
+      assertThat(halves.second().b()).isZero();
+    }
   }
 
   @Test

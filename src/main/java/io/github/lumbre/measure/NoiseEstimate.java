@@ -1,0 +1,38 @@
+package io.github.lumbre.measure;
+
+/**
+ * How noisy a picture is, told from its own samples: an estimate of the relative mean squared error
+ * that {@link PictureError#relativeMse} would find against what the same render converges to. Light
+ * that all samples miss, beyond the last bounce for instance, is no noise.
+ *
+ * @param relativeMse the estimate; mostly too high, since the halves that it comes from do not
+ *     share the evenness of all samples
+ * @param upperRelativeMse what the error of this picture does not exceed, with the confidence
+ * @param confidence in (0,1)
+ * @param tailShare the share of the estimate that the noisiest thousandth of the pixels carries,
+ *     one pixel at least
+ * @param pixels that the estimate comes from
+ */
+public record NoiseEstimate(
+    double relativeMse, double upperRelativeMse, double confidence, double tailShare, long pixels) {
+  /** From this share on, what is known of the error hangs on few bright spots. */
+  private static final double HEAVY = .5;
+
+  /** Returns the root of {@link #relativeMse}. */
+  public double relativeRmse() {
+    return Math.sqrt(relativeMse);
+  }
+
+  /** Returns the root of {@link #upperRelativeMse}. */
+  public double upperRelativeRmse() {
+    return Math.sqrt(upperRelativeMse);
+  }
+
+  /**
+   * Tells whether a thousandth of the pixels carries most of the error: more such spots may be
+   * still to come, and the bound cannot know of those.
+   */
+  public boolean hasHeavyTail() {
+    return tailShare > HEAVY && relativeMse > 0;
+  }
+}

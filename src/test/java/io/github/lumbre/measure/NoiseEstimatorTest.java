@@ -1,0 +1,102 @@
+package io.github.lumbre.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.render.PixelHalves;
+import java.util.Random;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+class NoiseEstimatorTest {
+  private static NoiseEstimate estimate(double confidence, double... errors) {
+    NoiseEstimator estimator = new NoiseEstimator();
+    for (double error : errors) {
+      estimator.add(error);
+    }
+    return estimator.estimate(confidence);
+  }
+
+  /** Means of normal samples: the expected squared error of the mean of all is σ²/n. */
+  @Test
+  void independentSamplesAreEstimatedWithoutBias() {
+    Random random = new Random(7);
+    int[][] parts = {{1, 1}, {64, 64}, {64, 32}, {64, 1}};
+    for (int[] n : parts) {
+      double sum = 0;
+      int pixels = 200_000;
+      for (int i = 0; i < pixels; i++) {
+        Rgb a = Rgb.grey(10 + random.nextGaussian() / Math.sqrt(n[0]));
+        Rgb b = Rgb.grey(10 + random.nextGaussian() / Math.sqrt(n[1]));
+        sum += NoiseEstimator.relativeError(new PixelHalves(n[0], a, n[1], b));
+      }
+      double expected = 1.0 / (n[0] + n[1]) / 100.01;
+      // Standard error .3 %; at one sample of a tenth, 1/r² is another 3 % off.
+      assertThat(sum / pixels).isCloseTo(expected, within(.05 * expected));
+    }
+  }
+
+  /** A spot met by one sample of 2 n with a value V: error V² p / (n .01), however bright it is. */
+  @Test
+  void brightSpotsDoNotHideInTheirOwnBrightness() {
+    Rgb bright = Rgb.grey(1000);
+    double error = NoiseEstimator.relativeError(new PixelHalves(32, bright, 32, Rgb.BLACK));
+    assertThat(error).isCloseTo(1000 * 1000 / 4.0 / .01, within(1.0));
+  }
+
+  @Test
+  void boundHoldsAsOftenAsItSays() {
+    Random random = new Random(11);
+    int misses = 0;
+    for (int run = 0; run < 4000; run++) {
+      double[] errors = new double[256];
+      double own = 0;
+      for (int i = 0; i < errors.length; i++) {
+        double scale = i % 4;
+        double z = random.nextGaussian();
+        errors[i] = scale * z * z;
+        double y = random.nextGaussian();
+        own += scale * y * y / errors.length;
+      }
+      misses += own > estimate(.95, errors).upperRelativeMse() ? 1 : 0;
+    }
+    // At most 5 %: 200, and 3.1 standard deviations of 14.
+    assertThat(misses).isBetween(40, 243);
+  }
+
+  @Test
+  void moreConfidenceTakesAHigherBound() {
+    double[] errors = new Random(1).doubles(1000).toArray();
+    assertThat(estimate(.99, errors).upperRelativeMse())
+        .isGreaterThan(estimate(.9, errors).upperRelativeMse());
+    assertThat(estimate(.9, errors).relativeMse()).isEqualTo(estimate(.99, errors).relativeMse());
+  }
+
+  @Test
+  void fewPixelsHaveNoBound() {
+    assertThat(estimate(.95, new double[63]).upperRelativeMse()).isInfinite();
+    assertThat(estimate(.95, new double[64]).upperRelativeMse()).isZero();
+  }
+
+  @Test
+  void heavyTailsAreFound() {
+    double[] errors = new Random(3).doubles(10_000).toArray();
+    assertThat(estimate(.95, errors).hasHeavyTail()).isFalse();
+    assertThat(estimate(.95, errors).tailShare()).isCloseTo(.002, within(.0005));
+    errors[500] = 1e5;
+    assertThat(estimate(.95, errors).hasHeavyTail()).isTrue();
+    assertThat(estimate(.95, errors).tailShare()).isGreaterThan(.9);
+  }
+
+  @Test
+  void looksSpendNoMoreThanTheyMay() {
+    double spent = 0;
+    for (int look = 1; look < 1000; look++) {
+      spent += 1 - Looks.confidence(.95, look);
+    }
+    assertThat(spent).isBetween(.0499, .05);
+    assertThat(IntStream.range(1, 200).filter(Looks::isDueAfter))
+        .containsExactly(32, 48, 64, 96, 128, 192);
+  }
+}

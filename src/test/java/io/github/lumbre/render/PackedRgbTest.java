@@ -1,0 +1,40 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class PackedRgbTest {
+  @Test
+  void componentsAreKeptToAShareOfTheLargest() {
+    Random random = new Random(1);
+    for (int i = 0; i < 100_000; i++) {
+      double scale = Math.scalb(1.0, random.nextInt(96) - 64);
+      Rgb colour =
+          new Rgb(random.nextDouble() * scale, random.nextDouble() * scale, random.nextDouble());
+      Rgb kept = PackedRgb.unpacked(PackedRgb.of(colour.r(), colour.g(), colour.b()));
+      double error = colour.max() * 0x1p-18;
+      assertThat(kept.r()).isCloseTo(colour.r(), within(error));
+      assertThat(kept.g()).isCloseTo(colour.g(), within(error));
+      assertThat(kept.b()).isCloseTo(colour.b(), within(error));
+    }
+  }
+
+  @Test
+  void powersOfTwoAndWhatIsJustBelowThemAreKept() {
+    for (double v : new double[] {0x1p-64, .5, 1, 2, 0x1p32, 0}) {
+      assertThat(PackedRgb.unpacked(PackedRgb.of(v, v, v))).isEqualTo(Rgb.grey(v));
+      double below = Math.nextDown(v + 1);
+      assertThat(PackedRgb.unpacked(PackedRgb.of(below, 0, 0)).r())
+          .isCloseTo(below, within((v + 1) * 0x1p-18));
+    }
+  }
+
+  @Test
+  void blackIsAColour() {
+    assertThat(PackedRgb.of(0, 0, 0)).isNotEqualTo(PackedRgb.NONE);
+  }
+}
