@@ -1,6 +1,5 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.Ray;
 import java.util.Arrays;
 
 /**
@@ -56,14 +55,7 @@ final class BinaryTraversal implements Traversal {
   /** {@inheritDoc} All state is in local variables on purpose. */
   @Override
   public boolean traverse(
-      Ray ray,
-      double ox,
-      double oy,
-      double oz,
-      double dx,
-      double dy,
-      double dz,
-      NearestHit nearest) {
+      double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
     double[] boxes = nodes;
     int[] stack = nearest.stack;
     int[] stackNear = nearest.stackNear;
@@ -164,7 +156,7 @@ final class BinaryTraversal implements Traversal {
         nearest.stackTop = top;
         boolean hit =
             LeafRef.isOfShapes(node)
-                ? shapes.intersect(node, ray, nearest)
+                ? shapes.intersect(node, nearest)
                 : triangles.intersect(node, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest);
         if (hit) {
           found = true;

@@ -3,7 +3,6 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
@@ -62,15 +61,19 @@ public final class Box implements Shape {
 
   /** {@inheritDoc} On edges and corners the faces of x come before those of y, and y before z. */
   @Override
-  public boolean intersect(Ray ray, NearestHit nearest) {
-    Vec3 o = ray.origin();
-    Vec3 d = ray.direction();
-    double ox = toWorld.inversePointX(o.x(), o.y(), o.z());
-    double oy = toWorld.inversePointY(o.x(), o.y(), o.z());
-    double oz = toWorld.inversePointZ(o.x(), o.y(), o.z());
-    double dx = toWorld.inverseVectorX(d.x(), d.y(), d.z());
-    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
-    double dz = toWorld.inverseVectorZ(d.x(), d.y(), d.z());
+  public boolean intersect(NearestHit nearest) {
+    double wx = nearest.originX;
+    double wy = nearest.originY;
+    double wz = nearest.originZ;
+    double vx = nearest.directionX;
+    double vy = nearest.directionY;
+    double vz = nearest.directionZ;
+    double ox = toWorld.inversePointX(wx, wy, wz);
+    double oy = toWorld.inversePointY(wx, wy, wz);
+    double oz = toWorld.inversePointZ(wx, wy, wz);
+    double dx = toWorld.inverseVectorX(vx, vy, vz);
+    double dy = toWorld.inverseVectorY(vx, vy, vz);
+    double dz = toWorld.inverseVectorZ(vx, vy, vz);
     double nearX = enter(ox, dx, half.x());
     double nearY = enter(oy, dy, half.y());
     double nearZ = enter(oz, dz, half.z());
@@ -115,9 +118,9 @@ public final class Box implements Shape {
   }
 
   @Override
-  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
-    Vec3 origin = toWorld.inversePoint(ray.origin());
-    Vec3 direction = toWorld.inverseVector(ray.direction());
+  public SurfaceHit surfaceAt(NearestHit hit) {
+    Vec3 origin = toWorld.inversePoint(hit.origin());
+    Vec3 direction = toWorld.inverseVector(hit.direction());
     Vec3 local = onFace(hit.element, origin.plus(hit.t, direction));
     Frame frame = frames[hit.element];
     return hit.surface.set(
@@ -125,7 +128,7 @@ public final class Box implements Shape {
         frame.normal(),
         frame,
         texture(hit.element, local),
-        ray.direction().negated().normalized(),
+        hit.backwards(),
         toWorld.pointError(local, frame.normal()));
   }
 

@@ -1,7 +1,6 @@
 package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Ray;
-import io.github.lumbre.math.Vec3;
 import java.util.List;
 
 /**
@@ -44,46 +43,56 @@ public final class Bvh {
 
   /** Finds the nearest hit along a ray; tells whether there is one. */
   public boolean intersect(Ray ray, NearestHit nearest) {
-    nearest.start(ray.tMax());
-    return search(ray, nearest);
+    nearest.aim(ray);
+    return intersect(nearest);
+  }
+
+  /** Finds the nearest hit along the ray that {@code nearest} was just aimed by. */
+  public boolean intersect(NearestHit nearest) {
+    return search(nearest);
   }
 
   /** Tells whether anything lies on a ray: whether {@link #intersect} would find a hit. */
   public boolean isOccluded(Ray ray, NearestHit scratch) {
-    scratch.start(ray.tMax());
-    scratch.any = true;
-    return search(ray, scratch);
+    scratch.aim(ray);
+    return isOccluded(scratch);
   }
 
-  private boolean search(Ray ray, NearestHit nearest) {
-    boolean found = unbounded.intersect(ray, nearest);
+  /** Tells whether anything lies on the ray that {@code scratch} was just aimed by. */
+  public boolean isOccluded(NearestHit scratch) {
+    scratch.any = true;
+    return search(scratch);
+  }
+
+  private boolean search(NearestHit nearest) {
+    boolean found = unbounded.intersect(nearest);
     if (found && nearest.any) {
       return true;
     }
-    Vec3 o = ray.origin();
-    Vec3 d = ray.direction();
-    return bounded.traverse(ray, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), nearest) | found;
+    return traverse(nearest) | found;
+  }
+
+  private boolean traverse(NearestHit nearest) {
+    return bounded.traverse(
+        nearest.originX,
+        nearest.originY,
+        nearest.originZ,
+        nearest.directionX,
+        nearest.directionY,
+        nearest.directionZ,
+        nearest);
   }
 
   /**
-   * Continues a search in a hierarchy that is itself a shape of another: looks for a hit before
-   * {@code nearest.t} along a ray given by its local coordinates. The shape's number is the
-   * caller's to store.
-   *
-   * @param ray the world's; only passed on to shapes that are not triangles
+   * Continues a search in a hierarchy of triangles that is itself a shape of another: looks for a
+   * hit before {@code nearest.t} along a ray given by its local coordinates. The shape's number is
+   * the caller's to store.
    */
   boolean intersectPart(
-      Ray ray,
-      double ox,
-      double oy,
-      double oz,
-      double dx,
-      double dy,
-      double dz,
-      NearestHit nearest) {
+      double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
     int outer = nearest.shape;
     nearest.shape = -1;
-    boolean found = bounded.traverse(ray, ox, oy, oz, dx, dy, dz, nearest);
+    boolean found = bounded.traverse(ox, oy, oz, dx, dy, dz, nearest);
     nearest.shape = outer;
     return found;
   }

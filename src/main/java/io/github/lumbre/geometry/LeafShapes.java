@@ -1,7 +1,5 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.Ray;
-
 /** Shapes that are no triangles, in the order of a hierarchy's leaves. Immutable. */
 final class LeafShapes {
   private final Shape[] shapes;
@@ -16,31 +14,31 @@ final class LeafShapes {
   }
 
   /** Asks all shapes; tells whether one had a hit, which is stored. */
-  boolean intersect(Ray ray, NearestHit nearest) {
-    return intersect(0, shapes.length, ray, nearest);
+  boolean intersect(NearestHit nearest) {
+    return intersect(0, shapes.length, nearest);
   }
 
   /** Asks the shapes of a leaf; tells whether one had a hit, which is stored. */
-  boolean intersect(int leaf, Ray ray, NearestHit nearest) {
+  boolean intersect(int leaf, NearestHit nearest) {
     int first = LeafRef.first(leaf);
-    return intersect(first, first + LeafRef.count(leaf), ray, nearest);
+    return intersect(first, first + LeafRef.count(leaf), nearest);
   }
 
-  private boolean intersect(int first, int end, Ray ray, NearestHit nearest) {
+  private boolean intersect(int first, int end, NearestHit nearest) {
     boolean found = false;
     for (int i = first; i < end; i++) {
-      found |= intersect(shapes[i], numbers[i], ray, nearest);
+      found |= intersect(shapes[i], numbers[i], nearest);
     }
     return found;
   }
 
   /** Asks one shape, for hits at the same t as the best too if its number is the lower. */
-  private static boolean intersect(Shape shape, int number, Ray ray, NearestHit nearest) {
+  private static boolean intersect(Shape shape, int number, NearestHit nearest) {
     double best = nearest.t;
     if (number < nearest.shape) {
       nearest.t = Math.nextUp(best);
     }
-    if (shape.intersect(ray, nearest)) {
+    if (shape.intersect(nearest)) {
       nearest.shape = number;
       return true;
     }

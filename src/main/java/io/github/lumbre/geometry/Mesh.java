@@ -2,7 +2,6 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
@@ -43,20 +42,25 @@ public final class Mesh implements Shape {
   }
 
   @Override
-  public boolean intersect(Ray ray, NearestHit nearest) {
+  public boolean intersect(NearestHit nearest) {
     Bvh known = bvh;
     if (known == null) {
       known = Bvh.over(List.of(this));
       bvh = known;
     }
-    Vec3 o = ray.origin();
-    Vec3 d = ray.direction();
-    return known.intersectPart(ray, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), nearest);
+    return known.intersectPart(
+        nearest.originX,
+        nearest.originY,
+        nearest.originZ,
+        nearest.directionX,
+        nearest.directionY,
+        nearest.directionZ,
+        nearest);
   }
 
   @Override
-  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
-    return surface.at(ray, hit);
+  public SurfaceHit surfaceAt(NearestHit hit) {
+    return surface.at(hit);
   }
 
   @Override

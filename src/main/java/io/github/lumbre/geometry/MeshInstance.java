@@ -2,7 +2,6 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 
@@ -30,25 +29,28 @@ public final class MeshInstance implements Shape {
    * {@inheritDoc} The local direction is not normalised, so that t means the same on both sides.
    */
   @Override
-  public boolean intersect(Ray ray, NearestHit nearest) {
-    Vec3 o = ray.origin();
-    Vec3 d = ray.direction();
+  public boolean intersect(NearestHit nearest) {
+    double wx = nearest.originX;
+    double wy = nearest.originY;
+    double wz = nearest.originZ;
+    double vx = nearest.directionX;
+    double vy = nearest.directionY;
+    double vz = nearest.directionZ;
     return shared
         .bvh()
         .intersectPart(
-            ray,
-            toWorld.inversePointX(o.x(), o.y(), o.z()),
-            toWorld.inversePointY(o.x(), o.y(), o.z()),
-            toWorld.inversePointZ(o.x(), o.y(), o.z()),
-            toWorld.inverseVectorX(d.x(), d.y(), d.z()),
-            toWorld.inverseVectorY(d.x(), d.y(), d.z()),
-            toWorld.inverseVectorZ(d.x(), d.y(), d.z()),
+            toWorld.inversePointX(wx, wy, wz),
+            toWorld.inversePointY(wx, wy, wz),
+            toWorld.inversePointZ(wx, wy, wz),
+            toWorld.inverseVectorX(vx, vy, vz),
+            toWorld.inverseVectorY(vx, vy, vz),
+            toWorld.inverseVectorZ(vx, vy, vz),
             nearest);
   }
 
   @Override
-  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
-    return surface.at(ray, hit);
+  public SurfaceHit surfaceAt(NearestHit hit) {
+    return surface.at(hit);
   }
 
   @Override

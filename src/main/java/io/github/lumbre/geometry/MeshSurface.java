@@ -2,7 +2,6 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Distribution1d;
@@ -28,7 +27,7 @@ final class MeshSurface {
   }
 
   /** Returns the surface at barycentric weights (1 − b1 − b2, b1, b2) of a triangle. */
-  SurfaceHit at(Ray ray, NearestHit hit) {
+  SurfaceHit at(NearestHit hit) {
     int triangle = hit.element;
     Vec3 a = position(triangle, 0);
     Vec3 e1 = position(triangle, 1).minus(a);
@@ -40,7 +39,7 @@ final class MeshSurface {
         normal,
         shadingFrame(triangle, e1, e2, shadingNormal),
         texture(triangle, hit.b1, hit.b2),
-        ray.direction().negated().normalized(),
+        hit.backwards(),
         error(triangle, e1, e2, normal));
   }
 

@@ -1,12 +1,25 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+
 /**
- * The nearest hit found so far along one ray, and the scratch memory of the search. Mutable, one
- * for each thread, reused ray after ray.
+ * A ray, the nearest hit found so far along it, and the scratch memory of the search. Mutable, one
+ * for each thread, aimed anew for every ray: plain numbers, so that following a ray makes no
+ * object.
  */
 public final class NearestHit {
   /** The most nodes that one search puts aside: seven for each level of nodes of eight. */
   private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 1;
+
+  /** Where the ray begins, excluded, and its direction: not zero, and t is in units of it. */
+  double originX;
+
+  double originY;
+  double originZ;
+  double directionX;
+  double directionY;
+  double directionZ;
 
   /** Ray parameter of the hit; before any hit, the ray's end. */
   double t;
@@ -42,15 +55,43 @@ public final class NearestHit {
   /** The same for the children of one node. */
   final int[] lanes = new int[WideTree.WIDTH];
 
-  /** Makes the memory of a search; there is no hit yet. */
+  /** Makes the memory of a search; there is no ray and no hit yet. */
   public NearestHit() {}
 
-  /** Forgets the last ray. */
-  void start(double tMax) {
+  /** Takes another ray and forgets the last. */
+  public void aim(Ray ray) {
+    Vec3 o = ray.origin();
+    Vec3 d = ray.direction();
+    aim(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.tMax());
+  }
+
+  /** Takes another {@linkplain Ray ray}, given by its coordinates, and forgets the last. */
+  public void aim(double ox, double oy, double oz, double dx, double dy, double dz, double tMax) {
+    originX = ox;
+    originY = oy;
+    originZ = oz;
+    directionX = dx;
+    directionY = dy;
+    directionZ = dz;
     t = tMax;
     shape = -1;
     stackTop = 0;
     any = false;
+  }
+
+  /** Returns where the ray begins. */
+  public Vec3 origin() {
+    return new Vec3(originX, originY, originZ);
+  }
+
+  /** Returns the ray's direction. */
+  public Vec3 direction() {
+    return new Vec3(directionX, directionY, directionZ);
+  }
+
+  /** Returns the unit direction back to where the ray comes from. */
+  Vec3 backwards() {
+    return direction().negated().normalized();
   }
 
   public boolean isHit() {

@@ -3,7 +3,6 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
@@ -37,14 +36,18 @@ public final class Plane implements Shape {
   }
 
   @Override
-  public boolean intersect(Ray ray, NearestHit nearest) {
-    Vec3 o = ray.origin();
-    Vec3 d = ray.direction();
-    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
+  public boolean intersect(NearestHit nearest) {
+    double wx = nearest.originX;
+    double wy = nearest.originY;
+    double wz = nearest.originZ;
+    double vx = nearest.directionX;
+    double vy = nearest.directionY;
+    double vz = nearest.directionZ;
+    double dy = toWorld.inverseVectorY(vx, vy, vz);
     if (dy >= 0 && !twoSided) {
       return false;
     }
-    double t = -toWorld.inversePointY(o.x(), o.y(), o.z()) / dy;
+    double t = -toWorld.inversePointY(wx, wy, wz) / dy;
     if (!(t > 0 && t < nearest.t)) {
       return false;
     }
@@ -54,8 +57,8 @@ public final class Plane implements Shape {
   }
 
   @Override
-  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
-    Vec3 world = ray.at(hit.t);
+  public SurfaceHit surfaceAt(NearestHit hit) {
+    Vec3 world = hit.origin().plus(hit.t, hit.direction());
     double x = toWorld.inversePointX(world.x(), world.y(), world.z());
     double z = toWorld.inversePointZ(world.x(), world.y(), world.z());
     Vec3 local = new Vec3(x, 0, z);
@@ -64,7 +67,7 @@ public final class Plane implements Shape {
         normal,
         shading,
         new TexturePoint(x / TEXTURE_SIZE, z / TEXTURE_SIZE),
-        ray.direction().negated().normalized(),
+        hit.backwards(),
         toWorld.pointError(local, normal));
   }
 

@@ -3,7 +3,6 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
@@ -76,21 +75,25 @@ public final class Rectangle implements Shape {
   }
 
   @Override
-  public boolean intersect(Ray ray, NearestHit nearest) {
-    Vec3 o = ray.origin();
-    Vec3 d = ray.direction();
-    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
+  public boolean intersect(NearestHit nearest) {
+    double wx = nearest.originX;
+    double wy = nearest.originY;
+    double wz = nearest.originZ;
+    double vx = nearest.directionX;
+    double vy = nearest.directionY;
+    double vz = nearest.directionZ;
+    double dy = toWorld.inverseVectorY(vx, vy, vz);
     if (dy >= 0 && !twoSided) {
       return false;
     }
-    double t = -toWorld.inversePointY(o.x(), o.y(), o.z()) / dy;
+    double t = -toWorld.inversePointY(wx, wy, wz) / dy;
     if (!(t > 0 && t < nearest.t)) {
       return false;
     }
-    double x = toWorld.inversePointX(o.x(), o.y(), o.z());
-    x += t * toWorld.inverseVectorX(d.x(), d.y(), d.z());
-    double z = toWorld.inversePointZ(o.x(), o.y(), o.z());
-    z += t * toWorld.inverseVectorZ(d.x(), d.y(), d.z());
+    double x = toWorld.inversePointX(wx, wy, wz);
+    x += t * toWorld.inverseVectorX(vx, vy, vz);
+    double z = toWorld.inversePointZ(wx, wy, wz);
+    z += t * toWorld.inverseVectorZ(vx, vy, vz);
     if (!(Math.abs(x) <= halfWidth && Math.abs(z) <= halfHeight)) {
       return false;
     }
@@ -100,9 +103,9 @@ public final class Rectangle implements Shape {
   }
 
   @Override
-  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
-    Vec3 origin = toWorld.inversePoint(ray.origin());
-    Vec3 direction = toWorld.inverseVector(ray.direction());
+  public SurfaceHit surfaceAt(NearestHit hit) {
+    Vec3 origin = toWorld.inversePoint(hit.origin());
+    Vec3 direction = toWorld.inverseVector(hit.direction());
     Vec3 p = origin.plus(hit.t, direction);
     Vec3 local = new Vec3(p.x(), 0, p.z());
     return hit.surface.set(
@@ -110,7 +113,7 @@ public final class Rectangle implements Shape {
         normal,
         shading,
         texture(local),
-        ray.direction().negated().normalized(),
+        hit.backwards(),
         toWorld.pointError(local, normal));
   }
 

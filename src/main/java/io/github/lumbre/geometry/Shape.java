@@ -2,7 +2,6 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
@@ -12,17 +11,17 @@ public interface Shape {
   Bounds3 bounds();
 
   /**
-   * Looks for a hit with 0 &lt; t &lt; {@code nearest.t}. If there is one, stores its t and what
-   * {@link #surfaceAt} needs, and returns true; otherwise changes nothing. The shape's number is
-   * the caller's to store.
+   * Looks along the ray of {@code nearest} for a hit with 0 &lt; t &lt; {@code nearest.t}. If there
+   * is one, stores its t and what {@link #surfaceAt} needs, and returns true; otherwise changes
+   * nothing. The shape's number is the caller's to store.
    */
-  boolean intersect(Ray ray, NearestHit nearest);
+  boolean intersect(NearestHit nearest);
 
   /**
-   * Returns the surface at the hit that {@link #intersect} stored last for the same ray. The result
-   * is the hit's own, and is written anew by the next call with the same {@code hit}.
+   * Returns the surface at the hit that {@link #intersect} stored last. The result is the hit's
+   * own, and is written anew by the next call with the same {@code hit}.
    */
-  SurfaceHit surfaceAt(Ray ray, NearestHit hit);
+  SurfaceHit surfaceAt(NearestHit hit);
 
   /** Returns the area in world units; infinite for infinite planes. */
   double area();

@@ -4,7 +4,6 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Warp;
@@ -57,15 +56,19 @@ public final class Sphere implements Shape {
    * for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7.
    */
   @Override
-  public boolean intersect(Ray ray, NearestHit nearest) {
-    Vec3 o = ray.origin();
-    Vec3 d = ray.direction();
-    double ox = toWorld.inversePointX(o.x(), o.y(), o.z());
-    double oy = toWorld.inversePointY(o.x(), o.y(), o.z());
-    double oz = toWorld.inversePointZ(o.x(), o.y(), o.z());
-    double dx = toWorld.inverseVectorX(d.x(), d.y(), d.z());
-    double dy = toWorld.inverseVectorY(d.x(), d.y(), d.z());
-    double dz = toWorld.inverseVectorZ(d.x(), d.y(), d.z());
+  public boolean intersect(NearestHit nearest) {
+    double wx = nearest.originX;
+    double wy = nearest.originY;
+    double wz = nearest.originZ;
+    double vx = nearest.directionX;
+    double vy = nearest.directionY;
+    double vz = nearest.directionZ;
+    double ox = toWorld.inversePointX(wx, wy, wz);
+    double oy = toWorld.inversePointY(wx, wy, wz);
+    double oz = toWorld.inversePointZ(wx, wy, wz);
+    double dx = toWorld.inverseVectorX(vx, vy, vz);
+    double dy = toWorld.inverseVectorY(vx, vy, vz);
+    double dz = toWorld.inverseVectorZ(vx, vy, vz);
     double dd = dx * dx + dy * dy + dz * dz;
     double middle = -(ox * dx + oy * dy + oz * dz) / dd;
     double cx = ox + middle * dx;
@@ -90,9 +93,9 @@ public final class Sphere implements Shape {
   }
 
   @Override
-  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
-    Vec3 origin = toWorld.inversePoint(ray.origin());
-    Vec3 direction = toWorld.inverseVector(ray.direction());
+  public SurfaceHit surfaceAt(NearestHit hit) {
+    Vec3 origin = toWorld.inversePoint(hit.origin());
+    Vec3 direction = toWorld.inverseVector(hit.direction());
     Vec3 n = origin.plus(hit.t, direction).normalized();
     Vec3 local = n.times(radius);
     Vec3 normal = toWorld.normal(n);
@@ -104,7 +107,7 @@ public final class Sphere implements Shape {
         normal,
         Frame.around(normal, alongU, alongV),
         texture(n),
-        ray.direction().negated().normalized(),
+        hit.backwards(),
         toWorld.pointError(local, normal));
   }
 

@@ -138,25 +138,59 @@ public final class SurfaceHit {
 
   /** Returns the ray that leaves in a unit direction, on the side the direction points to. */
   public Ray spawn(Vec3 direction) {
-    return new Ray(leave(direction), direction);
+    double side = side(direction.x(), direction.y(), direction.z());
+    return new Ray(position().plus(side, geometricNormal()), direction);
   }
 
-  /** Returns the ray to a point, which is its end and excluded: t = 1 there. */
-  public Ray spawnTowards(Vec3 point) {
-    Vec3 origin = leave(point.minus(position()));
-    return new Ray(origin, point.minus(origin), 1);
+  /** Aims a search by the ray that leaves in a unit direction. */
+  public void spawn(Vec3 direction, NearestHit next) {
+    aim(next, direction.x(), direction.y(), direction.z());
   }
 
-  /** Returns the ray to a point of another surface; it ends just before that surface. */
-  public Ray spawnTowards(SurfaceSample sample) {
-    Vec3 way = position().minus(sample.position());
-    double margin = sample.error() + ROUNDING * way.maxAbs();
-    double side = Math.copySign(margin, way.dot(sample.normal()));
-    return spawnTowards(sample.position().plus(side, sample.normal()));
+  private void aim(NearestHit next, double dx, double dy, double dz) {
+    double side = side(dx, dy, dz);
+    double ox = x + side * geometricX;
+    double oy = y + side * geometricY;
+    double oz = z + side * geometricZ;
+    next.aim(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
   }
 
-  private Vec3 leave(Vec3 direction) {
-    Vec3 normal = geometricNormal();
-    return position().plus(Math.copySign(error, direction.dot(normal)), normal);
+  /** Aims a search by the ray to a point, which is its end and excluded: t = 1 there. */
+  public void spawnTowards(Vec3 point, NearestHit next) {
+    aimTowards(next, point.x(), point.y(), point.z());
+  }
+
+  private void aimTowards(NearestHit next, double px, double py, double pz) {
+    double side = side(px - x, py - y, pz - z);
+    double ox = x + side * geometricX;
+    double oy = y + side * geometricY;
+    double oz = z + side * geometricZ;
+    next.aim(ox, oy, oz, px - ox, py - oy, pz - oz, 1);
+  }
+
+  /**
+   * Aims a search by the ray to a point of another surface; it ends just before that surface, so
+   * that a light does not block its own light.
+   */
+  public void spawnTowards(SurfaceSample sample, NearestHit next) {
+    Vec3 end = sample.position();
+    Vec3 normal = sample.normal();
+    double wx = x - end.x();
+    double wy = y - end.y();
+    double wz = z - end.z();
+    double margin =
+        sample.error() + ROUNDING * Math.max(Math.abs(wx), Math.max(Math.abs(wy), Math.abs(wz)));
+    double dot = wx * normal.x() + wy * normal.y() + wz * normal.z();
+    double side = Math.copySign(margin, dot);
+    aimTowards(
+        next,
+        end.x() + side * normal.x(),
+        end.y() + side * normal.y(),
+        end.z() + side * normal.z());
+  }
+
+  /** Returns how far along the true normal a ray of some direction begins off the surface. */
+  private double side(double dx, double dy, double dz) {
+    return Math.copySign(error, dx * geometricX + dy * geometricY + dz * geometricZ);
   }
 }

@@ -1,6 +1,5 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.Ray;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
@@ -64,14 +63,7 @@ final class VectorTraversal implements Traversal {
   /** {@inheritDoc} All state is in local variables on purpose. */
   @Override
   public boolean traverse(
-      Ray ray,
-      double ox,
-      double oy,
-      double oz,
-      double dx,
-      double dy,
-      double dz,
-      NearestHit nearest) {
+      double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
     // Move the ray to the hierarchy's space; its t is measured there in units of the longest axis.
     double x = (ox - space.centreX) * space.scale;
     double y = (oy - space.centreY) * space.scale;
@@ -238,7 +230,7 @@ final class VectorTraversal implements Traversal {
         }
       } else if (LeafRef.isOfShapes(node)) {
         nearest.stackTop = top;
-        if (shapes.intersect(node, ray, nearest)) {
+        if (shapes.intersect(node, nearest)) {
           found = true;
           bestBits = last(nearest.t * tScale, start);
           if (any) {

@@ -1,47 +1,39 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A path on its way from the camera: what it has gathered, what more light would count for, and
- * where it goes next. Mutable, in plain numbers, since every vertex changes all of it.
+ * A path on its way from the camera: what it has gathered, what more light would count for, and the
+ * vertex it left last. Mutable, in plain numbers, since every vertex changes all of it.
  */
 final class Path {
   private double red, green, blue;
   private double throughputRed, throughputGreen, throughputBlue;
-  private double originX, originY, originZ;
-  private double directionX, directionY, directionZ;
   private double fromX, fromY, fromZ;
   private double facingX, facingY, facingZ;
   private double pdf;
 
-  /** Begins a path along a ray from the camera, which light sampling could not have drawn. */
-  void begin(Ray ray) {
+  /** Begins a path at the camera, whose ray light sampling could not have drawn. */
+  void begin() {
     red = 0;
     green = 0;
     blue = 0;
     throughputRed = 1;
     throughputGreen = 1;
     throughputBlue = 1;
-    follow(ray, ray.origin(), Vec3.ZERO, Double.POSITIVE_INFINITY);
+    pdf = Double.POSITIVE_INFINITY;
   }
 
   /**
-   * Goes on along a ray.
+   * Leaves a vertex.
    *
-   * @param from the point of the surface that it leaves
+   * @param from the point of the surface
    * @param facing the normal there on the side that light comes from; zero if on both
-   * @param newPdf density of its direction; infinite if light sampling could not have drawn it
+   * @param newPdf density of the path's direction; infinite if light sampling could not have drawn
+   *     it
    */
-  void follow(Ray ray, Vec3 from, Vec3 facing, double newPdf) {
-    originX = ray.origin().x();
-    originY = ray.origin().y();
-    originZ = ray.origin().z();
-    directionX = ray.direction().x();
-    directionY = ray.direction().y();
-    directionZ = ray.direction().z();
+  void leave(Vec3 from, Vec3 facing, double newPdf) {
     fromX = from.x();
     fromY = from.y();
     fromZ = from.z();
@@ -49,15 +41,6 @@ final class Path {
     facingY = facing.y();
     facingZ = facing.z();
     pdf = newPdf;
-  }
-
-  /** Returns the ray that leads on. */
-  Ray ray() {
-    return new Ray(new Vec3(originX, originY, originZ), direction());
-  }
-
-  Vec3 direction() {
-    return new Vec3(directionX, directionY, directionZ);
   }
 
   /** Returns the point of the surface that the ray left. */

@@ -11,6 +11,7 @@ import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Mis;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
@@ -25,6 +26,10 @@ public final class PathRecorder extends PathTracer implements Recorder {
   private final List<Gathered> gathered = new ArrayList<>();
   private Optional<Scattering> scattering = Optional.empty();
   private Rgb throughput = Rgb.WHITE;
+
+  /** What the path met where it scattered: the search for the next meeting forgets it. */
+  private int scatteringShape;
+
   private boolean lostRoulette;
   private double lightPdf;
   private double weight;
@@ -50,7 +55,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
 
   @Override
   boolean extend(int depth, Sampler sampler, Scratch scratch) {
-    Ray ray = scratch.path.ray();
+    Ray ray = new Ray(scratch.hit.origin(), scratch.hit.direction());
     double pdf = scratch.path.pdf();
     throughput = scratch.path.weight();
     gathered.clear();
@@ -58,13 +63,14 @@ public final class PathRecorder extends PathTracer implements Recorder {
     lostRoulette = false;
     lightPdf = 0;
     boolean goesOn = super.extend(depth, sampler, scratch);
+    int shape = goesOn ? scatteringShape : scratch.hit.shape();
     End end = goesOn ? End.GOES_ON : end(depth, scratch);
     Optional<Meeting> meeting = Optional.empty();
     if (end != End.ESCAPED) {
       boolean scatters = end != End.EMITTER && end != End.DEPTH;
-      SurfaceHit surface = scatters ? scratch.vertex.surface() : scene.surfaceAt(ray, scratch.hit);
+      SurfaceHit surface = scatters ? scratch.vertex.surface() : scene.surfaceAt(scratch.hit);
       String bsdf = scatters ? scratch.vertex.bsdf().getClass().getSimpleName() : "";
-      meeting = Optional.of(Recorder.meeting(scratch.hit.shape(), surface, bsdf));
+      meeting = Optional.of(Recorder.meeting(shape, surface, bsdf));
       if (end == End.EMITTER) {
         gathered.add(emission(scratch, surface, pdf));
       }
@@ -116,8 +122,8 @@ public final class PathRecorder extends PathTracer implements Recorder {
   }
 
   @Override
-  Rgb escaped(Path path) {
-    Rgb light = super.escaped(path);
+  Rgb escaped(Path path, Vec3 direction) {
+    Rgb light = super.escaped(path, direction);
     if (!light.isBlack()) {
       // Of several domes, each has a weight of its own: told is their sum.
       boolean isWeighed = lightPdf > 0 && scene.environments().size() == 1;
@@ -128,8 +134,8 @@ public final class PathRecorder extends PathTracer implements Recorder {
               scene.environments().size() == 1
                   ? scene.emitters().indexOf(scene.environments().get(0))
                   : -1,
-              path.direction(),
-              isWeighed ? scene.background(path.direction()) : light,
+              direction,
+              isWeighed ? scene.background(direction) : light,
               Rgb.WHITE,
               isWeighed ? lightPdf : 0,
               path.pdf(),
@@ -180,6 +186,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
 
   @Override
   boolean scatter(int depth, Sampler sampler, Scratch scratch) {
+    scatteringShape = scratch.hit.shape();
     boolean goesOn = super.scatter(depth, sampler, scratch);
     BsdfSample drawn = scratch.scattered;
     if (!drawn.isAbsorbed()) {

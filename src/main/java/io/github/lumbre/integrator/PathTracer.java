@@ -120,7 +120,8 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   @Override
   public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
     Path path = scratch.path;
-    path.begin(cameraRay);
+    path.begin();
+    scratch.hit.aim(cameraRay);
     int depth = 0;
     while (extend(depth, sampler, scratch)) {
       depth++;
@@ -134,14 +135,13 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     Path path = scratch.path;
 
     // Find the next vertex, or the world's end.
-    Ray ray = path.ray();
     scratch.rays++;
-    if (!scene.intersect(ray, hit)) {
-      path.gather(escaped(path));
+    if (!scene.intersect(hit)) {
+      path.gather(escaped(path, hit.direction()));
       return false;
     }
     scratch.metSomething = true;
-    SurfaceHit surface = scene.surfaceAt(ray, hit);
+    SurfaceHit surface = scene.surfaceAt(hit);
     Primitive primitive = scene.primitiveAt(hit);
 
     // Add its light; what glows scatters nothing.
@@ -179,8 +179,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     }
     path.weigh(scattered.weight());
     SurfaceHit surface = scratch.vertex.surface();
-    Ray ray = surface.spawn(scattered.wi());
-    path.follow(ray, surface.position(), scratch.vertex.facing(), scattered.pdf());
+    path.leave(surface.position(), scratch.vertex.facing(), scattered.pdf());
 
     // End weak paths at random, and strengthen those that survive.
     if (depth >= FIRST_ROULETTE) {
@@ -190,6 +189,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
       }
       path.weigh(Rgb.grey(1 / survival));
     }
+    surface.spawn(scattered.wi(), scratch.hit);
     return true;
   }
 
@@ -212,7 +212,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     BsdfValue value = scratch.value;
     vertex.evaluate(light.wi(), value);
     Rgb scattered = value.f().times(light.radiance());
-    if (scattered.isBlack() || scratch.isOccluded(scene, light.shadowRay(vertex.surface()))) {
+    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface(), light)) {
       return Rgb.BLACK;
     }
     if (light.isDelta()) {
@@ -242,8 +242,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   }
 
   /** Returns the light from beyond everything, each dome with its own share. */
-  Rgb escaped(Path path) {
-    Vec3 direction = path.direction();
+  Rgb escaped(Path path, Vec3 direction) {
     if (path.pdf() == Double.POSITIVE_INFINITY) {
       return scene.background(direction);
     }

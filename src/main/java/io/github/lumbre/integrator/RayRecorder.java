@@ -67,8 +67,7 @@ public final class RayRecorder extends RayTracer implements Recorder {
     if (scratch.hit.isHit()) {
       Primitive primitive = scene.primitiveAt(scratch.hit);
       boolean glows = primitive.emission().isPresent();
-      SurfaceHit surface =
-          glows ? scene.surfaceAt(branch.ray(), scratch.hit) : scratch.vertex.surface();
+      SurfaceHit surface = glows ? scene.surfaceAt(scratch.hit) : scratch.vertex.surface();
       String bsdf = glows ? "" : scratch.vertex.bsdf().getClass().getSimpleName();
       meeting = Optional.of(Recorder.meeting(scratch.hit.shape(), surface, bsdf));
       if (glows) {

@@ -77,7 +77,7 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
       return branch.throughput().times(scene.background(branch.ray().direction()));
     }
     scratch.metSomething = true;
-    SurfaceHit surface = scene.surfaceAt(branch.ray(), hit);
+    SurfaceHit surface = scene.surfaceAt(hit);
     Primitive primitive = scene.primitiveAt(hit);
     if (primitive.emission().isPresent()) {
       return branch
@@ -128,7 +128,7 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
    */
   Rgb arriving(int number, LightSample light, Vertex vertex, Scratch scratch) {
     Rgb scattered = vertex.eval(light.wi()).times(light.radiance());
-    if (scattered.isBlack() || scratch.isOccluded(scene, light.shadowRay(vertex.surface()))) {
+    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface(), light)) {
       return Rgb.BLACK;
     }
     return light.isDelta() ? scattered : scattered.times(1 / light.pdf());

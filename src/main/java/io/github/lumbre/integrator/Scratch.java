@@ -1,10 +1,11 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.light.LightChoice;
+import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.scene.Scene;
 
 /** Memory and counters that a thread reuses from sample to sample. Mutable, one for each thread. */
@@ -23,9 +24,13 @@ public final class Scratch {
   /** Makes the memory of one thread. */
   public Scratch() {}
 
-  boolean isOccluded(Scene scene, Ray ray) {
+  /**
+   * Tells whether anything stands between a surface and the light that it was given a sample of.
+   */
+  boolean isOccluded(Scene scene, SurfaceHit surface, LightSample light) {
     shadowRays++;
-    return scene.isOccluded(ray, shadow);
+    light.aimShadowRay(surface, shadow);
+    return scene.isOccluded(shadow);
   }
 
   /** Returns how many rays were followed to what they meet. */

@@ -1,9 +1,9 @@
 package io.github.lumbre.light;
 
+import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -36,11 +36,14 @@ public record LightSample(Vec3 wi, Rgb radiance, double pdf, Target target) {
     return pdf == Double.POSITIVE_INFINITY;
   }
 
-  /** Returns the ray that must meet nothing for the light to arrive. */
-  public Ray shadowRay(SurfaceHit from) {
+  /** Aims a search by the ray that must meet nothing for the light to arrive. */
+  public void aimShadowRay(SurfaceHit from, NearestHit shadow) {
     if (target instanceof AtSurface surface) {
-      return from.spawnTowards(surface.sample());
+      from.spawnTowards(surface.sample(), shadow);
+    } else if (target instanceof AtPoint point) {
+      from.spawnTowards(point.position(), shadow);
+    } else {
+      from.spawn(wi, shadow);
     }
-    return target instanceof AtPoint point ? from.spawnTowards(point.position()) : from.spawn(wi);
   }
 }

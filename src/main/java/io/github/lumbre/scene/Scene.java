@@ -111,14 +111,19 @@ public final class Scene {
     return bvh.intersect(ray, hit);
   }
 
+  /** Finds what the ray that {@code hit} was just aimed by meets first. */
+  public boolean intersect(NearestHit hit) {
+    return bvh.intersect(hit);
+  }
+
   /** Returns the primitive of a hit that {@link #intersect} found. */
   public Primitive primitiveAt(NearestHit hit) {
     return primitiveOfShape[hit.shape()];
   }
 
-  /** Returns the surface of a hit that {@link #intersect} found along the same ray. */
-  public SurfaceHit surfaceAt(Ray ray, NearestHit hit) {
-    return primitiveAt(hit).shape().surfaceAt(ray, hit);
+  /** Returns the surface of a hit that {@link #intersect} found. */
+  public SurfaceHit surfaceAt(NearestHit hit) {
+    return primitiveAt(hit).shape().surfaceAt(hit);
   }
 
   /**
@@ -132,6 +137,11 @@ public final class Scene {
   /** Tells whether anything lies on a ray. */
   public boolean isOccluded(Ray ray, NearestHit scratch) {
     return bvh.isOccluded(ray, scratch);
+  }
+
+  /** Tells whether anything lies on the ray that {@code scratch} was just aimed by. */
+  public boolean isOccluded(NearestHit scratch) {
+    return bvh.isOccluded(scratch);
   }
 
   /** Returns what arrives along a unit direction from beyond everything. */

@@ -49,7 +49,7 @@ class BvhTest {
         assertThat(found.t()).isEqualTo(expected.t());
         assertThat(found.element).isEqualTo(expected.element);
         Shape shape = shapes.get(found.shape());
-        assertSameSurface(shape.surfaceAt(ray, found), shape.surfaceAt(ray, expected));
+        assertSameSurface(shape.surfaceAt(found), shape.surfaceAt(expected));
       }
     }
     assertThat(hits).isGreaterThan(rays / 20);
@@ -330,8 +330,8 @@ class BvhTest {
         assertThat(b.shape()).isEqualTo(a.shape());
         if (a.isHit()) {
           assertThat(b.t()).isEqualTo(scale * a.t());
-          SurfaceHit p = plain.get(a.shape()).surfaceAt(ray, a);
-          SurfaceHit q = scaled.get(b.shape()).surfaceAt(scaledRay, b);
+          SurfaceHit p = plain.get(a.shape()).surfaceAt(a);
+          SurfaceHit q = scaled.get(b.shape()).surfaceAt(b);
           assertThat(q.position()).isEqualTo(p.position().times(scale));
           assertThat(q.error()).isEqualTo(p.error() * scale);
           assertThat(q.geometricNormal()).isEqualTo(p.geometricNormal());

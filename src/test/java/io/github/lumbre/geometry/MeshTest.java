@@ -136,8 +136,8 @@ class MeshTest {
         hits++;
         assertThat(b.t / a.t).isCloseTo(1, within(1e-9));
         assertThat(b.element).isEqualTo(a.element);
-        SurfaceHit expected = Mesh.baked(data, place).surfaceAt(ray, a);
-        SurfaceHit found = instance.surfaceAt(ray, b);
+        SurfaceHit expected = Mesh.baked(data, place).surfaceAt(a);
+        SurfaceHit found = instance.surfaceAt(b);
         assertThat(found.position().minus(expected.position()).length()).isLessThan(1e-9);
         assertSame(expected.geometricNormal(), found.geometricNormal());
         Vec3 bend = found.shading().normal().minus(expected.shading().normal());
@@ -293,8 +293,8 @@ class MeshTest {
     NearestHit nearest = new NearestHit();
     nearest.element = 0;
     nearest.b1 = .25;
-    Ray ray = new Ray(Vec3.Z, Vec3.Z.negated());
-    assertThat(mesh.surfaceAt(ray, nearest).geometricNormal()).isEqualTo(Vec3.Z);
+    nearest.aim(new Ray(Vec3.Z, Vec3.Z.negated()));
+    assertThat(mesh.surfaceAt(nearest).geometricNormal()).isEqualTo(Vec3.Z);
     TriangleMesh sliver =
         TriangleMesh.of(new double[] {0, 0, 0, 1e6, 0, 0, 5e5, 1e-6, 0}, NONE, NONE, ONE);
     SurfaceHit hit = hit(sliver, Transform.IDENTITY, new Vec3(5e5, 4e-7, 1), Vec3.Z.negated());

@@ -56,7 +56,7 @@ class NarrowGapTest {
       Ray ray = new Ray(origin, target.minus(origin).normalized());
       NearestHit nearest = new NearestHit();
       if (both.intersect(ray, nearest) && nearest.shape() == 0) {
-        SurfaceHit hit = at.apply(turned).surfaceAt(ray, nearest);
+        SurfaceHit hit = at.apply(turned).surfaceAt(nearest);
         leaks += leaks(both, hit, turned.vector(Vec3.Y), distance, 2 * gap / distance, random);
         hits++;
       }
@@ -76,7 +76,8 @@ class NarrowGapTest {
       if (direction.dot(up) > leastCosine) {
         Vec3 outside = hit.position().plus(distance, direction);
         leaks += both.isOccluded(hit.spawn(direction), scratch) ? 0 : 1;
-        leaks += both.isOccluded(hit.spawnTowards(outside), scratch) ? 0 : 1;
+        hit.spawnTowards(outside, scratch);
+        leaks += both.isOccluded(scratch) ? 0 : 1;
       }
     }
     return leaks;

@@ -95,7 +95,7 @@ class ShapeSamplingTest {
   private static boolean isVisible(Shape shape, Vec3 reference, SurfaceSample sample) {
     SurfaceHit from =
         new SurfaceHit().set(reference, Vec3.Z, Frame.WORLD, new TexturePoint(0, 0), Vec3.Z, 0);
-    return Double.isNaN(Shapes.distance(shape, from.spawnTowards(sample)));
+    return !Shapes.hidesItself(shape, from, sample);
   }
 
   @ParameterizedTest

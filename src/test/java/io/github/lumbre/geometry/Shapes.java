@@ -50,24 +50,29 @@ final class Shapes {
   /** Returns the nearest hit of one shape by itself. */
   static Optional<SurfaceHit> hit(Shape shape, Ray ray) {
     NearestHit nearest = new NearestHit();
-    nearest.start(ray.tMax());
-    return shape.intersect(ray, nearest)
-        ? Optional.of(shape.surfaceAt(ray, nearest))
-        : Optional.empty();
+    nearest.aim(ray);
+    return shape.intersect(nearest) ? Optional.of(shape.surfaceAt(nearest)) : Optional.empty();
   }
 
   /** Returns the t of the nearest hit of one shape by itself, or NaN. */
   static double distance(Shape shape, Ray ray) {
     NearestHit nearest = new NearestHit();
-    nearest.start(ray.tMax());
-    return shape.intersect(ray, nearest) ? nearest.t : Double.NaN;
+    nearest.aim(ray);
+    return shape.intersect(nearest) ? nearest.t : Double.NaN;
+  }
+
+  /** Tells whether a shape hides one of its own points from a surface. */
+  static boolean hidesItself(Shape shape, SurfaceHit from, SurfaceSample sample) {
+    NearestHit nearest = new NearestHit();
+    from.spawnTowards(sample, nearest);
+    return shape.intersect(nearest);
   }
 
   /** Asks every shape in turn; the first wins ties. */
   static boolean bruteForce(List<? extends Shape> shapes, Ray ray, NearestHit nearest) {
-    nearest.start(ray.tMax());
+    nearest.aim(ray);
     for (int i = 0; i < shapes.size(); i++) {
-      if (shapes.get(i).intersect(ray, nearest)) {
+      if (shapes.get(i).intersect(nearest)) {
         nearest.shape = i;
       }
     }

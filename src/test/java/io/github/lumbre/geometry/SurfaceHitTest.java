@@ -131,8 +131,8 @@ class SurfaceHitTest {
         SurfaceSample sample = shape.sample(hit.position(), Shapes.square(random));
         Vec3 way = sample.position().minus(hit.position()).normalized();
         if (sample.pdf() > 0 && Math.abs(way.dot(sample.normal())) > 1e-6) {
-          Ray shadow = hit.spawnTowards(sample);
-          assertThat(Shapes.distance(shape, shadow)).as("%s", shape.getClass()).isNaN();
+          boolean isHidden = Shapes.hidesItself(shape, hit, sample);
+          assertThat(isHidden).as("%s", shape.getClass()).isFalse();
         }
       }
     }

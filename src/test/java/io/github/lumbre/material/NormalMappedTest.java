@@ -49,7 +49,7 @@ class NormalMappedTest {
   private static Optional<SurfaceHit> hit(Scene scene, Vec3 origin, Vec3 direction) {
     Ray ray = new Ray(origin, direction.normalized());
     NearestHit hit = new NearestHit();
-    return scene.intersect(ray, hit) ? Optional.of(scene.surfaceAt(ray, hit)) : Optional.empty();
+    return scene.intersect(ray, hit) ? Optional.of(scene.surfaceAt(hit)) : Optional.empty();
   }
 
   private static Vec3 normal(SurfaceHit hit, Rgb tilt, UvMapping mapping) {
