@@ -1,0 +1,122 @@
+package io.github.lumbre.fuzz;
+
+import io.github.lumbre.fuzz.HostileScenes.Ending;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.LongAdder;
+
+/**
+ * Very many hostile scenes, on several threads, of which each has half a minute. System properties
+ * say how many: {@code lumbre.fuzz.scenes} (a million), {@code lumbre.fuzz.threads} (one a
+ * processor) and {@code lumbre.fuzz.seed} (a new one). Mutable, for one run.
+ */
+final class FuzzRun {
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final Duration SLOW = Duration.ofSeconds(3);
+  private static final int MOST_FAILURES = 20;
+  private static final long REPORT_EVERY = 50_000;
+
+  private record Started(long seed, long nanos) {}
+
+  private final HostileScenes scenes;
+  private final long count;
+  private final int threads;
+  private final long firstSeed;
+  private final AtomicLong next = new AtomicLong();
+  private final Map<Thread, Started> running = new ConcurrentHashMap<>();
+  private final Map<String, LongAdder> endings = new ConcurrentSkipListMap<>();
+  private final Queue<String> failures = new ConcurrentLinkedQueue<>();
+
+  private FuzzRun(HostileScenes scenes, long count, int threads, long firstSeed) {
+    this.scenes = scenes;
+    this.count = count;
+    this.threads = threads;
+    this.firstSeed = firstSeed;
+  }
+
+  static FuzzRun fromProperties(HostileScenes scenes) {
+    int processors = Runtime.getRuntime().availableProcessors();
+    Long seed = Long.getLong("lumbre.fuzz.seed");
+    return new FuzzRun(
+        scenes,
+        Long.getLong("lumbre.fuzz.scenes", 1_000_000),
+        Integer.getInteger("lumbre.fuzz.threads", processors),
+        seed == null ? new SecureRandom().nextLong() >>> 1 : seed);
+  }
+
+  /** Runs until all scenes are done, or too many have failed. */
+  void start() throws InterruptedException {
+    System.out.println(count + " hostile scenes; to repeat them: -Dlumbre.fuzz.seed=" + firstSeed);
+    List<Thread> workers = new ArrayList<>();
+    for (int i = 0; i < threads; i++) {
+      Thread worker = new Thread(this::work, "fuzz-" + i);
+      worker.setDaemon(true);
+      worker.start();
+      workers.add(worker);
+    }
+    for (Thread worker : workers) {
+      while (worker.isAlive() && !isHung(worker)) {
+        worker.join(1000);
+      }
+    }
+    System.out.println("ended: " + endings);
+  }
+
+  /** Returns what went wrong, a text for each scene. */
+  List<String> failures() {
+    return List.copyOf(failures);
+  }
+
+  private boolean isHung(Thread worker) {
+    Started started = running.get(worker);
+    if (started == null || System.nanoTime() - started.nanos < PATIENCE.toNanos()) {
+      return false;
+    }
+    failures.add("seed " + started.seed + " takes more than " + PATIENCE);
+    next.set(count);
+    return true;
+  }
+
+  private void work() {
+    for (long i = next.getAndIncrement();
+        i < count && failures.size() < MOST_FAILURES;
+        i = next.getAndIncrement()) {
+      long seed = firstSeed + i;
+      long start = System.nanoTime();
+      running.put(Thread.currentThread(), new Started(seed, start));
+      tryOne(seed);
+      if (System.nanoTime() - start > SLOW.toNanos()) {
+        count("slow: " + seed);
+      }
+      if (i > 0 && i % REPORT_EVERY == 0) {
+        System.out.println(i + " scenes: " + endings);
+      }
+    }
+    running.remove(Thread.currentThread());
+  }
+
+  private void tryOne(long seed) {
+    try {
+      Ending ending = scenes.run(seed);
+      count("exit code " + ending.exitCode());
+      if (ending.rejected() > 0) {
+        count("with rejected samples");
+      }
+    } catch (AssertionError e) {
+      failures.add(e.getMessage() + " " + e.getCause());
+      e.printStackTrace();
+    }
+  }
+
+  private void count(String what) {
+    endings.computeIfAbsent(what, key -> new LongAdder()).increment();
+  }
+}
