@@ -29,6 +29,7 @@ import picocli.CommandLine.Spec;
       BenchmarkCommand.class,
       BenchCommand.class,
       CompareCommand.class,
+      TradeCommand.class,
       GalleryCommand.class,
       CompletionCommand.class,
       HelpCommand.class
@@ -92,6 +93,6 @@ public final class Lumbre implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "expected a command: render, check, pixel, benchmark, bench, compare, gallery");
+        "expected a command: render, check, pixel, benchmark, bench, compare, trade, gallery");
   }
 }

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.measure.StudentT;
 import java.util.List;
 
 /**

@@ -12,9 +12,7 @@ import java.util.Optional;
 /**
  * Renders until a budget is used up, and tells how noisy the picture is then. Immutable.
  *
- * <p>With a target error it looks at the film after 32 samples per pixel, 48, 64, 96, ... (see
- * {@link Looks}), which are as many as the scene's noise, and nothing else, says: the same seed
- * stops at the same number of samples on every machine.
+ * <p>With a target error, a {@link BudgetWatch} looks at the film between passes.
  */
 public final class BudgetRenderer {
   private final FilmRenderer renderer;
@@ -34,40 +32,19 @@ public final class BudgetRenderer {
    */
   public BudgetResult render(Film film, Progress progress) throws InterruptedException {
     RenderStatistics statistics = RenderStatistics.ZERO;
-    int looks = 0;
+    BudgetWatch watch = new BudgetWatch(budget);
     boolean complete = true;
     for (int done = film.fewestSamples(); complete && done < budget.samples(); ) {
       done = Passes.next(done, budget.samples());
       PassResult pass = renderer.addSamples(film, done, progress);
       statistics = statistics.plus(pass.statistics());
       complete = pass.complete();
-      if (complete && budget.targetError().isPresent() && Looks.isDueAfter(done)) {
-        looks++;
-        Optional<NoiseEstimate> noise = noise(film, looks);
-        if (noise.filter(budget::isReachedBy).isPresent()) {
-          return new BudgetResult(true, true, noise, statistics);
-        }
+      if (complete && watch.isReachedBy(film)) {
+        break;
       }
     }
-    Optional<NoiseEstimate> noise = noise(film, looks + 1);
+    Optional<NoiseEstimate> noise = watch.estimate(film);
     boolean reached = noise.filter(budget::isReachedBy).isPresent();
     return new BudgetResult(complete, reached, noise, statistics);
-  }
-
-  /** Looks at the noise; without a target there is one look. */
-  private Optional<NoiseEstimate> noise(Film film, int look) {
-    double confidence =
-        budget.targetError().isPresent()
-            ? Looks.confidence(budget.confidence(), look)
-            : budget.confidence();
-    return NoiseEstimator.of(film, confidence)
-        .map(
-            estimate ->
-                new NoiseEstimate(
-                    estimate.relativeMse(),
-                    estimate.upperRelativeMse(),
-                    budget.confidence(),
-                    estimate.tailShare(),
-                    estimate.pixels()));
   }
 }

@@ -28,6 +28,11 @@ public record NoiseEstimate(
     return Math.sqrt(upperRelativeMse);
   }
 
+  /** Returns the same bound, claimed with another confidence: that of all looks together. */
+  NoiseEstimate claiming(double jointConfidence) {
+    return new NoiseEstimate(relativeMse, upperRelativeMse, jointConfidence, tailShare, pixels);
+  }
+
   /**
    * Tells whether a thousandth of the pixels carries most of the error: more such spots may be
    * still to come, and the bound cannot know of those.

@@ -1,7 +1,9 @@
-package io.github.lumbre.cli;
+package io.github.lumbre.measure;
+
+import io.github.lumbre.math.Elementary;
 
 /** Student's t distribution. */
-final class StudentT {
+public final class StudentT {
   private static final int INTERVALS = 400;
   private static final int BISECTIONS = 50;
 
@@ -16,7 +18,7 @@ final class StudentT {
    * @param confidence in (0,1)
    * @param degrees of freedom ν, 1 or more and not necessarily whole
    */
-  static double critical(double confidence, double degrees) {
+  public static double critical(double confidence, double degrees) {
     double wanted = confidence * integral(Math.PI / 2, degrees);
     double low = 0;
     double high = Math.PI / 2;
@@ -28,7 +30,8 @@ final class StudentT {
         high = middle;
       }
     }
-    return Math.sqrt(degrees) * Math.tan(low);
+    double turns = low / Elementary.TWO_PI;
+    return Math.sqrt(degrees) * Elementary.sinTurns(turns) / Elementary.cosTurns(turns);
   }
 
   /** Returns the integral of cos^(ν−1) from 0 to an angle, by Simpson's rule. */
@@ -42,6 +45,6 @@ final class StudentT {
   }
 
   private static double power(double angle, double degrees) {
-    return Math.pow(Math.max(0, Math.cos(angle)), degrees - 1);
+    return Elementary.pow(Math.max(0, Elementary.cosTurns(angle / Elementary.TWO_PI)), degrees - 1);
   }
 }

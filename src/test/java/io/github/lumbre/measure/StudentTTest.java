@@ -1,4 +1,4 @@
-package io.github.lumbre.cli;
+package io.github.lumbre.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

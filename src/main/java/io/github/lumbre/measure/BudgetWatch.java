@@ -1,0 +1,56 @@
+package io.github.lumbre.measure;
+
+import io.github.lumbre.render.Film;
+import java.util.Optional;
+
+/**
+ * Looks at a film between passes and tells whether the error is reached that was asked for.
+ * Mutable, for one render.
+ *
+ * <p>It looks after 32 samples per pixel, 48, 64, 96, ... (see {@link Looks}), which depend on
+ * nothing but the scene: the same seed stops at the same number of samples on every machine.
+ */
+public final class BudgetWatch {
+  private final Budget budget;
+  private int looks;
+  private int lastLook;
+
+  public BudgetWatch(Budget budget) {
+    this.budget = budget;
+  }
+
+  /**
+   * Tells whether the film has reached the error; false between looks.
+   *
+   * @param film that may have had a pass cut short
+   */
+  public boolean isReachedBy(Film film) {
+    if (budget.targetError().isEmpty()) {
+      return false;
+    }
+    int samples = film.fewestSamples();
+    if (samples == lastLook || samples != film.mostSamples() || !Looks.isDueAfter(samples)) {
+      return false;
+    }
+    lastLook = samples;
+    looks++;
+    return estimate(film, looks).filter(budget::isReachedBy).isPresent();
+  }
+
+  /**
+   * Returns the noise of the film as it is when the render has ended; empty if some pixel has fewer
+   * than two samples or came from a file that does not tell.
+   */
+  public Optional<NoiseEstimate> estimate(Film film) {
+    return estimate(film, lastLook == film.fewestSamples() ? Math.max(1, looks) : looks + 1);
+  }
+
+  /** Looks at the noise; without a target there is one look. */
+  private Optional<NoiseEstimate> estimate(Film film, int look) {
+    double confidence =
+        budget.targetError().isPresent()
+            ? Looks.confidence(budget.confidence(), look)
+            : budget.confidence();
+    return NoiseEstimator.of(film, confidence).map(noise -> noise.claiming(budget.confidence()));
+  }
+}

@@ -1,0 +1,75 @@
+package io.github.lumbre.measure;
+
+import io.github.lumbre.image.Image;
+import java.util.List;
+
+/**
+ * What a setting cost and how wrong it was at one number of samples: a value for each seed, in the
+ * same order in all lists.
+ *
+ * @param samples per pixel
+ * @param seconds on the wall, for all samples up to these
+ * @param cpuSeconds of the process
+ * @param errors against the reference
+ * @param rays followed to what they meet, mean over the seeds
+ * @param shadowRays mean over the seeds
+ * @param bias how far the mean of all seeds' pictures is from the reference
+ * @param picture of the first seed
+ */
+public record TradeRow(
+    TradeSetting setting,
+    int samples,
+    List<Double> seconds,
+    List<Double> cpuSeconds,
+    List<PictureError> errors,
+    double rays,
+    double shadowRays,
+    Bias bias,
+    Image picture) {
+
+  /**
+   * The part of the relative mean squared error that more samples do not take away: the mean over
+   * pixels of ((m − r)² − s²/K − s_r²) / (r² + 0.01), m and s² being mean and variance over the K
+   * seeds and s_r² the reference's own. Unbiased, so it may come out negative where there is none.
+   *
+   * @param squared the estimate
+   * @param low end of its interval of 95 %, by the jackknife over seeds
+   * @param high end of its interval
+   */
+  public record Bias(double squared, double low, double high) {
+    /** Tells whether the interval leaves 0 out. */
+    public boolean isDetected() {
+      return low > 0;
+    }
+  }
+
+  /** Returns the mean of the seeds' relative mean squared errors. */
+  public Interval relativeMse() {
+    return Interval.ofMean(errors.stream().map(PictureError::relativeMse).toList());
+  }
+
+  /** Returns the mean time on the wall. */
+  public Interval time() {
+    return Interval.ofMean(seconds);
+  }
+
+  /** Returns the mean processor time. */
+  public Interval cpuTime() {
+    return Interval.ofMean(cpuSeconds);
+  }
+
+  /** Returns the mean of the seeds' mean signed errors. */
+  public Interval signedError() {
+    return Interval.ofMean(errors.stream().map(PictureError::bias).toList());
+  }
+
+  /** Returns the mean of the seeds' FLIP. */
+  public Interval flip() {
+    return Interval.ofMean(errors.stream().map(PictureError::flip).toList());
+  }
+
+  /** Returns the largest error of any seed. */
+  public double largestError() {
+    return errors.stream().mapToDouble(PictureError::largest).max().orElse(0);
+  }
+}
