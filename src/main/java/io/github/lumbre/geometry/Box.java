@@ -161,11 +161,12 @@ public final class Box implements Shape {
 
   /** {@inheritDoc} Points are uniform by area on the faces that the reference sees. */
   @Override
-  public SurfaceSample sample(Vec3 reference, Point2 u) {
+  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
     Vec3 from = toWorld.inversePoint(reference);
     double visible = visibleArea(from);
+    drawn.clear();
     if (!(visible > 0)) {
-      return SurfaceSample.NONE;
+      return;
     }
     double rest = u.x() * visible;
     int face = firstVisible(from);
@@ -179,14 +180,10 @@ public final class Box implements Shape {
     Vec3 position = toWorld.point(local);
     Frame frame = frames[face];
     double pdf = Placement.solidAnglePdf(reference.minus(position), frame.normal(), visible);
-    return pdf > 0
-        ? new SurfaceSample(
-            position,
-            frame.normal(),
-            texture(face, local),
-            toWorld.pointError(local, frame.normal()),
-            pdf)
-        : SurfaceSample.NONE;
+    if (pdf > 0) {
+      double error = toWorld.pointError(local, frame.normal());
+      drawn.set(position, frame.normal(), texture(face, local), error, pdf);
+    }
   }
 
   @Override

@@ -60,8 +60,8 @@ public final class MeshInstance implements Shape {
 
   /** {@inheritDoc} Points are uniform by area, also where the mesh hides itself. */
   @Override
-  public SurfaceSample sample(Vec3 reference, Point2 u) {
-    return surface.sample(reference, u);
+  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
+    surface.sample(reference, u, drawn);
   }
 
   @Override

@@ -143,9 +143,10 @@ final class MeshSurface {
     return known;
   }
 
-  SurfaceSample sample(Vec3 reference, Point2 u) {
+  void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
+    drawn.clear();
     if (!(area() > 0)) {
-      return SurfaceSample.NONE;
+      return;
     }
     int triangle = areas().choose(u.x());
     Point2 b = Warp.uniformTriangle(new Point2(areas().remainder(triangle, u.x()), u.y()));
@@ -156,10 +157,10 @@ final class MeshSurface {
     Vec3 normal = geometricNormal(triangle, e1, e2);
     double pdf = Placement.solidAnglePdf(reference.minus(position), normal, area());
     if (!(pdf > 0)) {
-      return SurfaceSample.NONE;
+      return;
     }
     double error = error(triangle, e1, e2, normal) + mappingError(reference, normal);
-    return new SurfaceSample(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
+    drawn.set(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
   }
 
   /** Returns the rounding of a ray's way into local space: large if the map is far from even. */

@@ -77,7 +77,7 @@ public final class Plane implements Shape {
   }
 
   @Override
-  public SurfaceSample sample(Vec3 reference, Point2 u) {
+  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
     throw new UnsupportedOperationException("an infinite plane cannot be sampled");
   }
 

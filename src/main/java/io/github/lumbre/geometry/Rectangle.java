@@ -138,7 +138,7 @@ public final class Rectangle implements Shape {
    * one-way rectangle there are none.
    */
   @Override
-  public SurfaceSample sample(Vec3 reference, Point2 u) {
+  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
     Vec3 from = axes.toLocal(reference.minus(centre));
     if (isNear(from)) {
       SphericalRectangle seen = seenFrom(from);
@@ -147,18 +147,22 @@ public final class Rectangle implements Shape {
         double x = within(halfWidth, (from.x() + way.x()) / scaleX);
         double z = within(halfHeight, (from.y() + way.y()) / scaleZ);
         Vec3 local = new Vec3(x, 0, z);
-        return sampleAt(local, toWorld.point(local), 1 / seen.solidAngle());
+        set(drawn, local, toWorld.point(local), 1 / seen.solidAngle());
+        return;
       }
     }
     Vec3 local = new Vec3((u.x() - .5) * width, 0, (u.y() - .5) * height);
     Vec3 position = toWorld.point(local);
     double pdf = areaPdf(reference.minus(position));
-    return pdf > 0 ? sampleAt(local, position, pdf) : SurfaceSample.NONE;
+    if (pdf > 0) {
+      set(drawn, local, position, pdf);
+    } else {
+      drawn.clear();
+    }
   }
 
-  private SurfaceSample sampleAt(Vec3 local, Vec3 position, double pdf) {
-    double error = toWorld.pointError(local, normal);
-    return new SurfaceSample(position, normal, texture(local), error, pdf);
+  private void set(SurfaceSample drawn, Vec3 local, Vec3 position, double pdf) {
+    drawn.set(position, normal, texture(local), toWorld.pointError(local, normal), pdf);
   }
 
   @Override

@@ -32,14 +32,21 @@ public interface Shape {
   }
 
   /**
-   * Returns a point of the surface to light {@code reference} from, or an empty sample (pdf 0)
-   * where none can be seen. Which points are drawn, and how often, is the shape's choice; the
-   * density says.
+   * Draws a point of the surface to light {@code reference} from, or none (pdf 0) where none can be
+   * seen. Which points are drawn, and how often, is the shape's choice; the density says.
    *
    * @param u uniform in [0,1)²
+   * @param drawn takes the result
    * @throws UnsupportedOperationException if {@link #area} is infinite
    */
-  SurfaceSample sample(Vec3 reference, Point2 u);
+  void sample(Vec3 reference, Point2 u, SurfaceSample drawn);
+
+  /** Draws a point into a new sample. */
+  default SurfaceSample sample(Vec3 reference, Point2 u) {
+    SurfaceSample drawn = new SurfaceSample();
+    sample(reference, u, drawn);
+    return drawn;
+  }
 
   /**
    * Returns the density, per solid angle at {@code reference}, with which {@link #sample} draws the

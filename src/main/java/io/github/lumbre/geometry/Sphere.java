@@ -130,7 +130,7 @@ public final class Sphere implements Shape {
    * from how the map spreads directions.
    */
   @Override
-  public SurfaceSample sample(Vec3 reference, Point2 u) {
+  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
     Vec3 from = toWorld.inversePoint(reference).times(1 / radius);
     double distance = from.length();
     double oneMinusCosMax = oneMinusCosMax(distance);
@@ -144,11 +144,12 @@ public final class Sphere implements Shape {
     Vec3 position = toWorld.point(local);
     double pdf = pdf(oneMinusCosMax, position.minus(reference));
     if (!(pdf > 0)) {
-      return SurfaceSample.NONE;
+      drawn.clear();
+      return;
     }
     Vec3 normal = toWorld.normal(n);
     double error = toWorld.pointError(local, normal);
-    return new SurfaceSample(position, normal, texture(n), error, pdf);
+    drawn.set(position, normal, texture(n), error, pdf);
   }
 
   @Override

@@ -7,7 +7,6 @@ import io.github.lumbre.integrator.PathVertex.Gathered;
 import io.github.lumbre.integrator.PathVertex.Meeting;
 import io.github.lumbre.integrator.PathVertex.Scattering;
 import io.github.lumbre.integrator.PathVertex.Source;
-import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.math.Ray;
@@ -26,6 +25,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
   private final List<Gathered> gathered = new ArrayList<>();
   private Optional<Scattering> scattering = Optional.empty();
   private Rgb throughput = Rgb.WHITE;
+  private Rgb arrived = Rgb.BLACK;
 
   /** What the path met where it scattered: the search for the next meeting forgets it. */
   private int scatteringShape;
@@ -110,24 +110,25 @@ public final class PathRecorder extends PathTracer implements Recorder {
   }
 
   @Override
-  double emissionWeight(int emitter, Path path, SurfaceHit surface) {
-    weight = super.emissionWeight(emitter, path, surface);
+  double emissionWeight(int emitter, Scratch scratch, SurfaceHit surface) {
+    weight = super.emissionWeight(emitter, scratch, surface);
     return weight;
   }
 
   @Override
-  double lightPdf(int emitter, Path path, double pdfOfEmitter) {
-    lightPdf = super.lightPdf(emitter, path, pdfOfEmitter);
+  double lightPdf(int emitter, Scratch scratch, double pdfOfEmitter) {
+    lightPdf = super.lightPdf(emitter, scratch, pdfOfEmitter);
     return lightPdf;
   }
 
   @Override
-  Rgb escaped(Path path, Vec3 direction) {
-    Rgb light = super.escaped(path, direction);
+  Rgb escaped(Scratch scratch, Vec3 direction) {
+    Rgb light = super.escaped(scratch, direction);
+    double pdf = scratch.path.pdf();
     if (!light.isBlack()) {
       // Of several domes, each has a weight of its own: told is their sum.
       boolean isWeighed = lightPdf > 0 && scene.environments().size() == 1;
-      double bsdfWeight = isWeighed ? Mis.power(path.pdf(), lightPdf) : 1;
+      double bsdfWeight = isWeighed ? Mis.power(pdf, lightPdf) : 1;
       gathered.add(
           new Gathered(
               Source.BACKGROUND,
@@ -138,7 +139,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
               isWeighed ? scene.background(direction) : light,
               Rgb.WHITE,
               isWeighed ? lightPdf : 0,
-              path.pdf(),
+              pdf,
               bsdfWeight,
               false,
               throughput.times(light)));
@@ -154,34 +155,32 @@ public final class PathRecorder extends PathTracer implements Recorder {
   }
 
   @Override
-  Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
+  void direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
     long shadowRays = scratch.shadowRays();
-    Rgb light = super.direct(vertex, sampler, dimension, scratch);
-    boolean traced = scratch.shadowRays() > shadowRays;
-    LightChoice choice = scratch.choice;
-    // The same question again has the same answer.
-    Optional<LightSample> drawn =
-        scene
-            .emitters()
-            .get(choice.emitter())
-            .sample(vertex.surface().position(), sampler.get2d(dimension + Sampler.LIGHT_POINT));
-    drawn.ifPresent(
-        sample -> {
-          double pdf = choice.probability() * (sample.isDelta() ? 1 : sample.pdf());
-          gathered.add(
-              new Gathered(
-                  Source.LIGHT,
-                  choice.emitter(),
-                  sample.wi(),
-                  sample.radiance(),
-                  scratch.value.f(),
-                  pdf,
-                  scratch.value.pdf(),
-                  sample.isDelta() ? 1 : Mis.power(pdf, scratch.value.pdf()),
-                  traced && light.isBlack(),
-                  throughput.times(light)));
-        });
-    return light;
+    arrived = Rgb.BLACK;
+    super.direct(vertex, sampler, dimension, scratch);
+    LightSample light = scratch.light;
+    if (!light.isEmpty()) {
+      double pdf = scratch.choice.probability() * (light.isDelta() ? 1 : light.pdf());
+      gathered.add(
+          new Gathered(
+              Source.LIGHT,
+              scratch.choice.emitter(),
+              light.wi(),
+              light.radiance(),
+              scratch.value.f(),
+              pdf,
+              scratch.value.pdf(),
+              light.isDelta() ? 1 : Mis.power(pdf, scratch.value.pdf()),
+              scratch.shadowRays() > shadowRays && arrived.isBlack(),
+              throughput.times(arrived)));
+    }
+  }
+
+  @Override
+  void arrive(Path path, double r, double g, double b) {
+    arrived = new Rgb(r, g, b);
+    super.arrive(path, r, g, b);
   }
 
   @Override

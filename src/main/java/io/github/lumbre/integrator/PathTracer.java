@@ -1,6 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
@@ -20,7 +21,6 @@ import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -137,7 +137,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     // Find the next vertex, or the world's end.
     scratch.rays++;
     if (!scene.intersect(hit)) {
-      path.gather(escaped(path, hit.direction()));
+      path.gather(escaped(scratch, hit.direction()));
       return false;
     }
     scratch.metSomething = true;
@@ -147,7 +147,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     // Add its light; what glows scatters nothing.
     if (primitive.emission().isPresent()) {
       Rgb emitted = emitted(primitive.emission().get(), surface);
-      double weight = emissionWeight(scene.emitterAt(hit), path, surface);
+      double weight = emissionWeight(scene.emitterAt(hit), scratch, surface);
       path.gather(emitted.times(weight));
       return false;
     }
@@ -162,7 +162,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
       path.gather(ambient(vertex));
     }
     if (emitters.length > 0 && !vertex.bsdf().isSpecular()) {
-      path.gather(direct(vertex, sampler, Sampler.vertex(depth), scratch));
+      direct(vertex, sampler, Sampler.vertex(depth), scratch);
     }
     return scatter(depth, sampler, scratch);
   }
@@ -179,7 +179,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     }
     path.weigh(scattered.weight());
     SurfaceHit surface = scratch.vertex.surface();
-    path.leave(surface.position(), scratch.vertex.facing(), scattered.pdf());
+    path.leave(scattered.pdf());
 
     // End weak paths at random, and strengthen those that survive.
     if (depth >= FIRST_ROULETTE) {
@@ -197,29 +197,34 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     return scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
   }
 
-  /** Returns the light of one emitter, chosen at random, over the probability of the choice. */
-  Rgb direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
-    Vec3 position = vertex.surface().position();
+  /** Adds the light of one emitter, chosen at random, over the probability of the choice. */
+  void direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
     LightChoice choice = scratch.choice;
-    double u = sampler.get1d(dimension + Sampler.LIGHT_CHOICE);
-    selector.choose(position, vertex.facing(), u, choice);
-    Optional<LightSample> drawn =
-        emitters[choice.emitter()].sample(position, sampler.get2d(dimension + Sampler.LIGHT_POINT));
-    if (drawn.isEmpty()) {
-      return Rgb.BLACK;
+    LightSample light = scratch.light;
+    vertex.ask(choice);
+    selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE), choice);
+    emitters[choice.emitter()].sample(
+        choice.point(), sampler.get2d(dimension + Sampler.LIGHT_POINT), light);
+    if (light.isEmpty()) {
+      return;
     }
-    LightSample light = drawn.get();
     BsdfValue value = scratch.value;
     vertex.evaluate(light.wi(), value);
     Rgb scattered = value.f().times(light.radiance());
-    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface(), light)) {
-      return Rgb.BLACK;
+    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface())) {
+      return;
     }
-    if (light.isDelta()) {
-      return scattered.times(1 / choice.probability());
+    double weight = 1 / choice.probability();
+    if (!light.isDelta()) {
+      double lightPdf = choice.probability() * light.pdf();
+      weight = strategy.lightWeight(lightPdf, value.pdf()) / lightPdf;
     }
-    double lightPdf = choice.probability() * light.pdf();
-    return scattered.times(strategy.lightWeight(lightPdf, value.pdf()) / lightPdf);
+    arrive(scratch.path, scattered.r() * weight, scattered.g() * weight, scattered.b() * weight);
+  }
+
+  /** Adds light that arrives at a vertex from an emitter. */
+  void arrive(Path path, double r, double g, double b) {
+    path.gather(r, g, b);
   }
 
   static Rgb emitted(Emission emission, SurfaceHit surface) {
@@ -227,30 +232,35 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   }
 
   /** Returns the share of a scattered ray, against light sampling, in meeting an emitter. */
-  double emissionWeight(int emitter, Path path, SurfaceHit surface) {
-    if (emitter < 0 || path.pdf() == Double.POSITIVE_INFINITY) {
+  double emissionWeight(int emitter, Scratch scratch, SurfaceHit surface) {
+    double pdf = scratch.path.pdf();
+    if (emitter < 0 || pdf == Double.POSITIVE_INFINITY) {
       return 1;
     }
-    AreaLight light = (AreaLight) emitters[emitter];
-    double lightPdf = lightPdf(emitter, path, light.shape().pdf(path.from(), surface));
-    return strategy.bsdfWeight(path.pdf(), lightPdf);
+    Shape shape = ((AreaLight) emitters[emitter]).shape();
+    double lightPdf = lightPdf(emitter, scratch, shape.pdf(scratch.choice.point(), surface));
+    return strategy.bsdfWeight(pdf, lightPdf);
   }
 
-  /** Returns the density with which light sampling would have gone where the path went. */
-  double lightPdf(int emitter, Path path, double pdfOfEmitter) {
-    return selector.probability(path.from(), path.facing(), emitter) * pdfOfEmitter;
+  /**
+   * Returns the density with which light sampling would have gone where the path went: from the
+   * vertex that asked for light last, since a path can have left any other only by a delta lobe.
+   */
+  double lightPdf(int emitter, Scratch scratch, double pdfOfEmitter) {
+    return selector.probability(scratch.choice, emitter) * pdfOfEmitter;
   }
 
   /** Returns the light from beyond everything, each dome with its own share. */
-  Rgb escaped(Path path, Vec3 direction) {
-    if (path.pdf() == Double.POSITIVE_INFINITY) {
+  Rgb escaped(Scratch scratch, Vec3 direction) {
+    double pdf = scratch.path.pdf();
+    if (pdf == Double.POSITIVE_INFINITY) {
       return scene.background(direction);
     }
     Rgb sum = Rgb.BLACK;
     for (int emitter : domes) {
       EnvironmentLight dome = (EnvironmentLight) emitters[emitter];
-      double lightPdf = lightPdf(emitter, path, dome.pdf(direction));
-      sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(path.pdf(), lightPdf)));
+      double lightPdf = lightPdf(emitter, scratch, dome.pdf(direction));
+      sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
     }
     return sum;
   }

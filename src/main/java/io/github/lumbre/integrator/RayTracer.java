@@ -20,7 +20,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 
 /**
  * Whitted's ray tracing (1980): light straight from every light, mirrors, and glass; no light from
@@ -112,10 +111,10 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
     Rgb sum = scene.ambient().times(bsdf.diffuseAlbedo()).times(Elementary.INV_PI);
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
-      Optional<LightSample> drawn =
-          lights.get(i).sample(vertex.surface().position(), sampler.get2d(dimension));
-      if (drawn.isPresent()) {
-        sum = sum.plus(arriving(i, drawn.get(), vertex, scratch));
+      LightSample light = scratch.light;
+      lights.get(i).sample(vertex.surface().position(), sampler.get2d(dimension), light);
+      if (!light.isEmpty()) {
+        sum = sum.plus(arriving(i, light, vertex, scratch));
       }
     }
     return sum;
@@ -128,7 +127,7 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
    */
   Rgb arriving(int number, LightSample light, Vertex vertex, Scratch scratch) {
     Rgb scattered = vertex.eval(light.wi()).times(light.radiance());
-    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface(), light)) {
+    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface())) {
       return Rgb.BLACK;
     }
     return light.isDelta() ? scattered : scattered.times(1 / light.pdf());

@@ -16,6 +16,7 @@ public final class Scratch {
   final BsdfSample scattered = new BsdfSample();
   final BsdfValue value = new BsdfValue();
   final LightChoice choice = new LightChoice();
+  final LightSample light = new LightSample();
   private final NearestHit shadow = new NearestHit();
   long rays;
   boolean metSomething;
@@ -24,10 +25,8 @@ public final class Scratch {
   /** Makes the memory of one thread. */
   public Scratch() {}
 
-  /**
-   * Tells whether anything stands between a surface and the light that it was given a sample of.
-   */
-  boolean isOccluded(Scene scene, SurfaceHit surface, LightSample light) {
+  /** Tells whether anything stands between a surface and the sample of light. */
+  boolean isOccluded(Scene scene, SurfaceHit surface) {
     shadowRays++;
     light.aimShadowRay(surface, shadow);
     return scene.isOccluded(shadow);

@@ -2,6 +2,7 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
@@ -55,11 +56,10 @@ final class Vertex {
     return surface.toWorld(local);
   }
 
-  /** Returns the normal on the side from which light scatters to the viewer; zero if on both. */
-  Vec3 facing() {
-    return bsdf.isTransmissive()
-        ? Vec3.ZERO
-        : surface.shadingNormal().times(Math.copySign(1, wo.z()));
+  /** Asks for light here, from the side or sides from which it scatters to the viewer. */
+  void ask(LightChoice choice) {
+    double side = bsdf.isTransmissive() ? 0 : Math.copySign(1, wo.z());
+    choice.moveTo(surface.position(), surface.shadingNormal().times(side));
   }
 
   /** Returns f·|cos θi| for a unit world direction. */

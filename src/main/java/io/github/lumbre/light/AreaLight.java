@@ -21,18 +21,18 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
   }
 
   @Override
-  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
-    SurfaceSample point = shape.sample(reference, u);
+  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
+    SurfaceSample point = drawn.surface();
+    shape.sample(reference, u, point);
+    drawn.clear();
     if (!(point.pdf() > 0)) {
-      return Optional.empty();
+      return;
     }
     Vec3 way = point.position().minus(reference);
     Rgb radiance = emission.towards(way.negated(), point.normal(), point.texture());
-    if (radiance.isBlack()) {
-      return Optional.empty();
+    if (!radiance.isBlack()) {
+      drawn.setSurface(way.normalized(), radiance);
     }
-    return Optional.of(
-        new LightSample(way.normalized(), radiance, point.pdf(), new LightSample.AtSurface(point)));
   }
 
   @Override

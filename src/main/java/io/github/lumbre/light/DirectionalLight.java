@@ -4,7 +4,6 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
-import java.util.Optional;
 
 /**
  * Parallel light from infinitely far.
@@ -19,13 +18,8 @@ public record DirectionalLight(Vec3 direction, Rgb irradiance) implements Light 
   }
 
   @Override
-  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
-    return Optional.of(
-        new LightSample(
-            direction.negated(),
-            irradiance,
-            Double.POSITIVE_INFINITY,
-            LightSample.AtInfinity.INSTANCE));
+  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
+    drawn.setInfinite(direction.negated(), irradiance, Double.POSITIVE_INFINITY);
   }
 
   @Override

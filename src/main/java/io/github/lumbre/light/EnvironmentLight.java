@@ -105,18 +105,21 @@ public final class EnvironmentLight implements Light {
   }
 
   @Override
-  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
+  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
     if (distribution.isEmpty()) {
       Vec3 wi = Warp.uniformSphere(u);
-      return Optional.of(arriving(wi, from(wi), Warp.INV_FOUR_PI));
+      drawn.setInfinite(wi, from(wi), Warp.INV_FOUR_PI);
+      return;
     }
-    Distribution2d.Sample drawn = distribution.get().sample(u);
-    Point2 p = drawn.point();
+    Distribution2d.Sample texel = distribution.get().sample(u);
+    Point2 p = texel.point();
     double longitude = p.x() - .5;
     double latitude = (p.y() - .5) / 2;
     double across = Elementary.cosTurns(latitude);
-    if (across <= 0) {
-      return Optional.empty();
+    double pdf = across > 0 ? perSolidAngle(texel.pdf(), across) : 0;
+    if (pdf == 0) {
+      drawn.clear();
+      return;
     }
     Vec3 wi =
         axes.toWorld(
@@ -124,17 +127,12 @@ public final class EnvironmentLight implements Light {
                 across * Elementary.sinTurns(longitude),
                 Elementary.sinTurns(latitude),
                 across * Elementary.cosTurns(longitude)));
-    Rgb arriving = radiance.at(new TexturePoint(p.x(), p.y()));
-    return Optional.of(arriving(wi, arriving, perSolidAngle(drawn.pdf(), across)));
+    drawn.setInfinite(wi, radiance.at(new TexturePoint(p.x(), p.y())), pdf);
   }
 
   /** From per area of the image: dω is 2π² cos latitude times the area element. */
   private static double perSolidAngle(double pdf, double cosLatitude) {
     return pdf / (2 * Math.PI * Math.PI * cosLatitude);
-  }
-
-  private static LightSample arriving(Vec3 wi, Rgb radiance, double pdf) {
-    return new LightSample(wi, radiance, pdf, LightSample.AtInfinity.INSTANCE);
   }
 
   /** Returns where in the image, in [0,1)², a direction of the dome's own space lies. */

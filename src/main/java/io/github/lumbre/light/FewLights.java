@@ -1,6 +1,5 @@
 package io.github.lumbre.light;
 
-import io.github.lumbre.math.Vec3;
 import java.util.List;
 
 /**
@@ -33,13 +32,13 @@ final class FewLights implements NearLights {
   }
 
   @Override
-  public void choose(Vec3 point, Vec3 normal, double u, LightChoice choice) {
+  public void choose(double u, LightChoice choice) {
     double[] weights = choice.weights;
     int count = emitters.length;
     double sum = 0;
     int lit = 0;
     for (int i = 0; i < count; i++) {
-      double weight = nodes.importance(i, point, normal);
+      double weight = nodes.importance(i, choice);
       weights[i] = weight;
       sum += weight;
       lit += weight > 0 ? 1 : 0;
@@ -65,12 +64,12 @@ final class FewLights implements NearLights {
   }
 
   @Override
-  public double probability(Vec3 point, Vec3 normal, int emitter) {
+  public double probability(LightChoice asked, int emitter) {
     double sum = 0;
     int lit = 0;
     double own = 0;
     for (int i = 0; i < emitters.length; i++) {
-      double weight = nodes.importance(i, point, normal);
+      double weight = nodes.importance(i, asked);
       sum += weight;
       lit += weight > 0 ? 1 : 0;
       own = i == places[emitter] ? weight : own;

@@ -8,11 +8,19 @@ import java.util.Optional;
 public sealed interface Light
     permits PointLight, SpotLight, DirectionalLight, AreaLight, EnvironmentLight {
   /**
-   * Returns light that may arrive at a point, or empty if none can.
+   * Draws light that may arrive at a point, or none.
    *
    * @param u uniform in [0,1)²; delta lights ignore it
+   * @param drawn takes the result
    */
-  Optional<LightSample> sample(Vec3 reference, Point2 u);
+  void sample(Vec3 reference, Point2 u, LightSample drawn);
+
+  /** Draws light into a new sample; empty if none can arrive. */
+  default Optional<LightSample> sample(Vec3 reference, Point2 u) {
+    LightSample drawn = new LightSample();
+    sample(reference, u, drawn);
+    return drawn.isEmpty() ? Optional.empty() : Optional.of(drawn);
+  }
 
   /**
    * Returns about how much power the light sends into the scene, by its strongest colour component:

@@ -1,8 +1,10 @@
 package io.github.lumbre.light;
 
+import io.github.lumbre.math.Vec3;
+
 /**
- * An emitter chosen at random by a {@link LightSelector}. Mutable: each thread fills one and the
- * same again and again.
+ * A point that asks for light, and the emitter that a {@link LightSelector} chose for it at random.
+ * Mutable: each thread moves one and the same from point to point.
  */
 public final class LightChoice {
   static final int WEIGHTS = 8;
@@ -10,11 +12,39 @@ public final class LightChoice {
   /** Memory for the weights of a few emitters. */
   final double[] weights = new double[WEIGHTS];
 
+  // The point, and the unit normal of the side from which it takes light; zero if from both.
+  double x, y, z;
+  double normalX, normalY, normalZ;
+
   private int emitter;
   private double probability;
 
   /** Makes the memory of a choice. */
   public LightChoice() {}
+
+  /**
+   * Moves to another point.
+   *
+   * @param normal unit normal of the side from which the point takes light, or zero if from both
+   */
+  public void moveTo(Vec3 point, Vec3 normal) {
+    x = point.x();
+    y = point.y();
+    z = point.z();
+    normalX = normal.x();
+    normalY = normal.y();
+    normalZ = normal.z();
+  }
+
+  /** Returns the point that asks. */
+  public Vec3 point() {
+    return new Vec3(x, y, z);
+  }
+
+  /** Tells whether the point takes light from both sides. */
+  boolean isOpen() {
+    return normalX == 0 && normalY == 0 && normalZ == 0;
+  }
 
   void set(int newEmitter, double newProbability) {
     emitter = newEmitter;

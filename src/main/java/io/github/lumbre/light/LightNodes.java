@@ -50,11 +50,11 @@ final class LightNodes {
    * point, and the sphere's direction to the point's normal: of the cosine of such an angle less b,
    * cos a cos b + sin a sin b, the bound cos a + sin b is good where b is small and takes no root.
    */
-  double importance(int node, Vec3 point, Vec3 normal) {
+  double importance(int node, LightChoice asked) {
     int at = STRIDE * node;
-    double x = point.x() - nodes[at + CENTRE];
-    double y = point.y() - nodes[at + CENTRE + 1];
-    double z = point.z() - nodes[at + CENTRE + 2];
+    double x = asked.x - nodes[at + CENTRE];
+    double y = asked.y - nodes[at + CENTRE + 1];
+    double z = asked.z - nodes[at + CENTRE + 2];
     double distanceSquared = x * x + y * y + z * z;
     double radius = nodes[at + RADIUS];
     if (!(distanceSquared > radius * radius)) {
@@ -62,9 +62,9 @@ final class LightNodes {
     }
     double perDistance = 1 / Math.sqrt(distanceSquared);
     double sin = radius * perDistance;
-    double along = -perDistance * (x * normal.x() + y * normal.y() + z * normal.z());
-    // A zero normal takes light from everywhere.
-    double received = isZero(normal) ? 1 : along + sin;
+    double along = -perDistance * (x * asked.normalX + y * asked.normalY + z * asked.normalZ);
+    // An open point takes light from everywhere.
+    double received = asked.isOpen() ? 1 : along + sin;
     if (!(received > -ROUNDING)) {
       return 0;
     }
@@ -81,10 +81,6 @@ final class LightNodes {
         * (perDistance * perDistance)
         * Math.max(Math.min(received, 1), ROUNDING)
         * Math.max(Math.min(emitted, 1), ROUNDING);
-  }
-
-  private static boolean isZero(Vec3 normal) {
-    return normal.x() == 0 && normal.y() == 0 && normal.z() == 0;
   }
 
   /**

@@ -7,28 +7,112 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * Light that may arrive at a point from one direction.
- *
- * @param wi unit direction to the light
- * @param radiance arriving along wi if nothing is in between; of a delta light, irradiance at
- *     normal incidence
- * @param pdf density per solid angle; of a delta light, infinite
- * @param target where the shadow ray ends
+ * Light that may arrive at a point from one direction, or none. Mutable: each thread fills one and
+ * the same again and again.
  */
-public record LightSample(Vec3 wi, Rgb radiance, double pdf, Target target) {
+public final class LightSample {
+  /** Where a shadow ray ends. */
+  public enum Target {
+    /** At a point in space. */
+    POINT,
+    /** At a point of a light's surface, which does not block its own light. */
+    SURFACE,
+    /** Nowhere. */
+    INFINITY
+  }
 
-  /** Where a shadow ray ends: at a point, at a surface, or nowhere. */
-  public sealed interface Target permits AtPoint, AtSurface, AtInfinity {}
+  private double x, y, z = 1;
+  private double r, g, b;
+  private double pdf;
+  private Target target = Target.INFINITY;
+  private double endX, endY, endZ;
+  private final SurfaceSample surface = new SurfaceSample();
 
-  /** A point in space. */
-  public record AtPoint(Vec3 position) implements Target {}
+  /** Makes a sample of no light. */
+  public LightSample() {}
 
-  /** A point of a light's surface, which does not block its own light. */
-  public record AtSurface(SurfaceSample sample) implements Target {}
+  /** Says that no light can arrive. */
+  public void clear() {
+    pdf = 0;
+  }
 
-  /** Infinitely far in the direction wi. */
-  public enum AtInfinity implements Target {
-    INSTANCE
+  /**
+   * Sets light from infinitely far.
+   *
+   * @param wi unit direction to the light
+   * @param radiance arriving along wi if nothing is in between; of a delta light, irradiance at
+   *     normal incidence
+   * @param newPdf density per solid angle, &gt; 0; of a delta light, infinite
+   */
+  void setInfinite(Vec3 wi, Rgb radiance, double newPdf) {
+    set(wi, radiance, newPdf, Target.INFINITY);
+  }
+
+  /**
+   * Sets light from a point, which no scattered ray can hit.
+   *
+   * @param wi unit direction to the light
+   * @param irradiance at normal incidence
+   */
+  void setPoint(Vec3 wi, Rgb irradiance, Vec3 point) {
+    set(wi, irradiance, Double.POSITIVE_INFINITY, Target.POINT);
+    endX = point.x();
+    endY = point.y();
+    endZ = point.z();
+  }
+
+  /** Sets light from the point that stands in {@link #surface}, with its density. */
+  void setSurface(Vec3 wi, Rgb radiance) {
+    set(wi, radiance, surface.pdf(), Target.SURFACE);
+  }
+
+  private void set(Vec3 wi, Rgb radiance, double newPdf, Target newTarget) {
+    x = wi.x();
+    y = wi.y();
+    z = wi.z();
+    r = radiance.r();
+    g = radiance.g();
+    b = radiance.b();
+    pdf = newPdf;
+    target = newTarget;
+  }
+
+  /** Weakens the light, if there is any, by a factor ≥ 0; by 0 none is left. */
+  void dim(double factor) {
+    r *= factor;
+    g *= factor;
+    b *= factor;
+    if (factor == 0) {
+      clear();
+    }
+  }
+
+  /** Returns the point of the light's surface: a place to draw one, and then what was drawn. */
+  SurfaceSample surface() {
+    return surface;
+  }
+
+  /** Tells whether no light can arrive. */
+  public boolean isEmpty() {
+    return pdf == 0;
+  }
+
+  /** Returns the unit direction to the light. */
+  public Vec3 wi() {
+    return new Vec3(x, y, z);
+  }
+
+  /**
+   * Returns what arrives along {@link #wi} if nothing is in between: radiance, or of a delta light
+   * irradiance at normal incidence.
+   */
+  public Rgb radiance() {
+    return new Rgb(r, g, b);
+  }
+
+  /** Returns the density per solid angle; of a delta light, infinite; of no light, 0. */
+  public double pdf() {
+    return pdf;
   }
 
   /** Tells whether the light can only be sampled, and never be hit by a ray. */
@@ -36,14 +120,22 @@ public record LightSample(Vec3 wi, Rgb radiance, double pdf, Target target) {
     return pdf == Double.POSITIVE_INFINITY;
   }
 
+  /** Returns where the shadow ray ends. */
+  public Target target() {
+    return target;
+  }
+
+  /** Returns the point at which the shadow ray ends, if it ends at one in space. */
+  public Vec3 end() {
+    return new Vec3(endX, endY, endZ);
+  }
+
   /** Aims a search by the ray that must meet nothing for the light to arrive. */
   public void aimShadowRay(SurfaceHit from, NearestHit shadow) {
-    if (target instanceof AtSurface surface) {
-      from.spawnTowards(surface.sample(), shadow);
-    } else if (target instanceof AtPoint point) {
-      from.spawnTowards(point.position(), shadow);
-    } else {
-      from.spawn(wi, shadow);
+    switch (target) {
+      case SURFACE -> from.spawnTowards(surface, shadow);
+      case POINT -> from.spawnTowards(end(), shadow);
+      case INFINITY -> from.spawn(wi(), shadow);
     }
   }
 }

@@ -1,6 +1,5 @@
 package io.github.lumbre.light;
 
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Distribution1d;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -129,15 +128,14 @@ public final class LightSelector {
   }
 
   /**
-   * Chooses an emitter that may light a point.
+   * Chooses an emitter that may light the point that asks.
    *
-   * @param normal unit normal of the side from which the point takes light, or zero if from both
    * @param u uniform in [0,1)
-   * @param choice takes the result
+   * @param choice holds the point, and takes the result
    */
-  public void choose(Vec3 point, Vec3 normal, double u, LightChoice choice) {
+  public void choose(double u, LightChoice choice) {
     if (alone.length == 0) {
-      near.get().choose(point, normal, u, choice);
+      near.get().choose(u, choice);
       return;
     }
     int place = distribution.choose(u);
@@ -145,20 +143,18 @@ public final class LightSelector {
     if (place < alone.length) {
       choice.set(alone[place], probability);
     } else {
-      near.get().choose(point, normal, distribution.remainder(place, u), choice);
+      near.get().choose(distribution.remainder(place, u), choice);
       choice.set(choice.emitter(), probability * choice.probability());
     }
   }
 
   /**
    * Returns the probability with which {@link #choose} returns an emitter; positive unless it
-   * cannot light the point.
+   * cannot light the point that asks.
    */
-  public double probability(Vec3 point, Vec3 normal, int index) {
+  public double probability(LightChoice asked, int index) {
     int place = places[index];
     double probability = distribution.probability(place);
-    return place < alone.length
-        ? probability
-        : probability * near.get().probability(point, normal, index);
+    return place < alone.length ? probability : probability * near.get().probability(asked, index);
   }
 }

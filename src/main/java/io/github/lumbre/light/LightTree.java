@@ -1,6 +1,5 @@
 package io.github.lumbre.light;
 
-import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 import java.util.List;
 
@@ -53,7 +52,7 @@ final class LightTree implements NearLights {
   }
 
   @Override
-  public void choose(Vec3 point, Vec3 normal, double u, LightChoice choice) {
+  public void choose(double u, LightChoice choice) {
     boolean isEven = u < EVEN_SHARE;
     double rest = isEven ? u / EVEN_SHARE : (u - EVEN_SHARE) / (1 - EVEN_SHARE);
     double probability = 1 - EVEN_SHARE;
@@ -61,7 +60,7 @@ final class LightTree implements NearLights {
     int node = 0;
     while (children[node] > 0) {
       int left = children[node];
-      double share = leftShare(left, point, normal);
+      double share = leftShare(left, choice);
       double byNumber = evenShare(left, share);
       double threshold = isEven ? byNumber : share;
       boolean goesLeft = rest < threshold;
@@ -75,14 +74,14 @@ final class LightTree implements NearLights {
   }
 
   @Override
-  public double probability(Vec3 point, Vec3 normal, int emitter) {
+  public double probability(LightChoice asked, int emitter) {
     double probability = 1 - EVEN_SHARE;
     double even = EVEN_SHARE;
     for (int node = leaves[emitter]; node > 0; node = parents[node]) {
       // Left children have odd numbers.
       boolean isLeft = (node & 1) != 0;
       int left = isLeft ? node : node - 1;
-      double share = leftShare(left, point, normal);
+      double share = leftShare(left, asked);
       double byNumber = evenShare(left, share);
       probability *= isLeft ? share : 1 - share;
       even *= isLeft ? byNumber : 1 - byNumber;
@@ -91,9 +90,9 @@ final class LightTree implements NearLights {
   }
 
   /** Returns the probability to go left: a half where nothing can be said. */
-  private double leftShare(int left, Vec3 point, Vec3 normal) {
-    double one = nodes.importance(left, point, normal);
-    double other = nodes.importance(left + 1, point, normal);
+  private double leftShare(int left, LightChoice asked) {
+    double one = nodes.importance(left, asked);
+    double other = nodes.importance(left + 1, asked);
     double share = one / (one + other);
     return share >= 0 ? share : .5;
   }

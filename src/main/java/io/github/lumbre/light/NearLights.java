@@ -1,7 +1,5 @@
 package io.github.lumbre.light;
 
-import io.github.lumbre.math.Vec3;
-
 /** Emitters of limited reach, of which a point sees others than its neighbour. Immutable. */
 sealed interface NearLights permits FewLights, LightTree {
   /**
@@ -11,8 +9,8 @@ sealed interface NearLights permits FewLights, LightTree {
   double EVEN_SHARE = .125;
 
   /** Chooses an emitter; see {@link LightSelector#choose}. */
-  void choose(Vec3 point, Vec3 normal, double u, LightChoice choice);
+  void choose(double u, LightChoice choice);
 
   /** Returns the probability with which {@link #choose} finds an emitter. */
-  double probability(Vec3 point, Vec3 normal, int emitter);
+  double probability(LightChoice asked, int emitter);
 }

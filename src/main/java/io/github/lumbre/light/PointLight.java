@@ -16,18 +16,14 @@ public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implemen
   }
 
   @Override
-  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
+  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
     Vec3 way = position.minus(reference);
     double distanceSquared = way.lengthSquared();
     if (distanceSquared == 0) {
-      return Optional.empty();
+      drawn.clear();
+    } else {
+      drawn.setPoint(way.normalized(), falloff.irradiance(intensity, distanceSquared), position);
     }
-    return Optional.of(
-        new LightSample(
-            way.normalized(),
-            falloff.irradiance(intensity, distanceSquared),
-            Double.POSITIVE_INFINITY,
-            new LightSample.AtPoint(position)));
   }
 
   @Override

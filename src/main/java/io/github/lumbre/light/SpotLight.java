@@ -39,18 +39,9 @@ public final class SpotLight implements Light {
   }
 
   @Override
-  public Optional<LightSample> sample(Vec3 reference, Point2 u) {
-    return source.sample(reference, u).flatMap(this::shaded);
-  }
-
-  private Optional<LightSample> shaded(LightSample sample) {
-    double share = share(sample.wi().cross(axis).length(), -sample.wi().dot(axis));
-    if (share == 0) {
-      return Optional.empty();
-    }
-    return Optional.of(
-        new LightSample(
-            sample.wi(), sample.radiance().times(share), sample.pdf(), sample.target()));
+  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
+    source.sample(reference, u, drawn);
+    drawn.dim(share(drawn.wi().cross(axis).length(), -drawn.wi().dot(axis)));
   }
 
   private double share(double sinAngle, double cosAngle) {

@@ -296,7 +296,7 @@ class EnvironmentLightTest {
   @Test
   void lightOfTheDomeComesFromInfinity() {
     LightSample sample = sample(dome(turned(), noise(3, 3)), point());
-    assertThat(sample.target()).isEqualTo(LightSample.AtInfinity.INSTANCE);
+    assertThat(sample.target()).isEqualTo(LightSample.Target.INFINITY);
     assertThat(sample.isDelta()).isFalse();
   }
 }

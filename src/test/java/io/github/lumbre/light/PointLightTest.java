@@ -49,7 +49,8 @@ class PointLightTest {
     LightSample sample = sample(light, Vec3.ZERO);
     assertThat(sample.isDelta()).isTrue();
     assertThat(light.isDelta()).isTrue();
-    assertThat(sample.target()).isEqualTo(new LightSample.AtPoint(position));
+    assertThat(sample.target()).isEqualTo(LightSample.Target.POINT);
+    assertThat(sample.end()).isEqualTo(position);
   }
 
   @Test
@@ -87,7 +88,7 @@ class PointLightTest {
       LightSample sample = sample(light, reference);
       assertThat(sample.wi().plus(Vec3.ZERO)).isEqualTo(new Vec3(0, .6, -.8));
       assertThat(sample.radiance()).isEqualTo(INTENSITY);
-      assertThat(sample.target()).isEqualTo(LightSample.AtInfinity.INSTANCE);
+      assertThat(sample.target()).isEqualTo(LightSample.Target.INFINITY);
       assertThat(sample.isDelta()).isTrue();
     }
     assertThat(light.isBlack()).isFalse();
