@@ -209,7 +209,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
       return;
     }
     BsdfValue value = scratch.value;
-    vertex.evaluate(light.wi(), value);
+    vertex.evaluate(light, value);
     Rgb scattered = value.f().times(light.radiance());
     if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface())) {
       return;

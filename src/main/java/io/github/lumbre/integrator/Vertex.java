@@ -3,6 +3,7 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightChoice;
+import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
@@ -68,8 +69,9 @@ final class Vertex {
     return isConsistent(wi, local) ? bsdf.eval(wo, local) : Rgb.BLACK;
   }
 
-  /** Sets f·|cos θi| and the density of a unit world direction. */
-  void evaluate(Vec3 wi, BsdfValue value) {
+  /** Sets f·|cos θi| and the density of the unit world direction that light comes from. */
+  void evaluate(LightSample light, BsdfValue value) {
+    Vec3 wi = light.wi();
     Vec3 local = surface.toLocal(wi);
     if (isConsistent(wi, local)) {
       bsdf.evaluate(wo, local, value);

@@ -23,13 +23,23 @@ public record Lambertian(Rgb albedo) implements Lobe {
   }
 
   @Override
+  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+    if (wo.z() * wi.z() > 0) {
+      double pdf = Warp.cosineHemispherePdf(Math.abs(wi.z()));
+      value.set(albedo.times(pdf), pdf);
+    } else {
+      value.clear();
+    }
+  }
+
+  @Override
   public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
     Vec3 up = Warp.cosineHemisphere(u);
     if (up.z() == 0 || wo.z() == 0) {
       drawn.absorb();
       return;
     }
-    Vec3 wi = wo.z() > 0 ? up : new Vec3(up.x(), up.y(), -up.z());
+    Vec3 wi = new Vec3(up.x(), up.y(), Math.copySign(up.z(), wo.z()));
     drawn.set(wi, albedo, Warp.cosineHemispherePdf(up.z()));
   }
 

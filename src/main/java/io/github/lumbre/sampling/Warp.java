@@ -23,12 +23,12 @@ public final class Warp {
     if (a == 0 && b == 0) {
       return new Point2(0, 0);
     }
-    if (Math.abs(a) > Math.abs(b)) {
-      double phi = QUARTER_PI * (b / a);
-      return new Point2(a * Elementary.cosSmall(phi), a * Elementary.sinSmall(phi));
-    }
-    double phi = QUARTER_PI * (a / b);
-    return new Point2(b * Elementary.sinSmall(phi), b * Elementary.cosSmall(phi));
+    boolean isWide = Math.abs(a) > Math.abs(b);
+    double radius = isWide ? a : b;
+    double phi = QUARTER_PI * ((isWide ? b : a) / radius);
+    double along = radius * Elementary.cosSmall(phi);
+    double across = radius * Elementary.sinSmall(phi);
+    return new Point2(isWide ? along : across, isWide ? across : along);
   }
 
   /** Returns a unit direction around +z with density cos θ / π (Malley's method). */
