@@ -39,7 +39,7 @@ public record Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
     tangent = tangent.normalized();
     tangent = tangent.plus(-tangent.dot(normal), normal).normalized();
     Vec3 bitangent = normal.cross(tangent);
-    return new Frame(tangent, bitangent.dot(v) < 0 ? bitangent.negated() : bitangent, normal);
+    return new Frame(tangent, bitangent.times(bitangent.dot(v) < 0 ? -1 : 1), normal);
   }
 
   public Vec3 toLocal(Vec3 world) {

@@ -64,12 +64,20 @@ public record Vec3(double x, double y, double z) {
    * short; of the zero vector, NaN.
    */
   public Vec3 normalized() {
+    // One place makes the result, so that the compiler need not make it at all.
+    double scaledX = x;
+    double scaledY = y;
+    double scaledZ = z;
     double square = lengthSquared();
-    if (square >= SMALLEST_SAFE_SQUARE && square <= LARGEST_SAFE_SQUARE) {
-      return times(1 / Math.sqrt(square));
+    if (!(square >= SMALLEST_SAFE_SQUARE && square <= LARGEST_SAFE_SQUARE)) {
+      Vec3 scaled = scaled(Math.getExponent(maxAbs()));
+      scaledX = scaled.x;
+      scaledY = scaled.y;
+      scaledZ = scaled.z;
+      square = scaled.lengthSquared();
     }
-    Vec3 scaled = scaled(Math.getExponent(maxAbs()));
-    return scaled.times(1 / Math.sqrt(scaled.lengthSquared()));
+    double factor = 1 / Math.sqrt(square);
+    return new Vec3(scaledX * factor, scaledY * factor, scaledZ * factor);
   }
 
   /** Returns this divided by a power of two, in two steps, so that no factor overflows. */

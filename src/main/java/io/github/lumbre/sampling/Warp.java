@@ -20,12 +20,9 @@ public final class Warp {
   public static Point2 concentricDisk(Point2 u) {
     double a = 2 * u.x() - 1;
     double b = 2 * u.y() - 1;
-    if (a == 0 && b == 0) {
-      return new Point2(0, 0);
-    }
     boolean isWide = Math.abs(a) > Math.abs(b);
     double radius = isWide ? a : b;
-    double phi = QUARTER_PI * ((isWide ? b : a) / radius);
+    double phi = radius == 0 ? 0 : QUARTER_PI * ((isWide ? b : a) / radius);
     double along = radius * Elementary.cosSmall(phi);
     double across = radius * Elementary.sinSmall(phi);
     return new Point2(isWide ? along : across, isWide ? across : along);
