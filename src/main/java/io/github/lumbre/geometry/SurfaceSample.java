@@ -55,6 +55,11 @@ public final class SurfaceSample {
     return new Vec3(normalX, normalY, normalZ);
   }
 
+  /** Tells whether a point lies on the side that the normal points to. */
+  public boolean isSeenFrontally(Vec3 from) {
+    return (from.x() - x) * normalX + (from.y() - y) * normalY + (from.z() - z) * normalZ > 0;
+  }
+
   /** Returns the texture coordinates there. */
   public TexturePoint texture() {
     return new TexturePoint(u, v);

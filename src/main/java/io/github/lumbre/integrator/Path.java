@@ -50,10 +50,10 @@ final class Path {
   }
 
   /** Lets the rest of the path count for less, or more. */
-  void weigh(Rgb weight) {
-    throughputRed *= weight.r();
-    throughputGreen *= weight.g();
-    throughputBlue *= weight.b();
+  void weigh(double r, double g, double b) {
+    throughputRed *= r;
+    throughputGreen *= g;
+    throughputBlue *= b;
   }
 
   /** Returns the largest component of what more light counts for. */

@@ -177,7 +177,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     if (scattered.isAbsorbed()) {
       return false;
     }
-    path.weigh(scattered.weight());
+    path.weigh(scattered.r(), scattered.g(), scattered.b());
     SurfaceHit surface = scratch.vertex.surface();
     path.leave(scattered.pdf());
 
@@ -187,7 +187,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
       if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {
         return false;
       }
-      path.weigh(Rgb.grey(1 / survival));
+      path.weigh(1 / survival, 1 / survival, 1 / survival);
     }
     surface.spawn(scattered.wi(), scratch.hit);
     return true;
@@ -210,8 +210,11 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     }
     BsdfValue value = scratch.value;
     vertex.evaluate(light, value);
-    Rgb scattered = value.f().times(light.radiance());
-    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface())) {
+    double r = value.r() * light.r();
+    double g = value.g() * light.g();
+    double b = value.b() * light.b();
+    boolean isBlack = r == 0 && g == 0 && b == 0;
+    if (isBlack || scratch.isOccluded(scene, vertex.surface())) {
       return;
     }
     double weight = 1 / choice.probability();
@@ -219,7 +222,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
       double lightPdf = choice.probability() * light.pdf();
       weight = strategy.lightWeight(lightPdf, value.pdf()) / lightPdf;
     }
-    arrive(scratch.path, scattered.r() * weight, scattered.g() * weight, scattered.b() * weight);
+    arrive(scratch.path, r * weight, g * weight, b * weight);
   }
 
   /** Adds light that arrives at a vertex from an emitter. */

@@ -28,10 +28,9 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
     if (!(point.pdf() > 0)) {
       return;
     }
-    Vec3 way = point.position().minus(reference);
-    Rgb radiance = emission.towards(way.negated(), point.normal(), point.texture());
+    Rgb radiance = emission.towards(reference, point);
     if (!radiance.isBlack()) {
-      drawn.setSurface(way.normalized(), radiance);
+      drawn.setSurface(point.position().minus(reference).normalized(), radiance);
     }
   }
 

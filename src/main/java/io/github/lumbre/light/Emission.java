@@ -1,5 +1,6 @@
 package io.github.lumbre.light;
 
+import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.Constant;
@@ -28,6 +29,11 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided) {
    */
   public Rgb towards(Vec3 direction, Vec3 normal, TexturePoint point) {
     return twoSided || direction.dot(normal) > 0 ? radiance.at(point) : Rgb.BLACK;
+  }
+
+  /** Returns the radiance that a point drawn from the surface sends to a reference. */
+  Rgb towards(Vec3 reference, SurfaceSample point) {
+    return twoSided || point.isSeenFrontally(reference) ? radiance.at(point.texture()) : Rgb.BLACK;
   }
 
   /** Returns about the mean radiance, by its strongest component: from a grid over the texture. */

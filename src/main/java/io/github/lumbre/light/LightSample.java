@@ -110,6 +110,21 @@ public final class LightSample {
     return new Rgb(r, g, b);
   }
 
+  /** Returns the red component of {@link #radiance}. */
+  public double r() {
+    return r;
+  }
+
+  /** Returns the green component of {@link #radiance}. */
+  public double g() {
+    return g;
+  }
+
+  /** Returns the blue component of {@link #radiance}. */
+  public double b() {
+    return b;
+  }
+
   /** Returns the density per solid angle; of a delta light, infinite; of no light, 0. */
   public double pdf() {
     return pdf;

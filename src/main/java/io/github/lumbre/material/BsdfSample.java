@@ -62,6 +62,21 @@ public final class BsdfSample {
     return new Vec3(x, y, z);
   }
 
+  /** Returns the red component of {@link #weight}. */
+  public double r() {
+    return r;
+  }
+
+  /** Returns the green component of {@link #weight}. */
+  public double g() {
+    return g;
+  }
+
+  /** Returns the blue component of {@link #weight}. */
+  public double b() {
+    return b;
+  }
+
   /** Returns f·|cos θi| / pdf; black if the light ends here. */
   public Rgb weight() {
     return new Rgb(r, g, b);

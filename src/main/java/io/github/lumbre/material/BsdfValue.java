@@ -31,6 +31,21 @@ public final class BsdfValue {
     pdf = newPdf;
   }
 
+  /** Returns the red component of {@link #f}. */
+  public double r() {
+    return r;
+  }
+
+  /** Returns the green component of {@link #f}. */
+  public double g() {
+    return g;
+  }
+
+  /** Returns the blue component of {@link #f}. */
+  public double b() {
+    return b;
+  }
+
   /** Returns f·|cos θi|. */
   public Rgb f() {
     return new Rgb(r, g, b);
