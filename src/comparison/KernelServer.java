@@ -142,7 +142,7 @@ final class KernelServer {
     for (int at = 0; at < rays.length; at += FLOATS_PER_RAY) {
       Ray ray = ray(at, Double.POSITIVE_INFINITY);
       if (bvh.intersect(ray, nearest)) {
-        Vec3 normal = mesh.surfaceAt(ray, nearest).geometricNormal();
+        Vec3 normal = mesh.surfaceAt(nearest).geometricNormal();
         bytes.putFloat((float) nearest.t()).putFloat((float) normal.x());
         bytes.putFloat((float) normal.y()).putFloat((float) normal.z());
       } else {

@@ -1,0 +1,48 @@
+package io.github.lumbre;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.parser.SceneParser;
+import java.io.StringWriter;
+import java.net.URISyntaxException;
+import java.nio.file.Path;
+import java.util.List;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The programs by which others are compared with Lumbre stand outside of the build. */
+class ComparisonTest {
+  @TempDir private Path classes;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"RenderServer.java", "KernelServer.java"})
+  void compilesAgainstTheLibraryAlone(String source) throws Exception {
+    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+    StringWriter messages = new StringWriter();
+    try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null)) {
+      List<String> options =
+          List.of(
+              "-Xlint:all", "-Werror", "-proc:none", "-d", classes.toString(), "-cp", library());
+      boolean compiled =
+          compiler
+              .getTask(
+                  messages,
+                  files,
+                  null,
+                  options,
+                  null,
+                  files.getJavaFileObjects(Path.of("src/comparison", source)))
+              .call();
+      assertThat(compiled).as(messages.toString()).isTrue();
+    }
+  }
+
+  private static String library() throws URISyntaxException {
+    return Path.of(SceneParser.class.getProtectionDomain().getCodeSource().getLocation().toURI())
+        .toString();
+  }
+}
