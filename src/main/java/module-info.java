@@ -26,6 +26,7 @@ module io.github.lumbre {
   exports io.github.lumbre.render;
   exports io.github.lumbre.measure;
   exports io.github.lumbre.parser;
+  exports io.github.lumbre.audit;
 
   opens io.github.lumbre.cli to
       info.picocli;

@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
     subcommands = {
       RenderCommand.class,
       CheckCommand.class,
+      AuditCommand.class,
       PixelCommand.class,
       BenchmarkCommand.class,
       BenchCommand.class,
@@ -40,6 +41,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scenes/cornell-box.json",
       "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
       "  lumbre check scene.json",
+      "  lumbre audit scene.json",
       "  lumbre pixel scene.json 120,80",
       "  lumbre benchmark --rows 1,5,14",
       "  lumbre bench scenes/cornell-box.json",
@@ -93,6 +95,7 @@ public final class Lumbre implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "expected a command: render, check, pixel, benchmark, bench, compare, trade, gallery");
+        "expected a command: render, check, audit, pixel, benchmark, bench, compare, trade,"
+            + " gallery");
   }
 }

@@ -54,12 +54,7 @@ final class SceneOptions {
    */
   SceneFile load(SceneParser parser, Messages messages)
       throws SceneFormatException, CommandException {
-    SceneFile file;
-    try {
-      file = parser.parse(scene);
-    } catch (IOException e) {
-      throw new CommandException(ExitCodes.SCENE, scene + ": cannot be read: " + reason(e), e);
-    }
+    SceneFile file = read(parser);
     messages.warnings(file.warnings());
     if (isStrict() && !file.warnings().isEmpty()) {
       int count = file.warnings().size();
@@ -68,6 +63,19 @@ final class SceneOptions {
           ExitCodes.WARNINGS, scene + ": " + warnings + ", which --strict makes errors");
     }
     return file;
+  }
+
+  /**
+   * Reads the scene and keeps its warnings for the caller.
+   *
+   * @throws CommandException if the scene cannot be read
+   */
+  SceneFile read(SceneParser parser) throws SceneFormatException, CommandException {
+    try {
+      return parser.parse(scene);
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.SCENE, scene + ": cannot be read: " + reason(e), e);
+    }
   }
 
   private static String reason(IOException e) {

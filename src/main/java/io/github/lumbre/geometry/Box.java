@@ -155,6 +155,11 @@ public final class Box implements Shape {
   }
 
   @Override
+  public boolean isClosed() {
+    return true;
+  }
+
+  @Override
   public double area() {
     return 2 * (faceArea[0] + faceArea[2] + faceArea[4]);
   }

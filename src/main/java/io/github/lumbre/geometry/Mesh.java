@@ -64,6 +64,11 @@ public final class Mesh implements Shape {
   }
 
   @Override
+  public boolean isClosed() {
+    return MeshBorder.isClosed(world);
+  }
+
+  @Override
   public double area() {
     return surface.area();
   }

@@ -54,6 +54,11 @@ public final class MeshInstance implements Shape {
   }
 
   @Override
+  public boolean isClosed() {
+    return MeshBorder.isClosed(shared.mesh());
+  }
+
+  @Override
   public double area() {
     return surface.area();
   }

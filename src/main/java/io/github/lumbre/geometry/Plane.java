@@ -72,6 +72,11 @@ public final class Plane implements Shape {
   }
 
   @Override
+  public boolean isClosed() {
+    return false;
+  }
+
+  @Override
   public double area() {
     return INF;
   }

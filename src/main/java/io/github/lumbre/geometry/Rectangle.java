@@ -127,6 +127,11 @@ public final class Rectangle implements Shape {
   }
 
   @Override
+  public boolean isClosed() {
+    return false;
+  }
+
+  @Override
   public double area() {
     return area;
   }

@@ -26,6 +26,9 @@ public interface Shape {
   /** Returns the area in world units; infinite for infinite planes. */
   double area();
 
+  /** Tells whether the surface encloses a volume, so that there is an inside. */
+  boolean isClosed();
+
   /** Returns the outward unit normal if it is known to be the same everywhere. */
   default Optional<Vec3> onlyNormal() {
     return Optional.empty();

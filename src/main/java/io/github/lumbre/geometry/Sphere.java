@@ -118,6 +118,11 @@ public final class Sphere implements Shape {
   }
 
   @Override
+  public boolean isClosed() {
+    return true;
+  }
+
+  @Override
   public double area() {
     return EllipsoidArea.ofUnitSphere(toWorld) * radius * radius;
   }

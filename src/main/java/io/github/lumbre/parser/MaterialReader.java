@@ -96,6 +96,11 @@ final class MaterialReader {
         : Optional.empty();
   }
 
+  /** Tells whether anything uses a material. */
+  boolean uses(JsonNode material) {
+    return surfaces.containsKey(material);
+  }
+
   /** Returns how many materials are in use. */
   int count() {
     return surfaces.size();

@@ -32,6 +32,11 @@ final class MeshReader {
     assets.all(Type.MESH).forEach(mesh -> mesh.warnUnknown(KEYS));
   }
 
+  /** Tells whether anything uses a mesh. */
+  boolean uses(JsonNode mesh) {
+    return meshes.containsKey(mesh);
+  }
+
   /** Returns how many meshes are in use. */
   int count() {
     return meshes.size();

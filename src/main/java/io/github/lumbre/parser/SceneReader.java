@@ -11,12 +11,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /** Reads the world: objects with the assets they use, seen by the main camera. Not reusable. */
 final class SceneReader {
   private static final String MAIN_CAMERA = "mainCameraId";
 
   private final JsonNode root;
+  private final AssetTable assets;
   private final ObjectTree tree;
   private final TextureReader textures;
   private final MeshReader meshes;
@@ -39,6 +41,7 @@ final class SceneReader {
    */
   SceneReader(JsonNode root, AssetTable assets, AssetData data, long seed) {
     this.root = root;
+    this.assets = assets;
     tree = ObjectTree.of(root);
     textures = new TextureReader(assets, data, seed);
     meshes = new MeshReader(assets, data);
@@ -148,7 +151,21 @@ final class SceneReader {
 
   /** Returns where everything stands, once {@link #scene} has been made. */
   SceneOrigins origins() {
-    return new SceneOrigins(primitives, materialsOfPrimitives, emitters);
+    List<SceneOrigins.Unused> unused = new ArrayList<>();
+    addUnused(AssetTable.Type.MATERIAL, "material", materials::uses, unused);
+    addUnused(AssetTable.Type.TEXTURE, "texture", textures::uses, unused);
+    addUnused(AssetTable.Type.MESH, "mesh", meshes::uses, unused);
+    return new SceneOrigins(primitives, materialsOfPrimitives, emitters, textures.uses(), unused);
+  }
+
+  private void addUnused(
+      AssetTable.Type type,
+      String name,
+      Predicate<JsonNode> isUsed,
+      List<SceneOrigins.Unused> unused) {
+    assets.all(type).stream()
+        .filter(isUsed.negate())
+        .forEach(asset -> unused.add(new SceneOrigins.Unused(name, Origin.of(asset))));
   }
 
   /** Returns what there is to know about the world's size. */

@@ -11,6 +11,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.parser.AssetTable.Type;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.SceneOrigins.TextureUse;
 import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.ImageTexture.Role;
 import io.github.lumbre.texture.NormalMap;
@@ -20,8 +21,10 @@ import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TintedTexture;
 import io.github.lumbre.texture.UvMapping;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -51,6 +54,7 @@ final class TextureReader {
   private final AssetData data;
   private final ProceduralReader procedurals;
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
+  private final List<TextureUse> uses = new ArrayList<>();
   private final Family<Reader> family =
       new Family<Reader>("textureType", AssetTable.COMMON_KEYS)
           .with("Image", this::image, BASE64_KEY, AssetData.FILE_KEY, "filter")
@@ -82,6 +86,38 @@ final class TextureReader {
   /** Returns how many textures are in use. */
   int count() {
     return pictures.size();
+  }
+
+  /** Tells whether anything uses a texture. */
+  boolean uses(JsonNode texture) {
+    return pictures.containsKey(texture);
+  }
+
+  /** Returns what decoded pictures are used for, so far. */
+  List<TextureUse> uses() {
+    return uses;
+  }
+
+  /** Finds the texture of a material's channel, and notes the use. */
+  private Optional<Picture> find(JsonNode material, String channel, UvMapping mapping) {
+    String key = channel + "TextureId";
+    Optional<Picture> picture = find(material, key);
+    if (picture.isPresent() && picture.get() instanceof Picture.Decoded decoded) {
+      assets
+          .find(material, key, Type.TEXTURE)
+          .ifPresent(
+              texture ->
+                  uses.add(
+                      new TextureUse(
+                          Origin.of(material),
+                          channel,
+                          Origin.of(texture),
+                          decoded.width(),
+                          decoded.height(),
+                          mapping.scaleX(),
+                          mapping.scaleY())));
+    }
+    return picture;
   }
 
   private Optional<Picture> find(JsonNode from, String key) {
@@ -139,7 +175,7 @@ final class TextureReader {
    */
   Texture<Rgb> colour(JsonNode material, String channel, Rgb constant) {
     UvMapping mapping = mapping(material, channel);
-    return find(material, channel + "TextureId")
+    return find(material, channel, mapping)
         .map(picture -> mapping.over(TintedTexture.of(constant, picture.as(Role.COLOUR))))
         .orElse(Texture.constant(constant));
   }
@@ -161,7 +197,7 @@ final class TextureReader {
       JsonNode material, String channel, double missing, Range range, double low, double high) {
     double constant = material.number(channel, missing, range);
     UvMapping mapping = mapping(material, channel);
-    Optional<Picture> picture = find(material, channel + "TextureId");
+    Optional<Picture> picture = find(material, channel, mapping);
     if (picture.isEmpty()) {
       return ScalarTexture.constant(constant);
     }
@@ -171,7 +207,7 @@ final class TextureReader {
   /** Returns the normal map of a material, or empty if it has none. */
   Optional<NormalMap> normalMap(JsonNode material, double strength) {
     UvMapping mapping = mapping(material, "normal");
-    return find(material, "normalTextureId")
+    return find(material, "normal", mapping)
         .map(picture -> new NormalMap(picture.as(Role.NORMAL), mapping, strength));
   }
 

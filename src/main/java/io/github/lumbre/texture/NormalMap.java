@@ -31,6 +31,11 @@ public final class NormalMap {
     this.strength = strength;
   }
 
+  /** Returns the map's own value at a point of the texture, before mapping and strength. */
+  public Rgb value(TexturePoint p) {
+    return normals.at(p);
+  }
+
   /**
    * Returns the frame around the bent normal. A normal below the true surface is bent back to just
    * above it.

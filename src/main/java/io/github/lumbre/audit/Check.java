@@ -1,0 +1,11 @@
+package io.github.lumbre.audit;
+
+import io.github.lumbre.parser.SceneFile;
+import java.util.List;
+
+/** Looks at a scene for one kind of thing. Without state. */
+@FunctionalInterface
+interface Check {
+  /** Returns what is questionable, the weightiest first. */
+  List<Finding> of(SceneFile file, Pilot pilot);
+}

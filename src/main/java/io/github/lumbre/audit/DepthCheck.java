@@ -1,0 +1,38 @@
+package io.github.lumbre.audit;
+
+import io.github.lumbre.audit.Finding.Severity;
+import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import java.util.List;
+import java.util.Locale;
+
+/** How much light the paths' greatest depth cuts off. */
+final class DepthCheck implements Check {
+  private static final double WORTH_A_NOTE = .01;
+  private static final double WORTH_A_WARNING = .05;
+
+  @Override
+  public List<Finding> of(SceneFile file, Pilot pilot) {
+    double sure = pilot.cut() - 2 * pilot.cutError();
+    if (pilot.cut() < WORTH_A_NOTE || sure <= 0) {
+      return List.of();
+    }
+    boolean isPath = file.settings().mode() == Mode.PATH;
+    String key = isPath ? "maxTraceDepth" : "reflectionTraceDepth";
+    return List.of(
+        new Finding(
+            sure > WORTH_A_WARNING ? Severity.WARNING : Severity.NOTE,
+            "depth",
+            new Origin("$.renderOptions." + key, ""),
+            String.format(
+                Locale.ROOT,
+                "about %.2g %% (± %.1g) of the light lies beyond the depth",
+                100 * pilot.cut(),
+                100 * pilot.cutError()),
+            "the picture is too dark by as much, most of all in bright corners and behind glass",
+            isPath
+                ? "raise maxTraceDepth: roulette keeps the time of long paths small"
+                : "raise reflectionTraceDepth and refractionTraceDepth"));
+  }
+}

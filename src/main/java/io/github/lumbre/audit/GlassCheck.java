@@ -1,0 +1,144 @@
+package io.github.lumbre.audit;
+
+import io.github.lumbre.geometry.Bvh;
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.sampling.Hash;
+import io.github.lumbre.sampling.Warp;
+import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Glass without an inside, and glass that other glass reaches into. */
+final class GlassCheck implements Check {
+  private static final String LAW = "glass";
+
+  /** Pairs of glass objects that are looked at; more would take long. */
+  private static final int MOST_PAIRS = 500;
+
+  private static final int POINTS = 200;
+
+  /** More surfaces than that along one line are taken as endless. */
+  private static final int MOST_CROSSINGS = 1000;
+
+  /** A glass object. */
+  private record Pane(int primitive, Shape shape, Bvh alone) {}
+
+  @Override
+  public List<Finding> of(SceneFile file, Pilot pilot) {
+    List<Finding> findings = new ArrayList<>();
+    List<Pane> closed = new ArrayList<>();
+    for (int i = 0; i < file.scene().primitives().size(); i++) {
+      Primitive primitive = file.scene().primitives().get(i);
+      if (!bends(primitive.material())) {
+        continue;
+      }
+      if (primitive.shape().isClosed()) {
+        closed.add(new Pane(i, primitive.shape(), Bvh.over(List.of(primitive.shape()))));
+      } else {
+        findings.add(
+            Finding.warning(
+                LAW,
+                file.origins().primitives().get(i),
+                "glass on a surface that encloses nothing",
+                "light that enters never leaves: all behind the surface counts as inside the glass",
+                "close the mesh, or give the pane a thickness, as a Cube; or set its ior to 1"));
+      }
+    }
+    int pairs = 0;
+    for (Pane a : closed) {
+      for (Pane b : closed) {
+        if (a != b && meet(a.shape.bounds(), b.shape.bounds()) && pairs++ < MOST_PAIRS) {
+          compare(a, b, file, findings);
+        }
+      }
+    }
+    return findings;
+  }
+
+  private static boolean bends(Material material) {
+    return Surfaces.flat(material) instanceof Glass glass
+        && !(glass.ior().isConstant() && glass.ior().at(new TexturePoint(0, 0)) == 1);
+  }
+
+  private static boolean meet(Bounds3 a, Bounds3 b) {
+    return a.min().x() <= b.max().x()
+        && b.min().x() <= a.max().x()
+        && a.min().y() <= b.max().y()
+        && b.min().y() <= a.max().y()
+        && a.min().z() <= b.max().z()
+        && b.min().z() <= a.max().z();
+  }
+
+  /** Tells how the surface of one object lies in the other: partly, or wholly, inside. */
+  private static void compare(Pane surface, Pane volume, SceneFile file, List<Finding> findings) {
+    int inside = 0;
+    int points = 0;
+    NearestHit hit = new NearestHit();
+    Bounds3 bounds = surface.shape.bounds();
+    for (int i = 0; i < POINTS; i++) {
+      Vec3 out = direction(i);
+      Vec3 from = bounds.centre().plus(3 * bounds.radius(), out);
+      Ray ray =
+          new Ray(
+              from,
+              bounds
+                  .centre()
+                  .plus(bounds.radius() * .5, direction(i + POINTS))
+                  .minus(from)
+                  .normalized());
+      if (surface.alone.intersect(ray, hit)) {
+        Vec3 point = surface.shape.surfaceAt(hit).position();
+        points++;
+        inside += isInside(volume, point, hit) ? 1 : 0;
+      }
+    }
+    // Points of a common face are on either side by rounding: a few do not count.
+    int few = points / 20;
+    String other = file.origins().primitives().get(volume.primitive).toString();
+    if (inside > few && inside < points - few) {
+      findings.add(
+          Finding.warning(
+              LAW,
+              file.origins().primitives().get(surface.primitive),
+              "the glass reaches into that of " + other,
+              "each surface bends light by its own ior, as if air were on its other side: in the"
+                  + " overlap that is neither glass",
+              "leave a gap between the two, or give the common border to one surface"));
+    } else if (points > 0 && inside >= points - few) {
+      findings.add(
+          Finding.note(
+              LAW,
+              file.origins().primitives().get(surface.primitive),
+              "the glass lies wholly inside that of " + other,
+              "its ior is relative to what surrounds it, not to air",
+              "for water in glass write 1.33 / 1.5; for a bubble of air 1 / 1.5"));
+    }
+  }
+
+  private static Vec3 direction(int number) {
+    return Warp.uniformSphere(
+        new Point2(Hash.unit(Hash.of(1, number)), Hash.unit(Hash.of(2, number))));
+  }
+
+  /** Counts surfaces on the way out: an odd number means inside. */
+  private static boolean isInside(Pane volume, Vec3 point, NearestHit hit) {
+    Ray ray = new Ray(point, direction(-1));
+    int crossings = 0;
+    while (crossings < MOST_CROSSINGS && volume.alone.intersect(ray, hit)) {
+      SurfaceHit surface = volume.shape.surfaceAt(hit);
+      ray = surface.spawn(ray.direction());
+      crossings++;
+    }
+    return crossings % 2 == 1;
+  }
+}

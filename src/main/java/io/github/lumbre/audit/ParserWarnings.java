@@ -1,0 +1,37 @@
+package io.github.lumbre.audit;
+
+import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.SceneFile;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What the parser warned of, and samples that are no radiance. */
+final class ParserWarnings implements Check {
+  @Override
+  public List<Finding> of(SceneFile file, Pilot pilot) {
+    List<Finding> findings = new ArrayList<>();
+    file.warnings().forEach(line -> findings.add(finding(line)));
+    if (pilot.rejected() > 0) {
+      findings.add(
+          Finding.warning(
+              "radiance",
+              new Origin("$", ""),
+              pilot.rejected() + " of " + pilot.paths() + " paths are negative or not finite",
+              "they count as black: the picture is too dark there",
+              "look for lights or factors near the limits of numbers; lumbre pixel shows a path"));
+    }
+    return findings;
+  }
+
+  /** A line reads {@code scene.json: $.path: message}. */
+  private static Finding finding(String line) {
+    int path = line.indexOf(": $");
+    int message = path < 0 ? -1 : line.indexOf(": ", path + 2);
+    return Finding.warning(
+        "format",
+        new Origin(message < 0 ? "$" : line.substring(path + 2, message), ""),
+        message < 0 ? line : line.substring(message + 2),
+        "the scene says something else than what is rendered",
+        "correct the value, or accept what it is taken as");
+  }
+}

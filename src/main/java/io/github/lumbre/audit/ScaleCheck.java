@@ -1,0 +1,65 @@
+package io.github.lumbre.audit;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Largest coordinate against smallest object: where double precision ends. */
+final class ScaleCheck implements Check {
+  /** Up to this ratio the laws of light hold to the digits that a picture shows. */
+  private static final double ENVELOPE = 1e9;
+
+  @Override
+  public List<Finding> of(SceneFile file, Pilot pilot) {
+    double farthest = cameraDistance(file);
+    double smallest = Double.POSITIVE_INFINITY;
+    int far = -1;
+    int small = -1;
+    for (int i = 0; i < file.scene().primitives().size(); i++) {
+      Bounds3 bounds = file.scene().primitives().get(i).shape().bounds();
+      if (!bounds.isFinite() || bounds.isEmpty()) {
+        continue;
+      }
+      double reach = Math.max(bounds.min().maxAbs(), bounds.max().maxAbs());
+      double size = 2 * bounds.radius();
+      if (reach > farthest) {
+        farthest = reach;
+        far = i;
+      }
+      if (size < smallest) {
+        smallest = size;
+        small = i;
+      }
+    }
+    if (small < 0 || farthest / smallest <= ENVELOPE) {
+      return List.of();
+    }
+    String whose = far < 0 ? "the camera" : file.origins().primitives().get(far).toString();
+    return List.of(
+        Finding.warning(
+            "scale",
+            file.origins().primitives().get(small),
+            String.format(
+                Locale.ROOT,
+                "the object is %.3g large, in a scene with coordinates up to %.3g (%s): 1 to %.3g",
+                smallest,
+                farthest,
+                whose,
+                farthest / smallest),
+            "beyond 1 to 1e9 positions are too coarse for it: shadows and outlines may be wrong",
+            "bring the two nearer to each other, or the whole scene nearer to the origin"));
+  }
+
+  private static double cameraDistance(SceneFile file) {
+    Sampler sampler = new SobolSampler(file.settings().seed());
+    sampler.startSample(0, 0, 0);
+    Optional<Ray> ray = file.scene().camera().rayFor(new Point2(.5, .5), sampler);
+    return ray.map(r -> r.origin().maxAbs()).orElse(0.0);
+  }
+}

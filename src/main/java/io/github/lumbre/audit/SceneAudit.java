@@ -1,0 +1,38 @@
+package io.github.lumbre.audit;
+
+import io.github.lumbre.audit.Finding.Severity;
+import io.github.lumbre.parser.SceneFile;
+import java.util.Comparator;
+import java.util.List;
+
+/** Looks a scene over for what is physically or numerically questionable. */
+public final class SceneAudit {
+  private static final List<Check> CHECKS =
+      List.of(
+          new ParserWarnings(),
+          new ReflectanceCheck(),
+          new UnusedAssets(),
+          new GlassCheck(),
+          new ScaleCheck(),
+          new NormalMapCheck(),
+          new TextureSizeCheck(),
+          new LightCheck(),
+          new DepthCheck(),
+          new VisibilityCheck());
+
+  private SceneAudit() {}
+
+  /** Returns what is questionable, warnings first. */
+  public static List<Finding> of(SceneFile file) {
+    Pilot pilot = Pilot.of(file);
+    return CHECKS.stream()
+        .flatMap(check -> check.of(file, pilot).stream())
+        .sorted(Comparator.comparing(Finding::severity))
+        .toList();
+  }
+
+  /** Returns how many of the findings are warnings. */
+  public static long warnings(List<Finding> findings) {
+    return findings.stream().filter(f -> f.severity() == Severity.WARNING).count();
+  }
+}

@@ -1,0 +1,290 @@
+package io.github.lumbre.audit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.audit.Finding.Severity;
+import io.github.lumbre.parser.SceneParser;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Each kind of finding, in a scene that has it and in one that has not. */
+class SceneAuditTest {
+  private static final String CAMERA =
+      "{\"id\": 1, \"type\": \"Camera\", \"localPosition\": {\"x\": 0, \"y\": 1, \"z\": -4}}";
+  private static final String FLOOR =
+      "{\"type\": \"Shape\", \"shapeType\": \"Plane\", \"finite\": true, \"width\": 20,"
+          + " \"height\": 20}";
+  private static final String LAMP =
+      "{\"type\": \"Light\", \"lightType\": \"Sphere\", \"unit\": \"radiance\","
+          + " \"intensity\": 20, \"radius\": 0.5, \"localPosition\": {\"x\": 0, \"y\": 4,"
+          + " \"z\": -2}}";
+
+  @TempDir private Path directory;
+
+  private List<Finding> audit(String options, String assets, String... objects) throws Exception {
+    String json =
+        "{\"mainCameraId\": 1, \"renderOptions\": {\"width\": 32, \"height\": 24, \"samples\": 4, "
+            + options
+            + "}, \"assets\": ["
+            + assets
+            + "], \"objects\": ["
+            + CAMERA
+            + ", "
+            + String.join(", ", objects)
+            + "]}";
+    return SceneAudit.of(new SceneParser().parse(Files.writeString(scene(), json)));
+  }
+
+  private Path scene() {
+    return directory.resolve("scene.json");
+  }
+
+  private List<Finding> auditOf(String assets, String... objects) throws Exception {
+    String[] all = new String[objects.length + 2];
+    all[0] = FLOOR;
+    all[1] = LAMP;
+    System.arraycopy(objects, 0, all, 2, objects.length);
+    return audit("\"maxTraceDepth\": 50", assets, all);
+  }
+
+  private static String material(String type, String keys) {
+    return "{\"id\": 1, \"assetType\": \"Material\", \"materialType\": \""
+        + type
+        + "\", "
+        + keys
+        + "}";
+  }
+
+  private static String sphere(double x, double y, double radius) {
+    return "{\"type\": \"Shape\", \"shapeType\": \"Sphere\", \"materialID\": 1, \"radius\": "
+        + radius
+        + ", \"localPosition\": {\"x\": "
+        + x
+        + ", \"y\": "
+        + y
+        + ", \"z\": 0}}";
+  }
+
+  private static void assertFinds(
+      List<Finding> findings, String law, Severity severity, String path, String found) {
+    assertThat(findings)
+        .filteredOn(f -> f.law().equals(law) && f.severity() == severity)
+        .anySatisfy(
+            f -> {
+              assertThat(f.path().path()).isEqualTo(path);
+              assertThat(f.found()).contains(found);
+            });
+  }
+
+  private static void assertSilent(List<Finding> findings, String law) {
+    assertThat(findings).filteredOn(f -> f.law().equals(law)).isEmpty();
+  }
+
+  private static final String GREY = "\"color\": {\"r\": 0.5, \"g\": 0.5, \"b\": 0.5}";
+  private static final String GLASS = "\"ior\": 1.5";
+
+  @Test
+  void soundSceneHasNoFindings() throws Exception {
+    assertThat(auditOf(material("Diffuse", GREY), sphere(0, 1, 1))).isEmpty();
+  }
+
+  @Test
+  void warningsOfTheParserAreFindings() throws Exception {
+    List<Finding> findings =
+        auditOf(material("Diffuse", GREY + ", \"colour\": 1"), sphere(0, 1, 1));
+    assertFinds(findings, "format", Severity.WARNING, "$.assets[0].colour", "unknown key");
+  }
+
+  @Test
+  void reflectancesAboveOneAreToldWithTheirEffect() throws Exception {
+    String much = "\"color\": {\"r\": 0.9, \"g\": 0.9, \"b\": 0.9}, \"specularColor\": ";
+    List<Finding> findings =
+        auditOf(material("Phong", much + "{\"r\": 0.6, \"g\": 0.6, \"b\": 0.6}"), sphere(0, 1, 1));
+    assertFinds(findings, "reflectance", Severity.WARNING, "$.assets[0]", "100 % of the surface");
+    assertThat(findings).anyMatch(f -> f.means().contains("33.3 %"));
+    assertSilent(
+        auditOf(material("Phong", much + "{\"r\": 0.1, \"g\": 0.1, \"b\": 0.1}"), sphere(0, 1, 1)),
+        "reflectance");
+  }
+
+  @Test
+  void assetsThatNothingUsesAreTold() throws Exception {
+    String unused =
+        "{\"id\": 7, \"name\": \"old\", \"assetType\": \"Texture\", \"textureType\": \"Marble\"}";
+    List<Finding> findings = auditOf(material("Diffuse", GREY) + ", " + unused, sphere(0, 1, 1));
+    assertFinds(findings, "unused", Severity.NOTE, "$.assets[1]", "texture is used by nothing");
+    assertThat(findings.get(0).path().name()).isEqualTo("old");
+  }
+
+  @Test
+  void glassNeedsAnInside() throws Exception {
+    String pane =
+        "{\"type\": \"Shape\", \"shapeType\": \"Plane\", \"finite\": true, \"materialID\": 1,"
+            + " \"localPosition\": {\"x\": 0, \"y\": 1, \"z\": 0}}";
+    assertFinds(
+        auditOf(material("Refractive", GLASS), pane),
+        "glass",
+        Severity.WARNING,
+        "$.objects[3]",
+        "encloses nothing");
+    assertSilent(auditOf(material("Refractive", "\"ior\": 1"), pane), "glass");
+    assertSilent(auditOf(material("Refractive", GLASS), sphere(0, 1, 1)), "glass");
+  }
+
+  @Test
+  void openMeshesOfGlassAreFound() throws Exception {
+    String corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    String three = "f 1 3 2\nf 1 2 4\nf 1 4 3\n";
+    String mesh =
+        "{\"type\": \"Shape\", \"shapeType\": \"Mesh\", \"meshId\": 2, \"materialID\": 1}";
+    assertFinds(
+        auditOf(material("Refractive", GLASS) + ", " + obj(corners + three), mesh),
+        "glass",
+        Severity.WARNING,
+        "$.objects[3]",
+        "encloses nothing");
+    String closed = obj(corners + three + "f 2 3 4\n");
+    assertSilent(auditOf(material("Refractive", GLASS) + ", " + closed, mesh), "glass");
+  }
+
+  private static String obj(String text) {
+    String base64 = Base64.getEncoder().encodeToString(text.getBytes(StandardCharsets.US_ASCII));
+    return "{\"id\": 2, \"assetType\": \"Mesh\", \"base64OBJ\": \"" + base64 + "\"}";
+  }
+
+  @Test
+  void glassThatReachesIntoGlassIsFound() throws Exception {
+    String glass = material("Refractive", GLASS);
+    assertFinds(
+        auditOf(glass, sphere(0, 1, 1), sphere(1, 1, 1)),
+        "glass",
+        Severity.WARNING,
+        "$.objects[3]",
+        "reaches into that of $.objects[4]");
+    assertFinds(
+        auditOf(glass, sphere(0, 1, 1), sphere(0, 1, .5)),
+        "glass",
+        Severity.NOTE,
+        "$.objects[4]",
+        "wholly inside");
+    assertSilent(auditOf(glass, sphere(-1.1, 1, 1), sphere(1.1, 1, 1)), "glass");
+  }
+
+  @Test
+  void ratiosBeyondTheEnvelopeAreFound() throws Exception {
+    String grey = material("Diffuse", GREY);
+    assertFinds(
+        auditOf(grey, sphere(0, 1, 1e-9)),
+        "scale",
+        Severity.WARNING,
+        "$.objects[3]",
+        "1 to 2.89e+09");
+    assertSilent(auditOf(grey, sphere(0, 1, 1e-8)), "scale");
+  }
+
+  @Test
+  void picturesThatAreNoNormalMapsAreFound() throws Exception {
+    String bump = material("Diffuse", GREY + ", \"normalTextureId\": 3");
+    assertFinds(
+        auditOf(bump + ", " + png(8, 8, 0x96643c), sphere(0, 1, 1)),
+        "normal-map",
+        Severity.WARNING,
+        "$.assets[0]",
+        "mean height is -0.54");
+    assertSilent(auditOf(bump + ", " + png(8, 8, 0x8080ff), sphere(0, 1, 1)), "normal-map");
+  }
+
+  private static String png(int width, int height, int rgb) throws IOException {
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    for (int i = 0; i < width * height; i++) {
+      image.setRGB(i % width, i / width, rgb);
+    }
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    ImageIO.write(image, "png", bytes);
+    String base64 = Base64.getEncoder().encodeToString(bytes.toByteArray());
+    return "{\"id\": 3, \"assetType\": \"Texture\", \"base64PNG\": \"" + base64 + "\"}";
+  }
+
+  @Test
+  void texturesLargerThanCanBeSeenAreFound() throws Exception {
+    String assets =
+        material("Diffuse", GREY + ", \"colorTextureId\": 3") + ", " + png(2048, 1024, 0x808080);
+    assertFinds(
+        auditOf(assets, sphere(0, 1, 1)),
+        "texture-size",
+        Severity.NOTE,
+        "$.assets[1]",
+        "2048x1024 texels as color of $.assets[0]");
+    String json =
+        Files.readString(scene())
+            .replace("\"width\": 32, \"height\": 24", "\"width\": 4000, \"height\": 3000");
+    Files.writeString(scene(), json);
+    assertSilent(SceneAudit.of(new SceneParser().parse(scene())), "texture-size");
+  }
+
+  @Test
+  void lightsThatSendNothingAreFound() throws Exception {
+    List<Finding> dark = audit("\"maxTraceDepth\": 50", "", FLOOR);
+    assertFinds(dark, "light", Severity.WARNING, "$.objects", "nothing shines");
+    String away =
+        "{\"type\": \"Light\", \"lightType\": \"Rectangle\", \"unit\": \"radiance\","
+            + " \"intensity\": 20, \"localPosition\": {\"x\": 0, \"y\": 3, \"z\": 0},"
+            + " \"localRotation\": {\"x\": -90, \"y\": 0, \"z\": 0}}";
+    List<Finding> findings = auditOf("", away);
+    assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "paths found light of it");
+    assertFinds(findings, "light", Severity.NOTE, "$.objects[2]", "100 % of the picture's light");
+    String towards = away.replace("-90", "90");
+    assertThat(auditOf("", towards)).noneMatch(f -> f.found().contains("found light of it"));
+  }
+
+  @Test
+  void planesThatGlowWithoutEndAreFound() throws Exception {
+    String ceiling =
+        "{\"type\": \"Shape\", \"shapeType\": \"Plane\", \"materialID\": 1, \"localPosition\":"
+            + " {\"x\": 0, \"y\": 9, \"z\": 0}, \"localRotation\": {\"x\": 180, \"y\": 0,"
+            + " \"z\": 0}}";
+    List<Finding> findings = auditOf(material("Color", GREY), ceiling);
+    assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "an infinite plane that glows");
+  }
+
+  @Test
+  void lightBeyondTheDepthIsMeasured() throws Exception {
+    String room =
+        "{\"type\": \"Shape\", \"shapeType\": \"Sphere\", \"materialID\": 1, \"radius\": 12}";
+    String white = material("Diffuse", "\"color\": {\"r\": 0.8, \"g\": 0.8, \"b\": 0.8}");
+    List<Finding> shallow = audit("\"maxTraceDepth\": 1", white, LAMP, room);
+    // Each bounce keeps .8, so that direct light is a fifth of all.
+    assertFinds(shallow, "depth", Severity.WARNING, "$.renderOptions.maxTraceDepth", "about ");
+    assertThat(shallow)
+        .anyMatch(f -> f.law().equals("depth") && f.found().matches("about (7|8).*"));
+    assertSilent(audit("\"maxTraceDepth\": 60", white, LAMP, room), "depth");
+  }
+
+  @Test
+  void objectsThatNothingMeetsAreFound() throws Exception {
+    String grey = material("Diffuse", GREY);
+    assertFinds(
+        auditOf(grey, sphere(0, -3, 1)), "unseen", Severity.NOTE, "$.objects[3]", "paths met it");
+    assertSilent(auditOf(grey, sphere(0, 1, 1)), "unseen");
+  }
+
+  @Test
+  void samplesThatAreNoRadianceAreCounted() throws Exception {
+    String blinding =
+        "{\"type\": \"Light\", \"lightType\": \"Directional\", \"intensity\": 1.7e308,"
+            + " \"localRotation\": {\"x\": 60, \"y\": 0, \"z\": 0}}";
+    String[] many = new String[16];
+    Arrays.fill(many, blinding);
+    assertFinds(auditOf("", many), "radiance", Severity.WARNING, "$", "paths are negative");
+  }
+}
