@@ -4,6 +4,7 @@ import io.github.lumbre.cli.BenchComparison.Clock;
 import io.github.lumbre.cli.FlagConverters.Size;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Shortcut;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -112,6 +113,16 @@ final class BenchCommand implements Callable<Integer> {
   private int pairs;
 
   @Option(
+      names = "--without",
+      paramLabel = "SHORTCUT",
+      split = ",",
+      description = {
+        "Do the work that a scene does not require: ${COMPLETION-CANDIDATES}.",
+        "Against a run with them, --compare tells what a shortcut saves."
+      })
+  private Set<Shortcut> without = Set.of();
+
+  @Option(
       names = "--json",
       paramLabel = "FILE",
       description = "Write every repetition, for programs and for --compare.")
@@ -156,7 +167,7 @@ final class BenchCommand implements Callable<Integer> {
     checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
     int processors = Runtime.getRuntime().availableProcessors();
     List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
-    return new BenchPlan(size, samples, used, warmup, repeat, pairs);
+    return new BenchPlan(size, samples, used, warmup, repeat, pairs, without);
   }
 
   /** Results bear their scene's name, so no two may have the same. */

@@ -1,8 +1,13 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Shortcut;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
@@ -14,6 +19,7 @@ import java.util.stream.Collectors;
  * @param warmup how many renders of one sample per pixel come before the timed ones
  * @param repeat how many renders are timed, at least 1
  * @param pairs of renders with seeds of their own that tell the noise, at least 1
+ * @param without what the renderer is not to leave out though the scenes do not require it
  */
 record BenchPlan(
     Optional<FlagConverters.Size> size,
@@ -21,7 +27,8 @@ record BenchPlan(
     List<Integer> threads,
     int warmup,
     int repeat,
-    int pairs) {
+    int pairs,
+    Set<Shortcut> without) {
   /** The longer side, in pixels, that frames are shrunk to. */
   static final int SIDE = 320;
 
@@ -30,6 +37,7 @@ record BenchPlan(
 
   BenchPlan {
     threads = List.copyOf(threads);
+    without = Set.copyOf(without);
   }
 
   /** Returns a scene's settings as the plan changes them, but for the number of threads. */
@@ -38,6 +46,15 @@ record BenchPlan(
         size.map(s -> inScene.toBuilder().size(s.width(), s.height()).build())
             .orElseGet(() -> SampleBudget.shrunk(inScene, SIDE));
     return sized.toBuilder().samples(samples).build();
+  }
+
+  /** Returns a scene that takes no shortcut which the plan does without. */
+  SceneFile over(SceneFile file) {
+    Scene scene = file.scene();
+    for (Shortcut shortcut : without) {
+      scene = scene.without(shortcut);
+    }
+    return file.with(scene);
   }
 
   /** Returns all of it as sentences. */
@@ -51,6 +68,7 @@ record BenchPlan(
         + repeat
         + ", of which the median counts. Pairs of seeds for the noise: "
         + pairs
-        + ".";
+        + "."
+        + (without.isEmpty() ? "" : " Without the shortcuts " + new TreeSet<>(without) + ".");
   }
 }

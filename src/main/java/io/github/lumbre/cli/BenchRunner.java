@@ -43,7 +43,8 @@ final class BenchRunner {
   Optional<List<BenchResult>> run(Path scene, Messages messages)
       throws SceneFormatException, CommandException, InterruptedException {
     long start = System.nanoTime();
-    SceneFile file = SceneFolder.load(scene, new SceneParser().overriding(plan::over), messages);
+    SceneParser parser = new SceneParser().overriding(plan::over);
+    SceneFile file = plan.over(SceneFolder.load(scene, parser, messages));
     double loadSeconds = (System.nanoTime() - start) * 1e-9;
     MemoryEstimate.require(file.settings());
     try {

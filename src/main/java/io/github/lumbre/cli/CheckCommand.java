@@ -39,6 +39,11 @@ final class CheckCommand implements Callable<Integer> {
       description = "Print what the scene holds as a JSON object, on one line of standard output.")
   private boolean json;
 
+  @Option(
+      names = "--plan",
+      description = "Tell also what the scene does not require, and so is left out of its render.")
+  private boolean plan;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -46,7 +51,11 @@ final class CheckCommand implements Callable<Integer> {
     Messages out = new Messages(spec.commandLine().getOut());
     Messages errors = new Messages(spec.commandLine().getErr());
     if (!json) {
-      describe(options.load(options.parser(), errors), out);
+      SceneFile file = options.load(options.parser(), errors);
+      describe(file, out);
+      if (plan) {
+        new PlanReport(file).print(out);
+      }
       return ExitCodes.OK;
     }
     JsonSummary report = new JsonSummary("check", options.scene());

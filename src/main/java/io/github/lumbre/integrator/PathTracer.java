@@ -20,6 +20,7 @@ import io.github.lumbre.sampling.Mis;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Shortcut;
 import java.util.Objects;
 import java.util.stream.IntStream;
 
@@ -91,6 +92,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   private final LightSelector selector;
   private final Strategy strategy;
   private final boolean hasAmbient;
+  private final boolean hasChoice;
 
   /**
    * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
@@ -108,7 +110,8 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.maxDepth = maxDepth;
     this.strategy = strategy;
-    hasAmbient = !scene.ambient().isBlack();
+    hasAmbient = !scene.takes(Shortcut.NO_AMBIENT);
+    hasChoice = !scene.takes(Shortcut.ONE_EMITTER);
     emitters = scene.emitters().toArray(Light[]::new);
     domes =
         IntStream.range(0, emitters.length)
@@ -202,7 +205,11 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     LightChoice choice = scratch.choice;
     LightSample light = scratch.light;
     vertex.ask(choice);
-    selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE), choice);
+    if (hasChoice) {
+      selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE), choice);
+    } else {
+      choice.setOnly();
+    }
     emitters[choice.emitter()].sample(
         choice.point(), sampler.get2d(dimension + Sampler.LIGHT_POINT), light);
     if (light.isEmpty()) {
@@ -250,7 +257,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
    * vertex that asked for light last, since a path can have left any other only by a delta lobe.
    */
   double lightPdf(int emitter, Scratch scratch, double pdfOfEmitter) {
-    return selector.probability(scratch.choice, emitter) * pdfOfEmitter;
+    return hasChoice ? selector.probability(scratch.choice, emitter) * pdfOfEmitter : pdfOfEmitter;
   }
 
   /** Returns the light from beyond everything, each dome with its own share. */

@@ -51,6 +51,11 @@ public final class LightChoice {
     probability = newProbability;
   }
 
+  /** Chooses the only emitter that there is. */
+  public void setOnly() {
+    set(0, 1);
+  }
+
   /** Returns the emitter's index. */
   public int emitter() {
     return emitter;

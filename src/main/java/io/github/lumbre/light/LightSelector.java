@@ -127,6 +127,22 @@ public final class LightSelector {
             .toArray());
   }
 
+  /** How emitters are chosen. */
+  public enum Method {
+    /** With the same probabilities at all points. */
+    FIXED,
+    /** By what each of a few may send to the point. */
+    ONE_BY_ONE,
+    /** By what halves of many may send to the point, and halves of those. */
+    HIERARCHY
+  }
+
+  /** Tells how emitters of limited reach are chosen. */
+  public Method method() {
+    return near.map(n -> n instanceof LightTree ? Method.HIERARCHY : Method.ONE_BY_ONE)
+        .orElse(Method.FIXED);
+  }
+
   /**
    * Chooses an emitter that may light the point that asks.
    *

@@ -22,4 +22,9 @@ public record SceneFile(
   public SceneFile {
     warnings = List.copyOf(warnings);
   }
+
+  /** Returns the same with another scene. */
+  public SceneFile with(Scene other) {
+    return new SceneFile(other, settings, warnings, hash, contents, origins);
+  }
 }

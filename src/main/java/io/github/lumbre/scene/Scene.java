@@ -10,8 +10,11 @@ import io.github.lumbre.light.Light;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * The world: complete, immutable, and shared by all threads. Built by {@link SceneBuilder}.
@@ -36,6 +39,8 @@ public final class Scene {
   /** The index among the emitters of each primitive that is one. */
   private final int[] emitterOfPrimitive;
 
+  private final Set<Shortcut> shortcuts;
+
   Scene(
       Camera camera,
       List<Primitive> primitives,
@@ -45,8 +50,6 @@ public final class Scene {
       Rgb ambient) {
     this.camera = camera;
     this.primitives = List.copyOf(primitives);
-    primitiveOfShape =
-        this.primitives.stream().map(Primitive::simplified).toArray(Primitive[]::new);
     this.lights = List.copyOf(lights);
     this.emitters = List.copyOf(emitters);
     this.ambient = ambient;
@@ -66,6 +69,56 @@ public final class Scene {
     for (int i = 0; i < primitives.size(); i++) {
       this.emitterOfPrimitive[i] = emitterOfPrimitive.getOrDefault(i, -1);
     }
+    shortcuts = shortcuts();
+    primitiveOfShape = primitivesOfShapes();
+  }
+
+  private Scene(Scene other, Set<Shortcut> shortcuts) {
+    camera = other.camera;
+    primitives = other.primitives;
+    bvh = other.bvh;
+    lights = other.lights;
+    emitters = other.emitters;
+    environments = other.environments;
+    ambient = other.ambient;
+    radius = other.radius;
+    emitterOfPrimitive = other.emitterOfPrimitive;
+    this.shortcuts = Set.copyOf(shortcuts);
+    primitiveOfShape = primitivesOfShapes();
+  }
+
+  private Set<Shortcut> shortcuts() {
+    Set<Shortcut> all = EnumSet.noneOf(Shortcut.class);
+    if (primitives.stream().anyMatch(primitive -> primitive.material().isUniform())) {
+      all.add(Shortcut.UNIFORM_MATERIALS);
+    }
+    if (ambient.isBlack()) {
+      all.add(Shortcut.NO_AMBIENT);
+    }
+    if (emitters.size() == 1) {
+      all.add(Shortcut.ONE_EMITTER);
+    }
+    return Set.copyOf(all);
+  }
+
+  private Primitive[] primitivesOfShapes() {
+    return takes(Shortcut.UNIFORM_MATERIALS)
+        ? primitives.stream().map(Primitive::simplified).toArray(Primitive[]::new)
+        : primitives.toArray(Primitive[]::new);
+  }
+
+  /** Returns the same scene, of which a render does all the work that a shortcut leaves out. */
+  public Scene without(Shortcut shortcut) {
+    return new Scene(
+        this,
+        shortcuts.stream()
+            .filter(taken -> taken != shortcut)
+            .collect(Collectors.toUnmodifiableSet()));
+  }
+
+  /** Tells whether the scene does not require some work. */
+  public boolean takes(Shortcut shortcut) {
+    return shortcuts.contains(shortcut);
   }
 
   /** Returns a builder of a scene seen by the given camera. */

@@ -6,13 +6,15 @@ import io.github.lumbre.scene.RenderSettings;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** Measurements that look like real ones. */
 final class BenchFixture {
   static final BenchMachine MACHINE =
       new BenchMachine(BenchmarkFixture.HARDWARE, List.of("-Xmx1g"), 1 << 30, List.of("GC"), .25);
 
-  static final BenchPlan PLAN = new BenchPlan(Optional.empty(), 4, List.of(1, 2), 2, 3, 2);
+  static final BenchPlan PLAN =
+      new BenchPlan(Optional.empty(), 4, List.of(1, 2), 2, 3, 2, Set.of());
 
   private BenchFixture() {}
 

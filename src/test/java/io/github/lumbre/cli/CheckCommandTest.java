@@ -34,6 +34,21 @@ class CheckCommandTest {
   }
 
   @Test
+  void workThatTheSceneDoesNotRequireIsTold() {
+    assertThat(check(TinyScene.JSON).out()).doesNotContain("plan");
+    assertThat(check(TinyScene.JSON, "--plan").out().lines().skip(12))
+        .containsExactly(
+            "plan       materials: 3 of 3 surfaces scatter everywhere alike, which is worked out"
+                + " once and not at every hit",
+            "           normals: left out, no map bends them",
+            "           meshes: left out, there are none",
+            "           choice of light: left out, there is one",
+            "           ambient light: left out, there is none",
+            "           lens: left out, the camera has none",
+            "           coverage of pixels: left out, every sample covers its pixel");
+  }
+
+  @Test
   void allThatIsWrongIsToldInOneRun() {
     String wrong =
         TinyScene.with("\"radius\": 1", "\"radius\": -1")

@@ -1,0 +1,53 @@
+package io.github.lumbre;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Shortcut;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** The renderer leaves out work that a scene does not require, and nobody can see that. */
+class ShortcutTest {
+  private static List<Path> scenes() throws IOException {
+    try (Stream<Path> files = Files.list(Path.of("scenes"))) {
+      return files.filter(file -> file.toString().endsWith(".json")).sorted().toList();
+    }
+  }
+
+  private static RenderSettings tiny(RenderSettings settings) {
+    return settings.toBuilder().size(24, 16).samples(2).build();
+  }
+
+  @Test
+  void picturesAreTheSameWithoutShortcuts() throws Exception {
+    Set<Shortcut> taken = EnumSet.noneOf(Shortcut.class);
+    for (Path scene : scenes()) {
+      SceneFile file = new SceneParser().overriding(ShortcutTest::tiny).parse(scene);
+      BucketRenderer renderer = new BucketRenderer(file.settings());
+      Scene general = file.scene();
+      for (Shortcut shortcut : Shortcut.values()) {
+        if (general.takes(shortcut)) {
+          taken.add(shortcut);
+        }
+        general = general.without(shortcut);
+        assertThat(general.takes(shortcut)).isFalse();
+      }
+      assertThat(renderer.render(general))
+          .as("%s", scene)
+          .usingRecursiveComparison()
+          .isEqualTo(renderer.render(file.scene()));
+    }
+    assertThat(taken).containsExactlyInAnyOrder(Shortcut.values());
+  }
+}
