@@ -24,6 +24,7 @@ module io.github.lumbre {
   exports io.github.lumbre.scene;
   exports io.github.lumbre.integrator;
   exports io.github.lumbre.render;
+  exports io.github.lumbre.checkpoint;
   exports io.github.lumbre.measure;
   exports io.github.lumbre.parser;
   exports io.github.lumbre.audit;

@@ -45,11 +45,14 @@ class LayersTest {
           Map.entry("integrator", BASIC + " material camera light scene"),
           Map.entry("render", "math image sampling geometry camera scene integrator"),
           Map.entry("parser", BASIC + " material camera light scene"),
+          Map.entry("checkpoint", "image sampling scene render"),
           Map.entry("measure", "math image sampling scene render"),
           Map.entry("audit", BASIC + " material camera light scene integrator render parser"),
           Map.entry(
               "cli",
-              BASIC + " material camera light scene integrator render parser measure audit"));
+              BASIC
+                  + " material camera light scene integrator render checkpoint parser measure"
+                  + " audit"));
 
   /** Libraries beyond Java that a package may use. */
   private static final Map<String, List<String>> LIBRARIES =

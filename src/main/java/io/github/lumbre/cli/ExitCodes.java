@@ -14,7 +14,7 @@ final class ExitCodes {
   /** The command line itself is wrong. */
   static final int USAGE = 2;
 
-  /** The scene is missing, unreadable or invalid. */
+  /** The scene is missing, unreadable or invalid; or a film is, or does not belong to it. */
   static final int SCENE = 3;
 
   /** A mesh or picture of the scene cannot be decoded. */
@@ -23,7 +23,7 @@ final class ExitCodes {
   /** Something is larger than a limit or than memory. */
   static final int LIMIT = 5;
 
-  /** The picture cannot be written. */
+  /** The picture or the film cannot be written. */
   static final int OUTPUT = 6;
 
   /** A fault of the program, or samples that are no numbers although strictness was asked for. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 
 /**
@@ -24,8 +25,8 @@ final class Interruption implements AutoCloseable {
    *
    * @param abandon what to do if the virtual machine ends before the render began
    */
-  static Interruption listen(Runnable abandon) {
-    Interruption interruption = new Interruption(abandon);
+  static Interruption listen(Runnable... abandon) {
+    Interruption interruption = new Interruption(() -> List.of(abandon).forEach(Runnable::run));
     Runtime.getRuntime().addShutdownHook(interruption.hook);
     return interruption;
   }

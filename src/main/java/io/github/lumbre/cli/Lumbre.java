@@ -24,6 +24,9 @@ import picocli.CommandLine.Spec;
     synopsisSubcommandLabel = "COMMAND",
     subcommands = {
       RenderCommand.class,
+      ResumeCommand.class,
+      MergeCommand.class,
+      DevelopCommand.class,
       CheckCommand.class,
       AuditCommand.class,
       PixelCommand.class,
@@ -40,6 +43,7 @@ import picocli.CommandLine.Spec;
       "Examples:",
       "  lumbre render scenes/cornell-box.json",
       "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
+      "  lumbre resume night.film",
       "  lumbre check scene.json",
       "  lumbre audit scene.json",
       "  lumbre pixel scene.json 120,80",
@@ -95,7 +99,7 @@ public final class Lumbre implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "expected a command: render, check, audit, pixel, benchmark, bench, compare, trade,"
-            + " gallery");
+        "expected a command: render, resume, merge, develop, check, audit, pixel, benchmark, bench,"
+            + " compare, trade, gallery");
   }
 }

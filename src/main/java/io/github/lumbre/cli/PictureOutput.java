@@ -12,9 +12,11 @@ import java.nio.file.Path;
 /** Where the picture goes: reserved before the work begins, filled when it has ended. Mutable. */
 final class PictureOutput implements AutoCloseable {
   private final OutputFile file;
+  private final Fallback fallback;
 
-  private PictureOutput(OutputFile file) {
+  private PictureOutput(OutputFile file, Fallback fallback) {
     this.file = file;
+    this.fallback = fallback;
   }
 
   /**
@@ -44,8 +46,18 @@ final class PictureOutput implements AutoCloseable {
    * @throws CommandException if it cannot be written there
    */
   static PictureOutput reserve(Path target) throws CommandException {
+    return reserve(target, Fallback.TEMPORARY);
+  }
+
+  /**
+   * Reserves a place for a picture.
+   *
+   * @param fallback where the picture goes if it turns out that it cannot be written there
+   * @throws CommandException if that is known already
+   */
+  static PictureOutput reserve(Path target, Fallback fallback) throws CommandException {
     try {
-      return new PictureOutput(OutputFile.open(target));
+      return new PictureOutput(OutputFile.open(target), fallback);
     } catch (IOException e) {
       throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
     }
@@ -56,7 +68,7 @@ final class PictureOutput implements AutoCloseable {
   }
 
   /**
-   * Writes the picture; if that fails, into the directory for temporary files, lest it be lost.
+   * Writes the picture; if that fails, into the other directory, lest it be lost.
    *
    * @throws CommandException if that failed, naming the path where the picture is instead
    */
@@ -71,11 +83,11 @@ final class PictureOutput implements AutoCloseable {
 
   private String rescue(Image image, ImageWriter.Options options) {
     try {
-      Path other = Files.createTempFile("lumbre-", target().getFileName().toString());
+      Path other = fallback.newFile(target());
       ImageWriter.write(image, other, options);
       return "saved as " + other + " instead";
     } catch (IOException e) {
-      return "nor could the directory for temporary files: " + e.getMessage();
+      return "nor could " + fallback.directory() + ": " + e.getMessage();
     }
   }
 

@@ -1,16 +1,15 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.cli.FlagConverters.ProgressStyle;
 import io.github.lumbre.image.ImageFormat;
-import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.render.BucketRenderer;
-import io.github.lumbre.render.RenderResult;
-import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.Map;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -44,7 +43,8 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json -s 16 --size 480x270 --exposure auto",
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
-      "  lumbre render scene.json --timeout 5m"
+      "  lumbre render scene.json --timeout 5m",
+      "  lumbre render scene.json -s 4000 --checkpoint night.film"
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
@@ -54,7 +54,7 @@ import picocli.CommandLine.Spec;
       "3:The scene is missing, unreadable or invalid",
       "4:A mesh or picture of the scene cannot be decoded",
       "5:Something is larger than a limit or than memory",
-      "6:The picture cannot be written",
+      "6:The picture or the film cannot be written",
       "7:A fault of the program, or under --strict a sample that is not a number",
       "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; a render begun saves what it has"
     })
@@ -111,6 +111,17 @@ final class RenderCommand implements Callable<Integer> {
       description = "Print a summary as a JSON object, on one line of standard output.")
   private boolean json;
 
+  @Option(
+      names = "--checkpoint",
+      paramLabel = "FILM",
+      description = {
+        "Keep the samples in this file: 'lumbre resume' goes on from it, 'lumbre merge' joins",
+        "several, 'lumbre develop' makes other pictures of it. It must not exist yet."
+      })
+  private Optional<Path> checkpoint;
+
+  @Mixin private CheckpointFlags checkpoints;
+
   @Option(names = "--quiet", description = "No progress bar, no summary.")
   private boolean quiet;
 
@@ -131,13 +142,15 @@ final class RenderCommand implements Callable<Integer> {
 
   private int run(JsonSummary report) throws SceneFormatException, CommandException {
     flags.validate();
+    checkpoints.validate();
     kernel.apply();
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Deadline deadline = Deadline.after(timeout);
     Path target = target();
     Messages messages = new Messages(spec.commandLine().getErr());
-    try (PictureOutput picture = PictureOutput.reserve(target);
-        Interruption interruption = Interruption.listen(picture::close)) {
+    try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
+        FilmKeeper keeper = keeper(target, messages);
+        Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
       SceneFile file = options.load(flags.over(options.parser()), messages);
       if (dryRun) {
         return estimate(file, report);
@@ -145,9 +158,42 @@ final class RenderCommand implements Callable<Integer> {
       MemoryEstimate.require(file.settings());
       RenderMonitor monitor = new RenderMonitor(interruption, this::display, deadline);
       return interruption.beginRender()
-          ? render(file, picture, monitor, report)
+          ? ended(job(file, picture, keeper, monitor, report).run(flags.firstSample()), report)
           : ExitCodes.INTERRUPTED;
     }
+  }
+
+  private FilmKeeper keeper(Path target, Messages messages) throws CommandException {
+    if (checkpoint.isEmpty()) {
+      return FilmKeeper.none(messages);
+    }
+    Path path = checkpoint.get();
+    require(
+        !PictureOutput.isSame(path, target) && !PictureOutput.isSame(path, options.scene()),
+        "--checkpoint: " + path + " is the scene or the picture");
+    for (Path existing : List.of(path, OutputFile.previous(path))) {
+      if (Files.exists(existing)) {
+        throw new CommandException(
+            ExitCodes.OUTPUT,
+            existing + ": exists already; 'lumbre resume " + path + "' goes on with it");
+      }
+    }
+    return checkpoints.keeper(path, messages);
+  }
+
+  private RenderJob job(
+      SceneFile file,
+      PictureOutput picture,
+      FilmKeeper keeper,
+      RenderMonitor monitor,
+      JsonSummary report) {
+    Path scene = options.scene();
+    keeper.label(
+        FilmHeader.identity(file.hash(), file.settings()),
+        FilmNotes.of(scene, file, picture.target(), bits, options.isLenient()));
+    RenderJob.How how = new RenderJob.How(bits, quiet, stats, options.isStrict());
+    Messages messages = new Messages(spec.commandLine().getErr());
+    return new RenderJob(scene, file, picture, keeper, monitor, messages, report, how);
   }
 
   private int estimate(SceneFile file, JsonSummary report) throws CommandException {
@@ -195,65 +241,6 @@ final class RenderCommand implements Callable<Integer> {
   private void require(boolean condition, String message) {
     if (!condition) {
       throw new ParameterException(spec.commandLine(), message);
-    }
-  }
-
-  private int render(
-      SceneFile file, PictureOutput picture, RenderMonitor monitor, JsonSummary report)
-      throws CommandException {
-    RenderSettings settings = file.settings();
-    long start = System.nanoTime();
-    RenderResult result;
-    try (monitor) {
-      result = new BucketRenderer(settings).render(file.scene(), monitor);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return ExitCodes.INTERRUPTED;
-    }
-    double seconds = (System.nanoTime() - start) * 1e-9;
-    requireSamples(result, monitor);
-    Summary summary = new Summary(settings, result, seconds);
-    Map<String, String> metadata = PictureMetadata.of(options.scene(), file, settings, seconds);
-    if (!result.complete()) {
-      metadata.put("Partial", summary.progress());
-      report.put("stopped_by", monitor.isOutOfTime() ? "timeout" : "signal");
-    }
-    picture.write(
-        result.image(),
-        new ImageWriter.Options(settings.exposure(), settings.toneCurve(), bits, metadata));
-    tell(summary, picture.target());
-    report.putScene(file);
-    report.put("output", picture.target().toString());
-    report.putResult(result, seconds);
-    boolean rejected = result.statistics().rejected() != 0;
-    return ended(rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK, report);
-  }
-
-  private static void requireSamples(RenderResult result, RenderMonitor monitor)
-      throws CommandException {
-    if (result.statistics().samples() != 0) {
-      return;
-    }
-    if (monitor.isOutOfTime()) {
-      throw new CommandException(
-          ExitCodes.LIMIT,
-          "--timeout: the time was over before anything was rendered; no picture is written");
-    }
-    throw new CommandException(
-        ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
-  }
-
-  private void tell(Summary summary, Path target) {
-    Messages messages = new Messages(spec.commandLine().getErr());
-    summary.printRejected(options.scene(), messages);
-    if (!quiet) {
-      summary.print(target, messages);
-    }
-    if (!quiet && ImageFormat.of(target).equals(Optional.of(ImageFormat.PNG))) {
-      summary.printIfDark(messages);
-    }
-    if (stats) {
-      summary.printStatistics(messages);
     }
   }
 }

@@ -32,6 +32,21 @@ final class RenderFlags {
   private Optional<Integer> samples;
 
   @Option(
+      names = "--samples-from",
+      paramLabel = "N",
+      description = {
+        "Number of each pixel's first sample (0): films whose samples follow on each other",
+        "make one by 'lumbre merge'."
+      })
+  private Optional<Integer> samplesFrom;
+
+  @Option(
+      names = "--samples-to",
+      paramLabel = "M",
+      description = "Instead of --samples: the number after that of each pixel's last sample.")
+  private Optional<Integer> samplesTo;
+
+  @Option(
       names = "--depth",
       paramLabel = "N",
       description = {
@@ -99,6 +114,13 @@ final class RenderFlags {
    */
   void validate() {
     samples.ifPresent(n -> require("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    samplesFrom.ifPresent(n -> require("--samples-from", 0, RenderSettings.MAX_SAMPLES - 1, n));
+    samplesTo.ifPresent(
+        n -> require("--samples-to", firstSample() + 1, RenderSettings.MAX_SAMPLES, n));
+    if (samples.isPresent() && samplesTo.isPresent()) {
+      throw new ParameterException(
+          spec.commandLine(), "--samples and --samples-to: expected one of them");
+    }
     depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
     threads.ifPresent(n -> require("--threads", 0, RenderSettings.MAX_THREADS, n));
     bucket.ifPresent(n -> require("--bucket", 1, Integer.MAX_VALUE, n));
@@ -106,6 +128,11 @@ final class RenderFlags {
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
+  }
+
+  /** Returns the number of each pixel's first sample. */
+  int firstSample() {
+    return samplesFrom.orElse(0);
   }
 
   private void require(String flag, int low, int high, int found) {
@@ -136,6 +163,7 @@ final class RenderFlags {
   private RenderSettings override(RenderSettings inScene) {
     RenderSettings.Builder builder = inScene.toBuilder();
     samples.ifPresent(builder::samples);
+    samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
     threads.ifPresent(builder::threads);
     bucket.ifPresent(builder::bucketSize);
     seed.ifPresent(builder::seed);

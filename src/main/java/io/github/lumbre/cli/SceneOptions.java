@@ -40,6 +40,10 @@ final class SceneOptions {
     return strictness.strict;
   }
 
+  boolean isLenient() {
+    return strictness.lenient;
+  }
+
   /** Returns a parser that is as lenient as asked for. */
   SceneParser parser() {
     SceneParser parser = new SceneParser();

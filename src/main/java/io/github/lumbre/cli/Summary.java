@@ -18,14 +18,24 @@ final class Summary {
   private final RenderSettings settings;
   private final RenderResult result;
   private final double seconds;
+  private final long samplesInAll;
 
   /**
    * @param seconds that rendering took
    */
   Summary(RenderSettings settings, RenderResult result, double seconds) {
+    this(settings, result, seconds, result.statistics().samples());
+  }
+
+  /**
+   * @param seconds that rendering took
+   * @param samplesInAll that the picture has, those rendered by earlier runs included
+   */
+  Summary(RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
     this.settings = settings;
     this.result = result;
     this.seconds = seconds;
+    this.samplesInAll = samplesInAll;
   }
 
   /** Prints what was made, where it is, and how long it took. */
@@ -48,7 +58,7 @@ final class Summary {
   String progress() {
     Image image = result.image();
     long total = (long) image.width() * image.height() * settings.samples();
-    return result.statistics().samples() + " of " + total + " samples";
+    return samplesInAll + " of " + total + " samples";
   }
 
   /** Prints what the render did. */

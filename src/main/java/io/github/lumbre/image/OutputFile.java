@@ -2,16 +2,15 @@ package io.github.lumbre.image;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.channels.SeekableByteChannel;
-import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Objects;
@@ -30,13 +29,16 @@ import java.util.Objects;
 public final class OutputFile implements Closeable {
   private static final int ATTEMPTS = 10;
 
+  private final Disk disk;
   private final Path target;
   private final Path destination;
   private final Path temporary;
   private final FileChannel channel;
   private boolean done;
 
-  private OutputFile(Path target, Path destination, Path temporary, FileChannel channel) {
+  private OutputFile(
+      Disk disk, Path target, Path destination, Path temporary, FileChannel channel) {
+    this.disk = disk;
     this.target = target;
     this.destination = destination;
     this.temporary = temporary;
@@ -52,6 +54,11 @@ public final class OutputFile implements Closeable {
    *     reserved it
    */
   public static OutputFile open(Path target) throws IOException {
+    return open(target, Disk.REAL);
+  }
+
+  /** Reserves a place for a file, to be written by a disk; see {@link #open(Path)}. */
+  public static OutputFile open(Path target, Disk disk) throws IOException {
     Path destination = destination(Objects.requireNonNull(target, "target"));
     Path temporary = destination.resolveSibling("." + destination.getFileName() + ".tmp");
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
@@ -62,7 +69,7 @@ public final class OutputFile implements Closeable {
       }
       // Start over if a run that has just committed had given our file the target's name.
       if (Files.exists(temporary, LinkOption.NOFOLLOW_LINKS)) {
-        return new OutputFile(target, destination, temporary, channel);
+        return new OutputFile(disk, target, destination, temporary, channel);
       }
       channel.close();
     }
@@ -86,6 +93,36 @@ public final class OutputFile implements Closeable {
   }
 
   /**
+   * Writes all that is left in a buffer at the channel's position.
+   *
+   * @throws IllegalStateException if the file is committed or closed
+   */
+  public void write(ByteBuffer buffer) throws IOException {
+    requireOpen();
+    while (buffer.hasRemaining()) {
+      disk.write(channel, buffer);
+    }
+  }
+
+  /** Returns where a file's predecessor is kept by {@link #commitKeepingPrevious}. */
+  public static Path previous(Path file) {
+    return file.resolveSibling(file.getFileName() + ".bak");
+  }
+
+  /**
+   * Does what {@link #commit} does, and keeps what was there under a name of its own: at every
+   * moment, one of the two names leads to a complete file.
+   */
+  public void commitKeepingPrevious() throws IOException {
+    requireOpen();
+    disk.force(channel);
+    if (Files.exists(destination)) {
+      disk.move(destination, previous(destination));
+    }
+    appear();
+  }
+
+  /**
    * Makes the file appear under its name, complete and on the disk, when this returns.
    *
    * @throws IOException if that fails; the target is then as it was, and content may be written and
@@ -94,15 +131,16 @@ public final class OutputFile implements Closeable {
    */
   public void commit() throws IOException {
     requireOpen();
-    channel.force(true);
+    disk.force(channel);
+    appear();
+  }
+
+  private void appear() throws IOException {
     // Rename while the lock is still held, lest another run starts over in our file.
-    try {
-      Files.move(temporary, destination, StandardCopyOption.ATOMIC_MOVE);
-    } catch (AtomicMoveNotSupportedException e) {
-      Files.move(temporary, destination, StandardCopyOption.REPLACE_EXISTING);
-    }
+    disk.move(temporary, destination);
     done = true;
     channel.close();
+    disk.forceDirectory(destination.getParent());
   }
 
   /** Deletes the temporary file, unless the file is committed. Does nothing the second time. */

@@ -2,7 +2,10 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
@@ -24,6 +27,9 @@ import java.util.Optional;
 public final class Film {
   /** What one sample value is cut to: 2^30 of them still fit. */
   static final double LARGEST = 0x1p32;
+
+  /** What a pixel takes at most when it is written. */
+  public static final int MAX_PIXEL_BYTES = 2 * 5 + 3 * (9 + Long.BYTES) + Long.BYTES;
 
   private final Crop window;
   private final int firstSample;
@@ -96,6 +102,108 @@ public final class Film {
     return Arrays.stream(counts).asLongStream().sum();
   }
 
+  /**
+   * Adds the samples of another film of the same picture, exactly: they may be of other pixels, or
+   * have other numbers, but none may be in both films.
+   *
+   * @param other whose window lies inside this one's, and which has alpha just if this one has
+   */
+  public void addAll(Film other) {
+    Crop part = other.window;
+    boolean inside =
+        part.x() >= window.x()
+            && part.y() >= window.y()
+            && part.x() + part.width() <= window.x() + window.width()
+            && part.y() + part.height() <= window.y() + window.height();
+    if (!inside || other.hasAlpha() != hasAlpha()) {
+      throw new IllegalArgumentException(
+          "other: expected a film inside " + window + ", found " + part);
+    }
+    for (int from = 0; from < other.counts.length; from++) {
+      int to = index(part.x() + from % part.width(), part.y() + from / part.width());
+      if (other.counts[from] != 0) {
+        firstMeans[to] = counts[to] == 0 ? other.firstMeans[from] : PackedRgb.NONE;
+      }
+      counts[to] = Math.addExact(counts[to], other.counts[from]);
+      for (int i = 0; i < 3; i++) {
+        add(3 * to + i, other.whole[3 * from + i], other.fraction[3 * from + i]);
+      }
+      if (hasAlpha()) {
+        covered[to] += other.covered[from];
+      }
+    }
+  }
+
+  /**
+   * Writes a pixel, at most {@link #MAX_PIXEL_BYTES}: the number of its samples; if there are any,
+   * with alpha how many of them cover it, and of each channel the sum's whole part and its fraction
+   * in units of 2^-64; at last the mean that {@link #halves} needs, packed. Fractions and the mean
+   * take 8 bytes, the lowest one first; the other numbers 7 bits a byte, the lowest first, and the
+   * eighth bit set if more follow.
+   *
+   * @param pixel row by row from the window's top left
+   */
+  public void encode(int pixel, ByteBuffer out) {
+    putNumber(out, counts[pixel]);
+    if (counts[pixel] == 0) {
+      return;
+    }
+    if (hasAlpha()) {
+      putNumber(out, covered[pixel]);
+    }
+    for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
+      putNumber(out, whole[i]);
+      out.putLong(Long.reverseBytes(fraction[i]));
+    }
+    out.putLong(Long.reverseBytes(firstMeans[pixel]));
+  }
+
+  /**
+   * Reads what {@link #encode} wrote into a pixel without samples.
+   *
+   * @throws IllegalArgumentException if that is no pixel
+   * @throws BufferUnderflowException if it is cut off
+   */
+  public void decode(int pixel, ByteBuffer in) {
+    int count = (int) number(in, RenderSettings.MAX_SAMPLES);
+    counts[pixel] = count;
+    if (count == 0) {
+      return;
+    }
+    if (hasAlpha()) {
+      covered[pixel] = (int) number(in, count);
+    }
+    for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
+      whole[i] = number(in, (long) LARGEST * count);
+      fraction[i] = Long.reverseBytes(in.getLong());
+    }
+    firstMeans[pixel] = Long.reverseBytes(in.getLong());
+  }
+
+  private static void putNumber(ByteBuffer out, long number) {
+    long rest = number;
+    while (rest > 0x7f) {
+      out.put((byte) (rest | 0x80));
+      rest >>>= 7;
+    }
+    out.put((byte) rest);
+  }
+
+  private static long number(ByteBuffer in, long largest) {
+    long number = 0;
+    for (int shift = 0; shift < Long.SIZE - 1; shift += 7) {
+      byte bits = in.get();
+      number |= (bits & 0x7fL) << shift;
+      if (bits >= 0) {
+        if (number > largest) {
+          break;
+        }
+        return number;
+      }
+    }
+    throw new IllegalArgumentException("expected a number up to " + largest + ", found " + number);
+  }
+
   /** Returns the place of a pixel of the full frame: row by row from the window's top left. */
   int index(int x, int y) {
     return (y - window.y()) * window.width() + (x - window.x());
@@ -135,6 +243,10 @@ public final class Film {
     // The rest times 2^64; only a rest below 2^-12 needs rounding, so it cannot become 2^64.
     double rest = Math.rint((cut - units) * 0x1p64);
     long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
+    add(i, units, bits);
+  }
+
+  private void add(int i, long units, long bits) {
     long sum = fraction[i] + bits;
     whole[i] += units + (Long.compareUnsigned(sum, bits) < 0 ? 1 : 0);
     fraction[i] = sum;

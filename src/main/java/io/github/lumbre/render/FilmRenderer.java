@@ -50,6 +50,11 @@ public final class FilmRenderer {
     };
   }
 
+  /** Tells whether this one's films have alpha. */
+  public boolean hasAlpha() {
+    return hasAlpha;
+  }
+
   /** Returns an empty film of the settings' window. */
   public Film newFilm() {
     return newFilm(0);

@@ -11,6 +11,9 @@ import io.github.lumbre.math.Point2;
  * improvement of Laine and Karras's.
  */
 public final class SobolSampler implements Sampler {
+  /** Names this sampler and its numbers: changes whenever one of them does. */
+  public static final String ID = "owen-sobol 1";
+
   private static final double ULP32 = 0x1p-32;
 
   private final long seedKey;

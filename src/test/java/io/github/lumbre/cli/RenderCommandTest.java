@@ -245,7 +245,7 @@ class RenderCommandTest {
   void dryRunTellsThatARenderDoesNotFit() {
     Outcome outcome =
         render(TinyScene.JSON, "--dry-run", "--size", "65535x8192", "--max-pixels", "536870912");
-    assertThat(outcome.out()).contains("pixels   536862720: 65535x8192", "film     36864 MiB");
+    assertThat(outcome.out()).contains("pixels   536862720: 65535x8192", "film     40960 MiB");
     assertThat(outcome.err()).contains("the heap is limited to");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.LIMIT);
   }

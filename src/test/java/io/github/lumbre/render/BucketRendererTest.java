@@ -170,8 +170,10 @@ class BucketRendererTest {
               }
             });
     caller.start();
-    Thread.sleep(100);
-    assertThat(liveWorkers()).isNotEmpty();
+    while (liveWorkers().isEmpty()) {
+      // Between two passes there are none.
+      Thread.sleep(1);
+    }
     caller.interrupt();
     caller.join(10_000);
 

@@ -9,6 +9,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.math.BigDecimal;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -192,6 +193,75 @@ class FilmTest {
     for (double value : new double[] {Double.NaN, -1, Double.POSITIVE_INFINITY}) {
       assertThatThrownBy(() -> film.add(0, Rgb.grey(value), true))
           .isInstanceOf(AssertionError.class);
+    }
+  }
+
+  @Test
+  void pixelsAreReadAsTheyWereWritten() {
+    Random random = new Random(32);
+    Film film = new Film(new Crop(0, 0, 50, 4), true, 0);
+    for (int i = 0; i < 2_000; i++) {
+      double scale = Math.scalb(1.0, random.nextInt(140) - 100);
+      Rgb value = new Rgb(random.nextDouble() * scale, random.nextDouble(), 0);
+      film.add(random.nextInt(150), value, random.nextBoolean());
+    }
+    film.add(199, Rgb.grey(Film.LARGEST), true);
+    ByteBuffer bytes = ByteBuffer.allocate(200 * Film.MAX_PIXEL_BYTES);
+    for (int pixel = 0; pixel < 200; pixel++) {
+      int before = bytes.position();
+      film.encode(pixel, bytes);
+      assertThat(bytes.position() - before).isBetween(1, Film.MAX_PIXEL_BYTES);
+    }
+    Film read = new Film(new Crop(0, 0, 50, 4), true, 0);
+    bytes.flip();
+    for (int pixel = 0; pixel < 200; pixel++) {
+      read.decode(pixel, bytes);
+    }
+    assertThat(bytes.hasRemaining()).isFalse();
+    assertThat(read.develop().rgb()).isEqualTo(film.develop().rgb());
+    assertThat(read.totalSamples()).isEqualTo(2_001);
+    for (int x = 0; x < 50; x++) {
+      assertThat(read.develop().alpha(x, 0)).isEqualTo(film.develop().alpha(x, 0));
+    }
+  }
+
+  @Test
+  void pixelsThatCannotBeAreRefused() {
+    byte[][] impossible = {
+      {-1, -1, -1, -1, -1, 0}, // more samples than a render may have
+      {2, 3}, // more samples cover the pixel than it has
+      {1, 0, -127, -128, -128, -128, 16}, // a sum beyond the largest sample
+      {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1}
+    };
+    for (byte[] bytes : impossible) {
+      Film film = new Film(new Crop(0, 0, 1, 1), true, 0);
+      assertThatThrownBy(() -> film.decode(0, ByteBuffer.wrap(bytes)))
+          .isInstanceOf(IllegalArgumentException.class);
+    }
+  }
+
+  @Test
+  void sumOfFilmsIsTheFilmOfAllSamples() {
+    Random random = new Random(33);
+    for (int run = 0; run < 50; run++) {
+      Film all = new Film(new Crop(3, 2, 2, 2), true, 0);
+      Film one = new Film(new Crop(3, 2, 2, 2), true, 0);
+      Film other = new Film(new Crop(4, 2, 1, 2), true, 0);
+      for (int i = 0; i < 40; i++) {
+        Rgb value = new Rgb(random.nextDouble(), 1e3 * random.nextDouble(), Math.nextDown(1.0));
+        boolean covers = random.nextBoolean();
+        boolean second = random.nextBoolean();
+        int row = random.nextInt(2);
+        all.add(2 * row + (second ? 1 : 0), value, covers);
+        if (second) {
+          other.add(row, value, covers);
+        } else {
+          one.add(2 * row, value, covers);
+        }
+      }
+      one.addAll(other);
+      assertThat(one.develop().rgb()).isEqualTo(all.develop().rgb());
+      assertThat(one.develop().alpha(1, 1)).isEqualTo(all.develop().alpha(1, 1));
     }
   }
 }

@@ -1,0 +1,203 @@
+package io.github.lumbre.checkpoint;
+
+import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.zip.CRC32C;
+
+/**
+ * A film and what it is of, as kept in a file: header, pixels, checksum; docs/film-format.md
+ * describes the bytes. Shares the film.
+ */
+public record FilmFile(FilmHeader header, Film film) {
+  private static final int BUFFER_BYTES = 1 << 16;
+  private static final int CHECKSUM_BYTES = 4;
+  private static final int MAX_HEADER_BYTES = 1 << 20;
+
+  public FilmFile {
+    Objects.requireNonNull(header, "header");
+    Objects.requireNonNull(film, "film");
+  }
+
+  /**
+   * Returns what a render has so far.
+   *
+   * @param identity see {@link FilmHeader#identity(String, RenderSettings)}
+   * @param film whose pixels have the samples that the film itself tells
+   * @param notes see {@link FilmHeader#notes}
+   */
+  public static FilmFile of(Map<String, String> identity, Film film, Map<String, String> notes) {
+    List<FilmPart> parts = List.of(FilmPart.of(film));
+    return new FilmFile(
+        new FilmHeader(identity, film.hasAlpha(), film.window(), parts, notes), film);
+  }
+
+  /** Writes this from the start of a reserved file, which is not committed. */
+  public void write(OutputFile output) throws IOException {
+    output.restart();
+    CRC32C checksum = new CRC32C();
+    ByteBuffer buffer = ByteBuffer.allocate(BUFFER_BYTES);
+    write(output, StandardCharsets.UTF_8.encode(HeaderText.of(header)), checksum);
+    int pixels = film.window().width() * film.window().height();
+    for (int pixel = 0; pixel < pixels; pixel++) {
+      if (buffer.remaining() < Film.MAX_PIXEL_BYTES) {
+        write(output, buffer.flip(), checksum);
+        buffer.clear();
+      }
+      film.encode(pixel, buffer);
+    }
+    write(output, buffer.flip(), checksum);
+    output.write(littleEndian(CHECKSUM_BYTES).putInt((int) checksum.getValue()).flip());
+  }
+
+  private static void write(OutputFile output, ByteBuffer bytes, CRC32C checksum)
+      throws IOException {
+    checksum.update(bytes.duplicate());
+    output.write(bytes);
+  }
+
+  /**
+   * Reads a film. The checksum is verified before anything else is believed.
+   *
+   * @throws FilmFormatException if the file is no film, or is damaged
+   * @throws IOException if it cannot be read
+   */
+  public static FilmFile read(Path path) throws IOException {
+    try (FileChannel channel = FileChannel.open(path)) {
+      long end = verify(channel);
+      channel.position(0);
+      Input input = new Input(channel, end);
+      FilmHeader header = input.header();
+      return new FilmFile(header, input.film(header));
+    }
+  }
+
+  /** Returns where the checksum begins, which is that of all before it. */
+  private static long verify(FileChannel channel) throws IOException {
+    requireMagic(channel);
+    long end = channel.size() - CHECKSUM_BYTES;
+    CRC32C checksum = new CRC32C();
+    ByteBuffer buffer = littleEndian(BUFFER_BYTES);
+    channel.position(0);
+    long left = Math.max(0, end);
+    while (left > 0) {
+      buffer.clear().limit((int) Math.min(left, BUFFER_BYTES));
+      int read = channel.read(buffer);
+      if (read < 0) {
+        throw new FilmFormatException("changed while it was read");
+      }
+      left -= read;
+      checksum.update(buffer.flip());
+    }
+    buffer.clear().limit(CHECKSUM_BYTES);
+    while (buffer.hasRemaining() && channel.read(buffer) >= 0) {
+      continue;
+    }
+    if (buffer.hasRemaining() || buffer.flip().getInt() != (int) checksum.getValue()) {
+      throw new FilmFormatException("is damaged: its checksum is not that of its content");
+    }
+    return end;
+  }
+
+  private static void requireMagic(FileChannel channel) throws IOException {
+    ByteBuffer start = ByteBuffer.allocate(HeaderText.MAGIC.length());
+    while (start.hasRemaining() && channel.read(start) >= 0) {
+      continue;
+    }
+    if (!new String(start.array(), StandardCharsets.ISO_8859_1).equals(HeaderText.MAGIC)) {
+      throw new FilmFormatException("is not a film, or is damaged");
+    }
+  }
+
+  private static ByteBuffer littleEndian(int bytes) {
+    return ByteBuffer.allocate(bytes).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  /** What comes before the checksum. */
+  private static final class Input {
+    private final FileChannel channel;
+    private final ByteBuffer buffer = ByteBuffer.allocate(BUFFER_BYTES).limit(0);
+    private long left;
+
+    Input(FileChannel channel, long bytes) {
+      this.channel = channel;
+      left = bytes;
+    }
+
+    /** Moves on in the file, until the buffer is full or nothing is left. */
+    private void fill() throws IOException {
+      buffer.compact().limit((int) Math.min(buffer.capacity(), buffer.position() + left));
+      while (buffer.hasRemaining()) {
+        int read = channel.read(buffer);
+        if (read < 0) {
+          throw new FilmFormatException("changed while it was read");
+        }
+        left -= read;
+      }
+      buffer.flip();
+    }
+
+    FilmHeader header() throws IOException {
+      ByteArrayOutputStream text = new ByteArrayOutputStream();
+      int last = 0;
+      while (text.size() < MAX_HEADER_BYTES) {
+        if (!buffer.hasRemaining()) {
+          fill();
+        }
+        if (!buffer.hasRemaining()) {
+          break;
+        }
+        int next = buffer.get();
+        if (last == '\n' && next == '\n') {
+          return parsed(text.toString(StandardCharsets.UTF_8));
+        }
+        text.write(next);
+        last = next;
+      }
+      throw new FilmFormatException("has no end of its header");
+    }
+
+    private static FilmHeader parsed(String text) throws FilmFormatException {
+      String first = HeaderText.MAGIC + " " + HeaderText.VERSION;
+      if (!text.startsWith(first + "\n")) {
+        throw new FilmFormatException(
+            "expected '" + first + "', found '" + text.lines().findFirst().orElse("") + "'");
+      }
+      return HeaderText.parse(text);
+    }
+
+    Film film(FilmHeader header) throws IOException {
+      long pixels = (long) header.window().width() * header.window().height();
+      if (left + buffer.remaining() < pixels) {
+        throw new FilmFormatException("has less than a byte for each pixel of its window");
+      }
+      int first = header.parts().stream().mapToInt(FilmPart::first).min().orElse(0);
+      Film film = new Film(header.window(), header.hasAlpha(), first);
+      for (int pixel = 0; pixel < pixels; pixel++) {
+        if (buffer.remaining() < Film.MAX_PIXEL_BYTES && left > 0) {
+          fill();
+        }
+        try {
+          film.decode(pixel, buffer);
+        } catch (BufferUnderflowException | IllegalArgumentException e) {
+          throw new FilmFormatException("pixel " + pixel + " cannot be read: " + e.getMessage());
+        }
+      }
+      if (left + buffer.remaining() != 0) {
+        throw new FilmFormatException("goes on after its last pixel");
+      }
+      return film;
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package io.github.lumbre.checkpoint;
+
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * What a film is of.
+ *
+ * @param identity what samples depend on, texts by name: films that agree in all of it are of the
+ *     same picture, and their samples may be added
+ * @param hasAlpha whether the film counts the samples that cover each pixel
+ * @param window the part of the full frame
+ * @param parts which samples the film has, without overlaps; usually one
+ * @param notes what else there is to know, texts by name, such as the scene's path
+ */
+public record FilmHeader(
+    Map<String, String> identity,
+    boolean hasAlpha,
+    Crop window,
+    List<FilmPart> parts,
+    Map<String, String> notes) {
+  /** Name in the identity: SHA-256 of the scene and of every file that it uses. */
+  public static final String SCENE_HASH = "scene-hash";
+
+  public static final String MODE = "mode";
+
+  /** Name in the identity: one number for path tracing; mirrors and glass for ray tracing. */
+  public static final String DEPTH = "depth";
+
+  public static final String SEED = "seed";
+  public static final String SIZE = "size";
+  public static final String TRANSPARENT = "transparent";
+  public static final String SAMPLER = "sampler";
+
+  public FilmHeader {
+    identity = Collections.unmodifiableMap(new LinkedHashMap<>(identity));
+    notes = Collections.unmodifiableMap(new LinkedHashMap<>(notes));
+    parts = List.copyOf(parts);
+  }
+
+  /** Returns what the samples of a scene, rendered by such settings, depend on. */
+  public static Map<String, String> identity(String sceneHash, RenderSettings settings) {
+    Map<String, String> identity = new LinkedHashMap<>();
+    identity.put(SCENE_HASH, sceneHash);
+    identity.put(MODE, settings.mode().name().toLowerCase(Locale.ROOT));
+    identity.put(DEPTH, depth(settings));
+    identity.put(SEED, String.valueOf(settings.seed()));
+    identity.put(SIZE, settings.width() + "x" + settings.height());
+    identity.put(TRANSPARENT, String.valueOf(settings.transparent()));
+    identity.put(SAMPLER, SobolSampler.ID);
+    return identity;
+  }
+
+  private static String depth(RenderSettings settings) {
+    return switch (settings.mode()) {
+      case PATH -> String.valueOf(settings.maxTraceDepth());
+      case RAY -> settings.reflectionTraceDepth() + "," + settings.refractionTraceDepth();
+    };
+  }
+
+  /** Returns the header of a film of other parts. */
+  FilmHeader withParts(Crop newWindow, List<FilmPart> newParts) {
+    return new FilmHeader(identity, hasAlpha, newWindow, newParts, notes);
+  }
+
+  /**
+   * Passes if another identity is the same.
+   *
+   * @param here what this header belongs to, for the message
+   * @param there what the other belongs to
+   * @throws FilmMismatchException naming all that differs
+   */
+  public void requireSame(Map<String, String> other, String here, String there)
+      throws FilmMismatchException {
+    List<String> differences = new ArrayList<>();
+    identity.forEach(
+        (name, value) -> {
+          String found = other.getOrDefault(name, "nothing");
+          if (!found.equals(value)) {
+            differences.add(name + ": " + here + " has " + value + ", " + there + " has " + found);
+          }
+        });
+    if (!differences.isEmpty()) {
+      throw new FilmMismatchException(String.join("; ", differences));
+    }
+  }
+}

@@ -1,0 +1,87 @@
+package io.github.lumbre.checkpoint;
+
+import io.github.lumbre.render.Film;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Joins films of one picture, rendered at different places, to the bits of one render. */
+public final class FilmMerge {
+  private FilmMerge() {}
+
+  /** A film and the name it has for people. */
+  public record Named(String name, FilmFile file) {}
+
+  /**
+   * Returns the film of all samples.
+   *
+   * @param films at least one
+   * @throws FilmMismatchException if they are of different scenes or settings, or if two may have
+   *     the same sample
+   */
+  public static FilmFile of(List<Named> films) throws FilmMismatchException {
+    Named first = films.get(0);
+    FilmHeader header = first.file().header();
+    Crop window = header.window();
+    for (Named film : films.subList(1, films.size())) {
+      header.requireSame(film.file().header().identity(), first.name(), film.name());
+      window = FilmPart.hull(window, film.file().header().window());
+    }
+    requireDisjoint(films);
+    List<FilmPart> parts = new ArrayList<>();
+    films.forEach(film -> parts.addAll(film.file().header().parts()));
+    List<FilmPart> joined = joined(parts);
+    int firstSample = joined.stream().mapToInt(FilmPart::first).min().orElse(0);
+    Film sum = new Film(window, header.hasAlpha(), firstSample);
+    films.forEach(film -> sum.addAll(film.file().film()));
+    return new FilmFile(header.withParts(window, joined), sum);
+  }
+
+  private static void requireDisjoint(List<Named> films) throws FilmMismatchException {
+    for (int i = 0; i < films.size(); i++) {
+      for (int j = 0; j < i; j++) {
+        for (FilmPart part : films.get(i).file().header().parts()) {
+          Optional<FilmPart> other =
+              films.get(j).file().header().parts().stream().filter(part::overlaps).findFirst();
+          if (other.isPresent()) {
+            throw new FilmMismatchException(
+                "samples: "
+                    + films.get(j).name()
+                    + " has "
+                    + other.get()
+                    + ", and "
+                    + films.get(i).name()
+                    + " has "
+                    + part);
+          }
+        }
+      }
+    }
+  }
+
+  /** Joins parts, two at a time: those that go on in samples before those that go on in space. */
+  private static List<FilmPart> joined(List<FilmPart> parts) {
+    List<FilmPart> result = new ArrayList<>(parts);
+    boolean changed = true;
+    while (changed) {
+      changed = joinOnce(result, true) || joinOnce(result, false);
+    }
+    return result;
+  }
+
+  private static boolean joinOnce(List<FilmPart> parts, boolean sameWindow) {
+    for (FilmPart one : parts) {
+      for (FilmPart other : parts) {
+        boolean same = one.window().equals(other.window());
+        Optional<FilmPart> both = same == sameWindow ? one.joined(other) : Optional.empty();
+        if (both.isPresent()) {
+          parts.removeAll(List.of(one, other));
+          parts.add(both.get());
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,124 @@
+package io.github.lumbre.checkpoint;
+
+import io.github.lumbre.scene.RenderSettings.Crop;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** A film's header as lines of text; docs/film-format.md describes them. */
+final class HeaderText {
+  /** The version of the format that is written, and the only one that is read. */
+  static final String MAGIC = "LUMBRE-FILM";
+
+  static final String VERSION = "1";
+
+  private static final String NOTE = "note ";
+  private static final String WITH_ALPHA = "samples covered sums first-mean";
+  private static final String WITHOUT_ALPHA = "samples sums first-mean";
+  private static final Pattern WINDOW = Pattern.compile("(\\d+),(\\d+),(\\d+),(\\d+)");
+  private static final Pattern PART =
+      Pattern.compile("(\\d+,\\d+,\\d+,\\d+) first (\\d+) fewest (\\d+) most (\\d+)");
+
+  private HeaderText() {}
+
+  /** Returns the lines, each ended, and the empty one after them. */
+  static String of(FilmHeader header) {
+    StringBuilder text = new StringBuilder(MAGIC + " " + VERSION + "\n");
+    header.identity().forEach((name, value) -> line(text, name, value));
+    line(text, "window", header.window().toString());
+    for (FilmPart part : header.parts()) {
+      line(
+          text,
+          "part",
+          String.format(
+              "%s first %d fewest %d most %d",
+              part.window(), part.first(), part.fewest(), part.most()));
+    }
+    line(text, "pixel", header.hasAlpha() ? WITH_ALPHA : WITHOUT_ALPHA);
+    header.notes().forEach((name, value) -> line(text, NOTE + name, value));
+    return text.append('\n').toString();
+  }
+
+  private static void line(StringBuilder text, String name, String value) {
+    text.append(name).append(": ").append(escaped(value)).append('\n');
+  }
+
+  private static String escaped(String value) {
+    return value.replace("\\", "\\\\").replace("\n", "\\n");
+  }
+
+  private static String unescaped(String value) {
+    return Pattern.compile("\\\\(.)")
+        .matcher(value)
+        .replaceAll(m -> Matcher.quoteReplacement(m.group(1).equals("n") ? "\n" : m.group(1)));
+  }
+
+  /**
+   * Reads lines without the empty one.
+   *
+   * @throws FilmFormatException if they are no header
+   */
+  static FilmHeader parse(String text) throws FilmFormatException {
+    Map<String, String> identity = new LinkedHashMap<>();
+    Map<String, String> notes = new LinkedHashMap<>();
+    List<FilmPart> parts = new ArrayList<>();
+    String[] lines = text.split("\n");
+    for (String line : List.of(lines).subList(1, lines.length)) {
+      int colon = line.indexOf(": ");
+      if (colon < 0) {
+        throw new FilmFormatException("expected 'name: value' in its header, found '" + line + "'");
+      }
+      String name = line.substring(0, colon);
+      String value = unescaped(line.substring(colon + 2));
+      if (name.startsWith(NOTE)) {
+        notes.put(name.substring(NOTE.length()), value);
+      } else if (name.equals("part")) {
+        parts.add(valid(name, value, HeaderText::part));
+      } else {
+        identity.put(name, value);
+      }
+    }
+    String pixel = String.valueOf(identity.remove("pixel"));
+    if (!pixel.equals(WITH_ALPHA) && !pixel.equals(WITHOUT_ALPHA)) {
+      throw new FilmFormatException("pixel: '" + pixel + "' is not known to this version");
+    }
+    Crop window = valid("window", String.valueOf(identity.remove("window")), HeaderText::window);
+    return new FilmHeader(identity, pixel.equals(WITH_ALPHA), window, parts, notes);
+  }
+
+  private static <T> T valid(String name, String value, Function<String, T> reader)
+      throws FilmFormatException {
+    try {
+      return reader.apply(value);
+    } catch (IllegalArgumentException e) {
+      throw new FilmFormatException(name + ": unexpected '" + value + "'");
+    }
+  }
+
+  private static FilmPart part(String text) {
+    Matcher found = matched(PART, text);
+    return new FilmPart(
+        window(found.group(1)), number(found, 2), number(found, 3), number(found, 4));
+  }
+
+  private static Crop window(String text) {
+    Matcher found = matched(WINDOW, text);
+    return new Crop(number(found, 1), number(found, 2), number(found, 3), number(found, 4));
+  }
+
+  private static Matcher matched(Pattern pattern, String text) {
+    Matcher found = pattern.matcher(text);
+    if (!found.matches()) {
+      throw new IllegalArgumentException(text);
+    }
+    return found;
+  }
+
+  private static int number(Matcher found, int group) {
+    return Integer.parseInt(found.group(group));
+  }
+}

@@ -1,0 +1,64 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.image.ImageFormat;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre develop}: makes a picture of a film, without rendering. */
+@Command(
+    name = "develop",
+    header = "Make a picture of a film, without rendering.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    footer = {"", "Example:", "  lumbre develop night.film -o night.png --exposure 1.5"},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "2:The command line is wrong",
+      "3:The film is missing, unreadable or damaged",
+      "6:The picture cannot be written"
+    })
+final class DevelopCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "FILM", description = "What 'lumbre render --checkpoint' wrote.")
+  private Path film;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "OUT",
+      required = true,
+      description = "The picture: .png for the screen, .exr or .pfm for linear light.")
+  private Path output;
+
+  @Mixin private DevelopFlags flags;
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws CommandException {
+    flags.validate();
+    if (ImageFormat.of(output).isEmpty()) {
+      throw new ParameterException(
+          spec.commandLine(),
+          output + ": expected a name that ends in one of " + ImageFormat.endings());
+    }
+    try (PictureOutput picture = PictureOutput.reserve(output)) {
+      FilmFile content = FilmInput.read(film, new Messages(spec.commandLine().getErr()));
+      flags.develop(film, content, picture);
+    }
+    return ExitCodes.OK;
+  }
+}

@@ -1,0 +1,57 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.ToneCurve;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The flags that say how a film becomes a picture. */
+final class DevelopFlags {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = "--exposure",
+      paramLabel = "EV",
+      converter = FlagConverters.OfExposure.class,
+      description = "Stops by which a PNG is brightened, or auto (as rendered).")
+  private Optional<Exposure> exposure;
+
+  @Option(
+      names = "--tonemap",
+      paramLabel = "NAME",
+      converter = FlagConverters.OfToneCurve.class,
+      description = "Tone curve of a PNG: srgb, gamma22, reinhard or aces (as rendered).")
+  private Optional<ToneCurve> toneCurve;
+
+  @Option(
+      names = "--bits",
+      paramLabel = "8|16",
+      description = "Bits per channel of a PNG (as rendered).")
+  private Optional<Integer> bits;
+
+  /** Complains about values out of range before anything is read. */
+  void validate() {
+    if (bits.isPresent() && bits.get() != 8 && bits.get() != 16) {
+      throw new ParameterException(
+          spec.commandLine(), "--bits: expected 8 or 16, found " + bits.get());
+    }
+  }
+
+  /** Develops a film and writes the picture. */
+  void develop(Path name, FilmFile film, PictureOutput picture) throws CommandException {
+    FilmNotes notes = new FilmNotes(name, film.header());
+    Exposure stops = exposure.isPresent() ? exposure.get() : notes.exposure();
+    ToneCurve curve = toneCurve.isPresent() ? toneCurve.get() : notes.toneCurve();
+    int depth = bits.isPresent() ? bits.get() : notes.bits();
+    Map<String, String> metadata = notes.metadata();
+    picture.write(film.film().develop(), new ImageWriter.Options(stops, curve, depth, metadata));
+  }
+}

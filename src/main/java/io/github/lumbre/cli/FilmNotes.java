@@ -1,0 +1,166 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import picocli.CommandLine.TypeConversionException;
+
+/** What a film's header tells the command line: how to go on, and how to develop it. */
+final class FilmNotes {
+  private static final String SOFTWARE = "software";
+  private static final String SCENE = "scene";
+  private static final String OUTPUT = "output";
+  private static final String SAMPLES = "samples";
+  private static final String EXPOSURE = "exposure";
+  private static final String TONE_CURVE = "tonemap";
+  private static final String BITS = "bits";
+  private static final String LENIENT = "lenient";
+
+  private final Path film;
+  private final FilmHeader header;
+
+  /**
+   * @param film the file's path, for messages
+   */
+  FilmNotes(Path film, FilmHeader header) {
+    this.film = film;
+    this.header = header;
+  }
+
+  /** Returns the notes for a render's film. */
+  static Map<String, String> of(
+      Path scene, SceneFile file, Path output, int bits, boolean lenient) {
+    RenderSettings settings = file.settings();
+    Map<String, String> notes = new LinkedHashMap<>();
+    notes.put(SOFTWARE, "Lumbre " + Version.number());
+    notes.put(SCENE, scene.toAbsolutePath().normalize().toString());
+    notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
+    notes.put(SAMPLES, String.valueOf(settings.samples()));
+    notes.put(EXPOSURE, text(settings.exposure()));
+    notes.put(TONE_CURVE, FlagConverters.lower(settings.toneCurve()));
+    notes.put(BITS, String.valueOf(bits));
+    notes.put(LENIENT, String.valueOf(lenient));
+    return notes;
+  }
+
+  private static String text(Exposure exposure) {
+    return exposure.stops().isPresent() ? "" + exposure.stops().getAsDouble() : "auto";
+  }
+
+  Path scene() throws CommandException {
+    return note(SCENE, Path::of);
+  }
+
+  Path output() throws CommandException {
+    return note(OUTPUT, Path::of);
+  }
+
+  /** Returns how many samples per pixel the film is to have, at least those that it has. */
+  int samples() throws CommandException {
+    int most = header.parts().stream().mapToInt(FilmPart::most).max().orElse(0);
+    return Math.max(most, note(SAMPLES, Integer::valueOf));
+  }
+
+  Exposure exposure() throws CommandException {
+    return note(EXPOSURE, new FlagConverters.OfExposure()::convert);
+  }
+
+  ToneCurve toneCurve() throws CommandException {
+    return note(TONE_CURVE, new FlagConverters.OfToneCurve()::convert);
+  }
+
+  int bits() throws CommandException {
+    return note(BITS, text -> text.equals("16") ? 16 : 8);
+  }
+
+  /** Returns what a picture made of the film tells of itself, a map that more can be put into. */
+  Map<String, String> metadata() throws CommandException {
+    Map<String, String> metadata = new LinkedHashMap<>();
+    metadata.put("Software", note(SOFTWARE, Function.identity()));
+    metadata.put("Scene", String.valueOf(scene().getFileName()));
+    metadata.put("SceneHash", identity(FilmHeader.SCENE_HASH, Function.identity()));
+    metadata.put("Mode", identity(FilmHeader.MODE, Function.identity()));
+    metadata.put("Seed", identity(FilmHeader.SEED, Function.identity()));
+    metadata.put("Size", identity(FilmHeader.SIZE, Function.identity()));
+    metadata.put("Window", header.window().toString());
+    metadata.put("Film", String.valueOf(header.parts()));
+    return metadata;
+  }
+
+  boolean lenient() throws CommandException {
+    return note(LENIENT, Boolean::valueOf);
+  }
+
+  /**
+   * Returns a parser that reads a scene as it was read for the film.
+   *
+   * @param change made to the settings at last
+   */
+  SceneParser parser(Consumer<RenderSettings.Builder> change) throws CommandException {
+    RenderSettings.Mode mode = identity(FilmHeader.MODE, new FlagConverters.OfMode()::convert);
+    FlagConverters.Size size = identity(FilmHeader.SIZE, new FlagConverters.OfSize()::convert);
+    long seed = identity(FilmHeader.SEED, Long::valueOf);
+    int[] depths = identity(FilmHeader.DEPTH, FilmNotes::depths);
+    int samples = samples();
+    Exposure exposure = exposure();
+    ToneCurve toneCurve = toneCurve();
+    SceneParser parser = lenient() ? new SceneParser().lenient() : new SceneParser();
+    return parser
+        .limitedTo(SceneParser.MAX_PIXELS_EVER)
+        .inMode(mode)
+        .overriding(
+            inScene -> {
+              RenderSettings.Builder builder = inScene.toBuilder();
+              builder.size(size.width(), size.height()).seed(seed);
+              Crop whole = new Crop(0, 0, size.width(), size.height());
+              if (!header.window().equals(whole)) {
+                builder.crop(header.window());
+              }
+              builder.samples(samples).exposure(exposure).toneCurve(toneCurve);
+              switch (mode) {
+                case PATH -> builder.maxTraceDepth(depths[0]);
+                case RAY -> builder.rayDepths(depths[0], depths[depths.length - 1]);
+              }
+              change.accept(builder);
+              return builder.build();
+            });
+  }
+
+  private static int[] depths(String text) {
+    String[] parts = text.split(",");
+    int[] depths = new int[parts.length];
+    for (int i = 0; i < parts.length; i++) {
+      depths[i] = Integer.parseInt(parts[i]);
+    }
+    return depths;
+  }
+
+  private <T> T note(String name, Function<String, T> reader) throws CommandException {
+    return read(name, Optional.ofNullable(header.notes().get(name)), reader);
+  }
+
+  private <T> T identity(String name, Function<String, T> reader) throws CommandException {
+    return read(name, Optional.ofNullable(header.identity().get(name)), reader);
+  }
+
+  private <T> T read(String name, Optional<String> text, Function<String, T> reader)
+      throws CommandException {
+    try {
+      return reader.apply(text.orElseThrow(() -> new IllegalArgumentException("is missing")));
+    } catch (IllegalArgumentException | TypeConversionException e) {
+      throw new CommandException(
+          ExitCodes.SCENE, film + ": " + name + " in its header: " + e.getMessage(), e);
+    }
+  }
+}

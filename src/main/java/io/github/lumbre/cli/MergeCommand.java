@@ -1,0 +1,109 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmMerge;
+import io.github.lumbre.checkpoint.FilmMismatchException;
+import io.github.lumbre.image.ImageFormat;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre merge}: joins films of one picture. */
+@Command(
+    name = "merge",
+    header = "Join films of one picture, rendered at different places.",
+    description =
+        "Films of other samples (render --samples-from, --samples-to) or of other parts (render"
+            + " --crop) give the bits of one render of all. Films that have a sample in common, or"
+            + " are of different scenes or settings, are refused.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre render scene.json --samples-to 500 --checkpoint a.film",
+      "  lumbre render scene.json --samples-from 500 --samples-to 1000 --checkpoint b.film",
+      "  lumbre merge a.film b.film -o all.film",
+      "  lumbre merge a.film b.film -o all.png"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "2:The command line is wrong",
+      "3:A film is missing or damaged, or films do not belong together",
+      "6:The result cannot be written"
+    })
+final class MergeCommand implements Callable<Integer> {
+  @Parameters(
+      paramLabel = "FILM",
+      arity = "1..*",
+      description = "What 'lumbre render --checkpoint' wrote.")
+  private List<Path> films;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "OUT",
+      required = true,
+      description = "A picture, if its name ends in .png, .exr or .pfm; otherwise a film.")
+  private Path output;
+
+  @Mixin private DevelopFlags flags;
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws CommandException {
+    flags.validate();
+    for (Path film : films) {
+      if (PictureOutput.isSame(film, output)) {
+        throw new ParameterException(
+            spec.commandLine(), output + ": is one of the films, which are never overwritten");
+      }
+    }
+    if (ImageFormat.of(output).isPresent()) {
+      try (PictureOutput picture = PictureOutput.reserve(output)) {
+        flags.develop(output, merged(), picture);
+      }
+    } else {
+      writeFilm();
+    }
+    return ExitCodes.OK;
+  }
+
+  private void writeFilm() throws CommandException {
+    try (CheckpointFile target = CheckpointFile.reserve(output)) {
+      target.save(merged());
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+    }
+  }
+
+  private FilmFile merged() throws CommandException {
+    Messages messages = new Messages(spec.commandLine().getErr());
+    List<FilmMerge.Named> named = new ArrayList<>();
+    for (Path film : films) {
+      named.add(new FilmMerge.Named(film.toString(), FilmInput.read(film, messages)));
+    }
+    try {
+      return FilmMerge.of(named);
+    } catch (FilmMismatchException e) {
+      throw new CommandException(ExitCodes.SCENE, e.getMessage(), e);
+    }
+  }
+}

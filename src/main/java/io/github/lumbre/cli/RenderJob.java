@@ -1,0 +1,135 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.Passes;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Renders a film to its end, or until it is stopped, and saves film and picture.
+ *
+ * @param scene the scene's path
+ * @param report is told what came of it
+ * @param how what is written and told at the end
+ */
+record RenderJob(
+    Path scene,
+    SceneFile file,
+    PictureOutput picture,
+    FilmKeeper keeper,
+    RenderMonitor monitor,
+    Messages messages,
+    JsonSummary report,
+    How how) {
+  /**
+   * What is written and told at the end.
+   *
+   * @param bits per channel of a PNG
+   * @param strict whether samples that are no numbers make an error
+   */
+  record How(int bits, boolean quiet, boolean stats, boolean strict) {}
+
+  /** Renders a new film. */
+  int run(int firstSample) throws CommandException {
+    FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
+    return run(renderer, renderer.newFilm(firstSample));
+  }
+
+  /** Renders what a film lacks; returns the exit code. */
+  int run(Film film) throws CommandException {
+    return run(new FilmRenderer(file.settings(), file.scene()), film);
+  }
+
+  private int run(FilmRenderer renderer, Film film) throws CommandException {
+    long start = System.nanoTime();
+    RenderStatistics statistics;
+    try (monitor) {
+      statistics = addSamples(renderer, film);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitCodes.INTERRUPTED;
+    } finally {
+      keeper.save(film);
+    }
+    double seconds = (System.nanoTime() - start) * 1e-9;
+    requireSamples(film);
+    boolean complete = film.fewestSamples() >= file.settings().samples();
+    finish(film, new RenderResult(film.develop(), complete, statistics), seconds);
+    return how.strict() && statistics.rejected() != 0 ? ExitCodes.INTERNAL : ExitCodes.OK;
+  }
+
+  private RenderStatistics addSamples(FilmRenderer renderer, Film film)
+      throws InterruptedException {
+    int goal = file.settings().samples();
+    RenderSettings.Crop window = film.window();
+    long all = (long) window.width() * window.height() * goal;
+    monitor.started(Math.max(0, all - film.totalSamples()));
+    Progress progress = keeper.pausing(monitor);
+    RenderStatistics statistics = RenderStatistics.ZERO;
+    int done = film.fewestSamples();
+    while (done < goal && !monitor.isCancelled()) {
+      PassResult pass = renderer.addSamples(film, Passes.next(done, goal), progress);
+      statistics = statistics.plus(pass.statistics());
+      keeper.saveIfDue(film);
+      done = film.fewestSamples();
+    }
+    return statistics;
+  }
+
+  private void requireSamples(Film film) throws CommandException {
+    if (film.totalSamples() != 0) {
+      return;
+    }
+    if (monitor.isOutOfTime()) {
+      throw new CommandException(
+          ExitCodes.LIMIT,
+          "--timeout: the time was over before anything was rendered; no picture is written");
+    }
+    throw new CommandException(
+        ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
+  }
+
+  private void finish(Film film, RenderResult result, double seconds) throws CommandException {
+    RenderSettings settings = file.settings();
+    Summary summary = new Summary(settings, result, seconds, film.totalSamples());
+    Map<String, String> metadata = PictureMetadata.of(scene, file, settings, seconds);
+    if (!result.complete()) {
+      metadata.put("Partial", summary.progress());
+      report.put("stopped_by", monitor.isOutOfTime() ? "timeout" : "signal");
+    }
+    picture.write(
+        result.image(),
+        new ImageWriter.Options(settings.exposure(), settings.toneCurve(), how.bits(), metadata));
+    tell(summary);
+    report.putScene(file);
+    report.put("output", picture.target().toString());
+    report.putResult(result, seconds);
+    if (keeper.failure().isPresent()) {
+      throw new CommandException(ExitCodes.OUTPUT, keeper.failure().get());
+    }
+  }
+
+  private void tell(Summary summary) {
+    Path target = picture.target();
+    summary.printRejected(scene, messages);
+    if (!how.quiet()) {
+      summary.print(target, messages);
+    }
+    if (!how.quiet() && ImageFormat.of(target).equals(Optional.of(ImageFormat.PNG))) {
+      summary.printIfDark(messages);
+    }
+    if (how.stats()) {
+      summary.printStatistics(messages);
+    }
+  }
+}

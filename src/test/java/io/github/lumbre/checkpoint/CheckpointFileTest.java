@@ -1,0 +1,161 @@
+package io.github.lumbre.checkpoint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.lumbre.checkpoint.FilmFixture.FailingDisk;
+import io.github.lumbre.image.OutputFile;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CheckpointFileTest {
+  /** Of the steps that a save takes, about a hundred. */
+  private static final int CHUNK_BYTES = 24;
+
+  @TempDir private Path directory;
+  private Path path;
+
+  @BeforeEach
+  void name() {
+    path = directory.resolve("a.film");
+  }
+
+  private static FilmFile film(int samples) {
+    return FilmFixture.file(FilmFixture.FRAME, 0, (x, y) -> samples);
+  }
+
+  private static int samples(FilmFile file) {
+    assertThat(FilmFixture.pixels(file.film()))
+        .isEqualTo(FilmFixture.pixels(film(file.film().mostSamples()).film()));
+    return file.film().mostSamples();
+  }
+
+  private void save(int... samples) throws IOException {
+    try (CheckpointFile file = CheckpointFile.reserve(path, FailingDisk.never())) {
+      for (int n : samples) {
+        file.save(film(n));
+      }
+    }
+  }
+
+  @Test
+  void lastFilmAndTheOneBeforeAreKept() throws IOException {
+    save(1, 2, 3);
+    assertThat(samples(FilmFile.read(path))).isEqualTo(3);
+    assertThat(samples(FilmFile.read(OutputFile.previous(path)))).isEqualTo(2);
+    try (Stream<Path> files = Files.list(directory)) {
+      assertThat(files).hasSize(2);
+    }
+  }
+
+  /**
+   * The program is killed at each step of the second and the third save in turn: the film before or
+   * the new one is read, and the next run can save.
+   */
+  @Test
+  void killedSaveLeavesOneFilmOrTheOther() throws IOException {
+    int points = 0;
+    for (boolean done = false; !done; points++) {
+      for (Path file : new Path[] {path, OutputFile.previous(path)}) {
+        Files.deleteIfExists(file);
+      }
+      save(1);
+      FailingDisk disk = new FailingDisk(points, true, CHUNK_BYTES);
+      int saved = saveUntilKilled(disk);
+      int read = samples(CheckpointFile.load(path).file());
+      assertThat(read).as("killed at step %d", points).isBetween(saved, saved + 1);
+      done = !disk.hasFailed();
+      save(7);
+      assertThat(samples(FilmFile.read(path))).isEqualTo(7);
+    }
+    assertThat(points).isGreaterThan(100);
+  }
+
+  private int saveUntilKilled(FailingDisk disk) throws IOException {
+    int saved = 1;
+    try (CheckpointFile file = CheckpointFile.reserve(path, disk)) {
+      for (int n = 2; n <= 3; n++) {
+        file.save(film(n));
+        saved = n;
+      }
+    } catch (FailingDisk.Killed e) {
+      assertThat(disk.hasFailed()).isTrue();
+    }
+    return saved;
+  }
+
+  /** The disk is full for one step: what was saved before is there, and the next save succeeds. */
+  @Test
+  void failedSaveKeepsTheFilmBefore() throws IOException {
+    boolean failed = true;
+    for (int step = 0; failed; step++) {
+      Files.deleteIfExists(path);
+      Files.deleteIfExists(OutputFile.previous(path));
+      save(1);
+      FailingDisk disk = new FailingDisk(step, false, CHUNK_BYTES);
+      try (CheckpointFile file = CheckpointFile.reserve(path, disk)) {
+        try {
+          file.save(film(2));
+        } catch (IOException e) {
+          assertThat(e).hasMessage("No space left on device");
+          assertThat(samples(CheckpointFile.load(path).file())).isEqualTo(1);
+          file.save(film(2));
+        }
+        assertThat(samples(FilmFile.read(path))).isEqualTo(2);
+      }
+      failed = disk.hasFailed();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void damagedFilmIsReplacedByTheOneBefore(boolean exists) throws IOException {
+    save(1, 2);
+    byte[] bytes = Files.readAllBytes(path);
+    bytes[bytes.length / 2]++;
+    if (exists) {
+      Files.write(path, bytes);
+    } else {
+      Files.delete(path);
+    }
+    CheckpointFile.Loaded loaded = CheckpointFile.load(path);
+    assertThat(samples(loaded.file())).isEqualTo(1);
+    assertThat(loaded.from()).isEqualTo(OutputFile.previous(path));
+    assertThat(loaded.problem().orElseThrow()).contains(exists ? "damaged" : "does not exist");
+    if (exists) {
+      assertThat(Files.readAllBytes(path)).isEqualTo(bytes);
+    }
+  }
+
+  @Test
+  void twoDamagedFilmsAreBothTold() throws IOException {
+    save(1, 2);
+    Files.write(path, new byte[100]);
+    Files.write(OutputFile.previous(path), new byte[100]);
+    assertThatThrownBy(() -> CheckpointFile.load(path))
+        .isInstanceOf(FilmFormatException.class)
+        .hasMessageContaining("a.film.bak");
+    Files.delete(path);
+    Files.delete(OutputFile.previous(path));
+    assertThatThrownBy(() -> CheckpointFile.load(path)).isInstanceOf(NoSuchFileException.class);
+  }
+
+  @Test
+  void oneRenderAtATimeKeepsItsFilmInAFile() throws IOException {
+    try (CheckpointFile first = CheckpointFile.reserve(path)) {
+      first.save(film(1));
+      assertThatThrownBy(() -> CheckpointFile.reserve(path))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("another run");
+    }
+    save(2);
+  }
+}

@@ -1,0 +1,135 @@
+package io.github.lumbre.checkpoint;
+
+import io.github.lumbre.image.Disk;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.Random;
+
+/** Films with random samples, which are a function of pixel and number. */
+final class FilmFixture {
+  static final Crop FRAME = new Crop(0, 0, 12, 7);
+
+  static final Map<String, String> IDENTITY =
+      FilmHeader.identity(
+          "ab12", new RenderSettings.Builder().size(FRAME.width(), FRAME.height()).build());
+
+  static final Map<String, String> NOTES = Map.of("scene", "a\\b\nc: d\u00e4");
+
+  private FilmFixture() {}
+
+  /** Returns how many samples a pixel is to have. */
+  interface Counts {
+    int of(int x, int y);
+  }
+
+  static FilmFile file(Crop window, int first, Counts counts) {
+    Film film = new Film(window, true, first);
+    for (int y = window.y(); y < window.y() + window.height(); y++) {
+      for (int x = window.x(); x < window.x() + window.width(); x++) {
+        for (int sample = first; sample < first + counts.of(x, y); sample++) {
+          add(film, x, y, sample);
+        }
+      }
+    }
+    return FilmFile.of(IDENTITY, film, NOTES);
+  }
+
+  private static void add(Film film, int x, int y, int sample) {
+    Random random = new Random(31L * (31 * x + y) + sample);
+    ByteBuffer pixel = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
+    pixel.put((byte) 1).put((byte) random.nextInt(2));
+    for (int channel = 0; channel < 3; channel++) {
+      pixel.put((byte) random.nextInt(128)).putLong(random.nextLong());
+    }
+    pixel.putLong(0);
+    Film one = new Film(new Crop(x, y, 1, 1), true, sample);
+    one.decode(0, pixel.flip());
+    film.addAll(one);
+  }
+
+  /** Returns all that pixels hold, for comparison. */
+  static byte[] pixels(Film film) {
+    int pixels = film.window().width() * film.window().height();
+    ByteBuffer bytes = ByteBuffer.allocate(pixels * Film.MAX_PIXEL_BYTES);
+    for (int pixel = 0; pixel < pixels; pixel++) {
+      film.encode(pixel, bytes);
+    }
+    return Arrays.copyOf(bytes.array(), bytes.position());
+  }
+
+  /** A disk that fails at one of its steps. */
+  static final class FailingDisk implements Disk {
+    /** What a killed program does: nothing more. */
+    static final class Killed extends Error {
+      private static final long serialVersionUID = 1;
+    }
+
+    private final boolean kills;
+    private final int chunk;
+    private int left;
+
+    /**
+     * @param steps that succeed
+     * @param kills whether the program ends at the failing step, or is told of an error
+     * @param chunk the most bytes that a step writes
+     */
+    FailingDisk(int steps, boolean kills, int chunk) {
+      left = steps;
+      this.kills = kills;
+      this.chunk = chunk;
+    }
+
+    /** Returns a disk that never fails, and does not wait for its platters. */
+    static FailingDisk never() {
+      return new FailingDisk(Integer.MAX_VALUE, false, Integer.MAX_VALUE);
+    }
+
+    boolean hasFailed() {
+      return left < 0;
+    }
+
+    private void step() throws IOException {
+      left--;
+      if (left == -1 || kills && left < 0) {
+        if (kills) {
+          throw new Killed();
+        }
+        throw new IOException("No space left on device");
+      }
+    }
+
+    @Override
+    public void write(FileChannel channel, ByteBuffer buffer) throws IOException {
+      int size = Math.min(chunk, buffer.remaining());
+      ByteBuffer part = buffer.slice().limit(size);
+      if (left == 0) {
+        // The failing step writes half of what it was to write.
+        channel.write(part.limit(size / 2));
+      }
+      step();
+      channel.write(part);
+      buffer.position(buffer.position() + size);
+    }
+
+    @Override
+    public void force(FileChannel channel) throws IOException {
+      step();
+    }
+
+    @Override
+    public void forceDirectory(Path directory) {}
+
+    @Override
+    public void move(Path from, Path to) throws IOException {
+      step();
+      Disk.super.move(from, to);
+    }
+  }
+}

@@ -1,0 +1,177 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Films on the command line: {@code resume}, {@code merge} and {@code develop}. */
+class FilmCommandsTest {
+  @TempDir private Path directory;
+
+  private String path(String name) {
+    return directory.resolve(name).toString();
+  }
+
+  private Outcome render(String picture, String... flags) {
+    TinyScene.write(directory, TinyScene.JSON);
+    List<String> args = new ArrayList<>(List.of("render", path("tiny.json"), "-o", path(picture)));
+    args.addAll(List.of(flags));
+    return Outcome.of(args.toArray(String[]::new));
+  }
+
+  private static void assertDone(Outcome outcome) {
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+  }
+
+  private byte[] bytes(String name) throws IOException {
+    return Files.readAllBytes(directory.resolve(name));
+  }
+
+  private void assertSamePicture(String name) throws IOException {
+    assertDone(render("whole.pfm", "-s", "20"));
+    assertThat(bytes(name)).isEqualTo(bytes("whole.pfm"));
+  }
+
+  @Test
+  void resumedRenderHasTheBitsOfOneThatWasNotStopped() throws IOException {
+    assertDone(render("a.pfm", "-s", "7", "--threads", "1", "--checkpoint", path("a.film")));
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "13", "--threads", "3", "--bucket", "5"));
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "20"));
+    assertSamePicture("a.pfm");
+  }
+
+  @Test
+  void renderStoppedAtAnyTimeIsGoneOnWith() throws IOException {
+    Outcome outcome =
+        render("a.pfm", "-s", "20000", "--timeout", "1s", "--checkpoint", path("a.film"));
+    assertThat(outcome.err()).contains("stopped early");
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "20000", "--timeout", "0.3s"));
+    assertDone(Outcome.of("resume", path("a.film")));
+    assertDone(render("whole.pfm", "-s", "20000"));
+    assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
+  }
+
+  @Test
+  void filmsOfRangesAndCropsAreJoinedToTheBitsOfOne() throws IOException {
+    assertDone(
+        render("a.png", "--samples-to", "12", "--crop", "0,0,9,12", "--checkpoint", path("a")));
+    assertDone(
+        render(
+            "b.png",
+            "--samples-from",
+            "12",
+            "-s",
+            "8",
+            "--crop",
+            "0,0,9,12",
+            "--checkpoint",
+            path("b")));
+    assertDone(render("c.png", "-s", "5", "--crop", "9,0,7,12", "--checkpoint", path("c")));
+    assertDone(Outcome.of("merge", path("b"), path("c"), "-o", path("bc")));
+    assertDone(Outcome.of("resume", path("c"), "-s", "20"));
+    Outcome.of("merge", path("a"), path("bc"), path("c"), "-o", path("no"))
+        .assertFailed(ExitCodes.SCENE, "samples: ");
+    assertDone(Outcome.of("merge", path("b"), path("a"), path("c"), "-o", path("all.pfm")));
+    assertDone(Outcome.of("merge", path("c"), path("a"), path("b"), "-o", path("all")));
+    assertSamePicture("all.pfm");
+    assertDone(Outcome.of("develop", path("all"), "-o", path("developed.pfm")));
+    assertSamePicture("developed.pfm");
+    assertDone(Outcome.of("resume", path("all"), "-o", path("resumed.pfm")));
+    assertSamePicture("resumed.pfm");
+  }
+
+  @Test
+  void filmsWithGapsAreDevelopedButNotGoneOnWith() {
+    assertDone(render("a.png", "-s", "2", "--checkpoint", path("a")));
+    assertDone(render("b.png", "--samples-from", "3", "-s", "2", "--checkpoint", path("b")));
+    assertDone(Outcome.of("merge", path("a"), path("b"), "-o", path("ab")));
+    assertDone(Outcome.of("develop", path("ab"), "-o", path("ab.png")));
+    Outcome.of("resume", path("ab")).assertFailed(ExitCodes.SCENE, "gaps");
+  }
+
+  @Test
+  void developedPictureHasTheExposureThatIsAskedFor() throws IOException {
+    assertDone(render("a.png", "--exposure", "1", "--checkpoint", path("a.film")));
+    assertDone(render("b.png", "--exposure", "-2"));
+    assertDone(Outcome.of("develop", path("a.film"), "-o", path("same.png")));
+    assertDone(Outcome.of("develop", path("a.film"), "-o", path("dark.png"), "--exposure", "-2"));
+    assertThat(pixels("same.png")).isEqualTo(pixels("a.png"));
+    assertThat(pixels("dark.png")).isEqualTo(pixels("b.png")).isNotEqualTo(pixels("a.png"));
+  }
+
+  private int[] pixels(String name) throws IOException {
+    BufferedImage image = ImageIO.read(directory.resolve(name).toFile());
+    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
+  @Test
+  void changedScenesAreRefused() throws IOException {
+    assertDone(render("a.pfm", "--checkpoint", path("a.film")));
+    byte[] film = bytes("a.film");
+    TinyScene.write(directory, TinyScene.with("0.8", "0.7"));
+    Outcome.of("resume", path("a.film"), "-s", "9")
+        .assertFailed(ExitCodes.SCENE, "scene-hash: ", "a.film has ", "tiny.json has ");
+    assertThat(bytes("a.film")).isEqualTo(film);
+    Files.delete(directory.resolve("tiny.json"));
+    Outcome.of("resume", path("a.film")).assertFailed(ExitCodes.SCENE, "tiny.json");
+  }
+
+  @Test
+  void differentSettingsAreNotJoined() {
+    assertDone(render("a.png", "--checkpoint", path("a")));
+    assertDone(render("b.png", "--seed", "4", "--samples-from", "2", "--checkpoint", path("b")));
+    assertDone(render("c.png", "--size", "8x8", "--samples-from", "2", "--checkpoint", path("c")));
+    Outcome.of("merge", path("a"), path("b"), "-o", path("no"))
+        .assertFailed(ExitCodes.SCENE, "seed: ", " has 0", " has 4");
+    Outcome.of("merge", path("a"), path("c"), "-o", path("no"))
+        .assertFailed(ExitCodes.SCENE, "size: ", "16x12", "8x8");
+    assertThat(directory.resolve("no")).doesNotExist();
+  }
+
+  @Test
+  void filmsAreNeverStartedOver() throws IOException {
+    assertDone(render("a.pfm", "--checkpoint", path("a.film")));
+    byte[] film = bytes("a.film");
+    render("a.pfm", "--checkpoint", path("a.film"))
+        .assertFailed(ExitCodes.OUTPUT, "a.film: exists already", "lumbre resume");
+    assertThat(bytes("a.film")).isEqualTo(film);
+    Outcome.of("resume", path("a.film"), "-s", "1")
+        .assertFailed(ExitCodes.USAGE, "has 2 samples per pixel already");
+  }
+
+  @Test
+  void damagedFilmFallsBackAndIsSetAside() throws IOException {
+    assertDone(render("a.pfm", "-s", "4", "--checkpoint", path("a.film")));
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "8"));
+    byte[] damaged = bytes("a.film");
+    damaged[damaged.length - 9] ^= 4;
+    Files.write(directory.resolve("a.film"), damaged);
+    Outcome outcome = Outcome.of("resume", path("a.film"), "-s", "20");
+    assertDone(outcome);
+    assertThat(outcome.err()).contains("a.film: is damaged", "uses ", "a.film.bak instead");
+    assertThat(bytes("a.film.damaged")).isEqualTo(damaged);
+    assertSamePicture("a.pfm");
+  }
+
+  @Test
+  void whatIsNoFilmIsTold() throws IOException {
+    Files.writeString(directory.resolve("x"), "hello");
+    for (String command : List.of("develop", "merge")) {
+      Outcome.of(command, path("x"), "-o", path("o.png"))
+          .assertFailed(ExitCodes.SCENE, "is not a film");
+      Outcome.of(command, path("y"), "-o", path("o.png"))
+          .assertFailed(ExitCodes.SCENE, "does not exist");
+    }
+    Outcome.of("resume", path("x")).assertFailed(ExitCodes.SCENE, "is not a film");
+    Outcome.of("resume", path("y")).assertFailed(ExitCodes.SCENE, "does not exist");
+    assertThat(Files.readString(directory.resolve("x"))).isEqualTo("hello");
+  }
+}
