@@ -7,6 +7,7 @@ README.md tells what the parts measure and how. Prints tables in Markdown.
 
 import argparse
 import contextlib
+import hashlib
 import os
 import subprocess
 import sys
@@ -190,6 +191,10 @@ class Comparison:
         halves = self.reference("cornell-box", name.split()[0].strip(","))
         truth, own = sum(halves) / 2, own_error(halves)
         stem = name.replace(" ", "-").replace(",", "")
+        if name in self.javas:
+            # Another version may take other samples.
+            with open(self.jar, "rb") as jar:
+                stem += "-" + hashlib.sha256(jar.read()).hexdigest()[:12]
         path = os.path.join(self.work, "references", stem + ".curve")
         if not os.path.exists(path):
             curve = {}
