@@ -11,6 +11,9 @@ final class ExitCodes {
   /** What was to be compared is not the same. */
   static final int DIFFERENT = 1;
 
+  /** The error that was asked for is not reached. */
+  static final int TARGET = 1;
+
   /** The command line itself is wrong. */
   static final int USAGE = 2;
 

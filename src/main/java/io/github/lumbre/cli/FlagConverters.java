@@ -100,6 +100,21 @@ final class FlagConverters {
     }
   }
 
+  /** {@code 2%}: a share above nothing. */
+  static final class OfShare implements ITypeConverter<Double> {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)%");
+
+    @Override
+    public Double convert(String text) {
+      Matcher found = FORM.matcher(text);
+      double percent = found.matches() ? Double.parseDouble(found.group(1)) : 0;
+      if (percent == 0) {
+        throw unexpected("a percentage above 0, such as 2%", text);
+      }
+      return percent / 100;
+    }
+  }
+
   /** {@code auto}, or a number of stops. */
   static final class OfExposure implements ITypeConverter<Exposure> {
     @Override

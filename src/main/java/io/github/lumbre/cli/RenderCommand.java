@@ -9,6 +9,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -44,12 +45,13 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
       "  lumbre render scene.json --timeout 5m",
+      "  lumbre render scene.json --target-error 2% --time 10m",
       "  lumbre render scene.json -s 4000 --checkpoint night.film"
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done, or stopped by --timeout with a partial picture",
-      "1:There are warnings, and --strict makes them errors",
+      "1:There are warnings, and --strict makes them errors; or --target-error is not reached",
       "2:The command line is wrong",
       "3:The scene is missing, unreadable or invalid",
       "4:A mesh or picture of the scene cannot be decoded",
@@ -71,6 +73,8 @@ final class RenderCommand implements Callable<Integer> {
   private Optional<Path> output;
 
   @Mixin private RenderFlags flags;
+
+  @Mixin private BudgetFlags budgets;
 
   @Mixin private KernelFlag kernel;
 
@@ -142,23 +146,27 @@ final class RenderCommand implements Callable<Integer> {
 
   private int run(JsonSummary report) throws SceneFormatException, CommandException {
     flags.validate();
+    budgets.validate();
     checkpoints.validate();
     kernel.apply();
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Deadline deadline = Deadline.after(timeout);
+    Instant start = Instant.now();
     Path target = target();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
         FilmKeeper keeper = keeper(target, messages);
         Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
-      SceneFile file = options.load(flags.over(options.parser()), messages);
+      SceneFile file = options.load(flags.over(options.parser(), budgets.areGiven()), messages);
       if (dryRun) {
         return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
       RenderMonitor monitor = new RenderMonitor(interruption, this::display, deadline);
+      RunBudget budget = budgets.since(start, file.settings());
       return interruption.beginRender()
-          ? ended(job(file, picture, keeper, monitor, report).run(flags.firstSample()), report)
+          ? ended(
+              job(file, picture, keeper, monitor, budget, report).run(flags.firstSample()), report)
           : ExitCodes.INTERRUPTED;
     }
   }
@@ -186,6 +194,7 @@ final class RenderCommand implements Callable<Integer> {
       PictureOutput picture,
       FilmKeeper keeper,
       RenderMonitor monitor,
+      RunBudget budget,
       JsonSummary report) {
     Path scene = options.scene();
     keeper.label(
@@ -193,7 +202,7 @@ final class RenderCommand implements Callable<Integer> {
         FilmNotes.of(scene, file, picture.target(), bits, options.isLenient()));
     RenderJob.How how = new RenderJob.How(bits, quiet, stats, options.isStrict());
     Messages messages = new Messages(spec.commandLine().getErr());
-    return new RenderJob(scene, file, picture, keeper, monitor, messages, report, how);
+    return new RenderJob(scene, file, picture, keeper, monitor, messages, report, budget, how);
   }
 
   private int estimate(SceneFile file, JsonSummary report) throws CommandException {

@@ -156,8 +156,23 @@ final class RenderFlags {
 
   /** Returns a parser that lets the flags win over the scene. */
   SceneParser over(SceneParser parser) {
+    return over(parser, false);
+  }
+
+  /**
+   * Returns a parser that lets the flags win over the scene.
+   *
+   * @param isOpen whether something else ends the render, so that the scene's samples do not
+   */
+  SceneParser over(SceneParser parser, boolean isOpen) {
     SceneParser limited = maxPixels.map(parser::limitedTo).orElse(parser);
-    return mode.map(limited::inMode).orElse(limited).overriding(this::override);
+    return mode.map(limited::inMode)
+        .orElse(limited)
+        .overriding(inScene -> override(isOpen ? unlimited(inScene) : inScene));
+  }
+
+  private static RenderSettings unlimited(RenderSettings inScene) {
+    return inScene.toBuilder().samples(RenderSettings.MAX_SAMPLES).build();
   }
 
   private RenderSettings override(RenderSettings inScene) {

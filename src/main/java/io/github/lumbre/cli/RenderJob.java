@@ -20,6 +20,7 @@ import java.util.Optional;
  *
  * @param scene the scene's path
  * @param report is told what came of it
+ * @param budget what ends the render, beside its samples
  * @param how what is written and told at the end
  */
 record RenderJob(
@@ -30,6 +31,7 @@ record RenderJob(
     RenderMonitor monitor,
     Messages messages,
     JsonSummary report,
+    RunBudget budget,
     How how) {
   /**
    * What is written and told at the end.
@@ -63,9 +65,13 @@ record RenderJob(
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);
-    boolean complete = film.fewestSamples() >= file.settings().samples();
-    finish(film, new RenderResult(film.develop(), complete, statistics), seconds);
-    return how.strict() && statistics.rejected() != 0 ? ExitCodes.INTERNAL : ExitCodes.OK;
+    NoiseReport noise = budget.report(film);
+    boolean complete = budget.isMetBy(film);
+    finish(film, new RenderResult(film.develop(), complete, statistics), noise, seconds);
+    if (how.strict() && statistics.rejected() != 0) {
+      return ExitCodes.INTERNAL;
+    }
+    return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
   }
 
   private RenderStatistics addSamples(FilmRenderer renderer, Film film)
@@ -73,11 +79,13 @@ record RenderJob(
     int goal = file.settings().samples();
     RenderSettings.Crop window = film.window();
     long all = (long) window.width() * window.height() * goal;
-    monitor.started(Math.max(0, all - film.totalSamples()));
-    Progress progress = keeper.pausing(monitor);
+    if (!budget.isOpen()) {
+      monitor.started(Math.max(0, all - film.totalSamples()));
+    }
+    Progress progress = keeper.pausing(budget.within(monitor));
     RenderStatistics statistics = RenderStatistics.ZERO;
     int done = film.fewestSamples();
-    while (done < goal && !monitor.isCancelled()) {
+    while (done < goal && !monitor.isCancelled() && !budget.isUsedUp(film)) {
       PassResult pass = renderer.addSamples(film, Passes.next(done, goal), progress);
       statistics = statistics.plus(pass.statistics());
       keeper.saveIfDue(film);
@@ -90,16 +98,18 @@ record RenderJob(
     if (film.totalSamples() != 0) {
       return;
     }
-    if (monitor.isOutOfTime()) {
+    if (monitor.isOutOfTime() || budget.isOutOfTime()) {
       throw new CommandException(
           ExitCodes.LIMIT,
-          "--timeout: the time was over before anything was rendered; no picture is written");
+          (monitor.isOutOfTime() ? "--timeout" : "--time")
+              + ": the time was over before anything was rendered; no picture is written");
     }
     throw new CommandException(
         ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
   }
 
-  private void finish(Film film, RenderResult result, double seconds) throws CommandException {
+  private void finish(Film film, RenderResult result, NoiseReport noise, double seconds)
+      throws CommandException {
     RenderSettings settings = file.settings();
     Summary summary = new Summary(settings, result, seconds, film.totalSamples());
     Map<String, String> metadata = PictureMetadata.of(scene, file, settings, seconds);
@@ -107,23 +117,26 @@ record RenderJob(
       metadata.put("Partial", summary.progress());
       report.put("stopped_by", monitor.isOutOfTime() ? "timeout" : "signal");
     }
+    noise.putInto(metadata);
     picture.write(
         result.image(),
         new ImageWriter.Options(settings.exposure(), settings.toneCurve(), how.bits(), metadata));
-    tell(summary);
+    tell(summary, noise);
     report.putScene(file);
     report.put("output", picture.target().toString());
     report.putResult(result, seconds);
+    noise.putInto(report);
     if (keeper.failure().isPresent()) {
       throw new CommandException(ExitCodes.OUTPUT, keeper.failure().get());
     }
   }
 
-  private void tell(Summary summary) {
+  private void tell(Summary summary, NoiseReport noise) {
     Path target = picture.target();
     summary.printRejected(scene, messages);
     if (!how.quiet()) {
-      summary.print(target, messages);
+      summary.print(target, noise, messages);
+      noise.printDoubts(messages);
     }
     if (!how.quiet() && ImageFormat.of(target).equals(Optional.of(ImageFormat.PNG))) {
       summary.printIfDark(messages);

@@ -183,7 +183,16 @@ final class ResumeCommand implements Callable<Integer> {
         identity, FilmNotes.of(path, file, picture.target(), notes.bits(), notes.lenient()));
     RenderJob.How how = new RenderJob.How(notes.bits(), quiet, stats, false);
     JsonSummary report = new JsonSummary("resume", path);
-    return new RenderJob(path, file, picture, keeper, monitor, messages, report, how)
+    return new RenderJob(
+            path,
+            file,
+            picture,
+            keeper,
+            monitor,
+            messages,
+            report,
+            RunBudget.ofSamples(file.settings().samples()),
+            how)
         .run(content.film());
   }
 

@@ -40,16 +40,26 @@ final class Summary {
 
   /** Prints what was made, where it is, and how long it took. */
   void print(Path output, Messages messages) {
+    print(output, String.valueOf(settings.samples()), "", messages);
+  }
+
+  /** Prints what was made, where it is, how noisy it is, and how long it took. */
+  void print(Path output, NoiseReport noise, Messages messages) {
+    print(output, noise.samples(), noise.line(), messages);
+  }
+
+  private void print(Path output, String samples, String noise, Messages messages) {
     Image image = result.image();
     messages.line(
         String.format(
             Locale.ROOT,
-            "%s: %s%dx%d pixels, %s, %.2f s, %s samples/s",
+            "%s: %s%dx%d pixels, %s, %s%.2f s, %s samples/s",
             output,
             result.complete() ? "" : "stopped early, partial picture of ",
             image.width(),
             image.height(),
-            result.complete() ? settings.samples() + " samples per pixel" : progress(),
+            result.complete() ? samples + " samples per pixel" : progress(),
+            noise,
             seconds,
             rate(result.statistics().samples(), seconds)));
   }
@@ -58,7 +68,9 @@ final class Summary {
   String progress() {
     Image image = result.image();
     long total = (long) image.width() * image.height() * settings.samples();
-    return samplesInAll + " of " + total + " samples";
+    return settings.samples() == RenderSettings.MAX_SAMPLES
+        ? samplesInAll + " samples"
+        : samplesInAll + " of " + total + " samples";
   }
 
   /** Prints what the render did. */

@@ -64,6 +64,10 @@ final class TradeCommand implements Callable<Integer> {
   /** Roulette ends paths long before. */
   private static final int DEEP = 1000;
 
+  /** The most samples per pixel of a setting, and how many times as many the reference has. */
+  private static final int LARGEST = 1 << 20;
+
+  private static final int REFERENCE_FACTOR = 64;
   private static final int PAGE_SIDE = 160;
   private static final int QUICK_SIDE = 96;
   private static final double PILOT_SECONDS = .3;
@@ -88,6 +92,17 @@ final class TradeCommand implements Callable<Integer> {
       converter = FlagConverters.OfDuration.class,
       description = "About how long to take (5m; with --quick 1m).")
   private Optional<Duration> time = Optional.empty();
+
+  @Option(
+      names = {"-s", "--samples"},
+      paramLabel = "N",
+      description = "Instead of a time: the most samples per pixel of a setting (a power of four).")
+  private Optional<Integer> samples = Optional.empty();
+
+  @Option(
+      names = "--row",
+      description = "Print a row of the table in docs/trade.md instead of the page's name.")
+  private boolean row;
 
   @Option(
       names = "--seeds",
@@ -117,6 +132,10 @@ final class TradeCommand implements Callable<Integer> {
     kernel.apply();
     require(seeds.orElse(4) >= 3 && seeds.orElse(4) <= 1000, "--seeds: expected 3 to 1000");
     require(threads >= 0 && threads <= RenderSettings.MAX_THREADS, "--threads: expected 0 to 1024");
+    int most = samples.orElse(1);
+    require(
+        most >= 1 && most <= LARGEST && 1 << 2 * log4(most) == most,
+        "--samples: expected a power of four up to " + LARGEST + ", found " + most);
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
     require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
     Messages messages = new Messages(spec.commandLine().getErr());
@@ -136,7 +155,8 @@ final class TradeCommand implements Callable<Integer> {
       html.write(html(path, facts, result));
       csv.write(TradeTables.csv(result));
       json.write(TradeTables.json(facts, result));
-      new Messages(spec.commandLine().getOut()).line(page.toString());
+      new Messages(spec.commandLine().getOut())
+          .line(row ? TradeTables.markdown(facts.get("scene"), result) : page.toString());
       boolean same = result.exact().stream().allMatch(ExactRow::isSamePicture);
       return same ? ExitCodes.OK : ExitCodes.DIFFERENT;
     } catch (InterruptedException e) {
@@ -163,6 +183,10 @@ final class TradeCommand implements Callable<Integer> {
   private static Path beside(Path page, String ending) {
     String name = page.toString();
     return Path.of(name.substring(0, name.length() - ".html".length()) + ending);
+  }
+
+  private static int log4(int value) {
+    return (Integer.SIZE - 1 - Integer.numberOfLeadingZeros(Math.max(1, value))) / 2;
   }
 
   private static double cpuSeconds() {
@@ -197,21 +221,30 @@ final class TradeCommand implements Callable<Integer> {
   /** Returns as much work as fits into the time, by a short pilot. */
   private TradeStudy.Plan plan(SceneFile file, RenderSettings settings, int count)
       throws InterruptedException {
+    int each = seeds.orElse(quick ? 4 : 16);
+    if (samples.isPresent()) {
+      return plan(each, samples.get());
+    }
     OptionalDouble rate = SampleBudget.rate(file, PILOT_SECONDS, Progress.NONE);
     double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
     double affordable = rate.orElse(1) * wanted / ((double) settings.width() * settings.height());
-    int each = seeds.orElse(quick ? 4 : 16);
-    List<Integer> ladder = new ArrayList<>(List.of(1, 4));
-    TradeStudy.Plan plan = new TradeStudy.Plan(ladder, each, 64 * 4);
-    for (int samples = 16; samples <= 1 << 20; samples *= 4) {
-      ladder.add(samples);
-      TradeStudy.Plan larger = new TradeStudy.Plan(ladder, each, 64 * samples);
+    TradeStudy.Plan plan = plan(each, 4);
+    for (int most = 16; most <= LARGEST; most *= 4) {
+      TradeStudy.Plan larger = plan(each, most);
       if (larger.samples(count) > affordable) {
         break;
       }
       plan = larger;
     }
     return plan;
+  }
+
+  private static TradeStudy.Plan plan(int seeds, int most) {
+    List<Integer> ladder = new ArrayList<>();
+    for (int samples = 1; samples <= most; samples *= 4) {
+      ladder.add(samples);
+    }
+    return new TradeStudy.Plan(ladder, seeds, REFERENCE_FACTOR * most);
   }
 
   private Map<String, String> facts(

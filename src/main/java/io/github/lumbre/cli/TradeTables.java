@@ -9,6 +9,7 @@ import io.github.lumbre.measure.TradeRow;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /** What a study of settings found, for programs to read: each seed of each setting. */
@@ -44,6 +45,32 @@ final class TradeTables {
       }
     }
     return String.join("\n", lines) + "\n";
+  }
+
+  /**
+   * Returns a row of a Markdown table: scene; noise without bias at each number of samples from 4
+   * on; bias of depth 1, 2, 3, 5, 8, 16 and of ray tracing.
+   */
+  static String markdown(String scene, TradeResult result) {
+    List<String> cells = new ArrayList<>(List.of(scene.replaceAll("\\.json$", "")));
+    int most = result.rows().stream().mapToInt(TradeRow::samples).max().orElse(1);
+    List<TradeRow> noise =
+        result.rows().stream().filter(row -> row.setting().isUnbiased()).toList();
+    noise.stream()
+        .filter(row -> row.samples() > 1)
+        .forEach(row -> cells.add(percent(row.relativeMse().value())));
+    result.rows().stream()
+        .filter(row -> !row.setting().isUnbiased() && row.samples() == most)
+        .forEach(row -> cells.add(bias(row.bias())));
+    return "| " + String.join(" | ", cells) + " |";
+  }
+
+  private static String bias(TradeRow.Bias bias) {
+    return bias.isDetected() ? percent(bias.squared()) : "< " + percent(bias.high());
+  }
+
+  private static String percent(double squared) {
+    return String.format(Locale.ROOT, "%.2g %%", 100 * Math.sqrt(Math.max(0, squared)));
   }
 
   /** Returns all of the study as a JSON object. */

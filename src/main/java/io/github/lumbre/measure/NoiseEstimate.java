@@ -5,8 +5,8 @@ package io.github.lumbre.measure;
  * that {@link PictureError#relativeMse} would find against what the same render converges to. Light
  * that all samples miss, beyond the last bounce for instance, is no noise.
  *
- * @param relativeMse the estimate; mostly too high, since the halves that it comes from do not
- *     share the evenness of all samples
+ * @param relativeMse the estimate; too high for many samples of smooth pixels, since the halves
+ *     that it comes from do not share the evenness of all
  * @param upperRelativeMse what the error of this picture does not exceed, with the confidence
  * @param confidence in (0,1)
  * @param tailShare the share of the estimate that the noisiest thousandth of the pixels carries,

@@ -291,7 +291,7 @@ public final class TradePage {
                   number(row.signedError().value()),
                   number(row.largestError()),
                   number(row.flip().value()),
-                  number(1 / (error.value() * row.cpuTime().value()))),
+                  efficiency(error.value() * row.cpuTime().value())),
               TradeResult.isDominated(row, result.rows())));
     }
     table(
@@ -347,6 +347,11 @@ public final class TradePage {
   private void element(String name, String text) {
     html.append("<").append(name).append(">").append(LogChart.escaped(text));
     html.append("</").append(name).append(">\n");
+  }
+
+  /** Returns the inverse of error times time; nothing where the clock was too coarse for it. */
+  private static String efficiency(double product) {
+    return product > 0 ? number(1 / product) : "";
   }
 
   private static double root(double squared) {

@@ -97,6 +97,13 @@ public final class Film {
     return Arrays.stream(counts).max().getAsInt();
   }
 
+  /** Returns how many samples half of the pixels have at most, and the others at least. */
+  public int medianSamples() {
+    int[] sorted = counts.clone();
+    Arrays.sort(sorted);
+    return sorted[sorted.length / 2];
+  }
+
   /** Returns how many samples all pixels have together. */
   public long totalSamples() {
     return Arrays.stream(counts).asLongStream().sum();

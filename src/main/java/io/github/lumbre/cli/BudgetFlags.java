@@ -1,0 +1,74 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.measure.Budget;
+import io.github.lumbre.scene.RenderSettings;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The flags that end a render otherwise than by a number of samples; what comes first ends it. */
+final class BudgetFlags {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = "--time",
+      paramLabel = "T",
+      converter = FlagConverters.OfDuration.class,
+      description = {
+        "Take as many samples as fit into such a time, reading and writing included: 90s, 5m, 2h.",
+        "Without --samples there is no other limit."
+      })
+  private Optional<Duration> time = Optional.empty();
+
+  @Option(
+      names = "--target-error",
+      paramLabel = "P",
+      converter = FlagConverters.OfShare.class,
+      description = {
+        "Take samples until the noise is at most so much, as relative root mean squared error: 2%.",
+        "If something else ends the render before, the exit code is 1."
+      })
+  private Optional<Double> targetError = Optional.empty();
+
+  @Option(
+      names = "--confidence",
+      paramLabel = "P",
+      converter = FlagConverters.OfShare.class,
+      description = "How sure that is to be (95%%).")
+  private Optional<Double> confidence = Optional.empty();
+
+  /**
+   * Complains about values out of range.
+   *
+   * @throws ParameterException naming the flag
+   */
+  void validate() {
+    confidence.ifPresent(
+        c -> {
+          if (c < .5 || c >= 1) {
+            throw new ParameterException(
+                spec.commandLine(), "--confidence: expected 50% to less than 100%");
+          }
+        });
+  }
+
+  /** Tells whether a time or an error is to end the render. */
+  boolean areGiven() {
+    return time.isPresent() || targetError.isPresent();
+  }
+
+  /** Returns the budget of a command that began some time ago. */
+  RunBudget since(Instant start, RenderSettings settings) {
+    OptionalDouble target = targetError.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+    Budget budget = new Budget(settings.samples(), target, confidence.orElse(.95));
+    Duration spent = Duration.between(start, Instant.now());
+    Optional<Duration> left = time.map(t -> RunBudget.rendering(t, settings).minus(spent));
+    return new RunBudget(budget, Deadline.after(left));
+  }
+}

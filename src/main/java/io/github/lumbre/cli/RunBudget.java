@@ -1,0 +1,105 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.measure.Budget;
+import io.github.lumbre.measure.BudgetWatch;
+import io.github.lumbre.measure.NoiseEstimate;
+import io.github.lumbre.render.Bucket;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
+import java.time.Duration;
+import java.util.Optional;
+
+/** What ends a run: samples, a time or an error, whichever comes first. Mutable, for one run. */
+final class RunBudget {
+  /** What the virtual machine takes to start and the file to appear. */
+  private static final Duration AROUND = Duration.ofMillis(400);
+
+  /** What developing, judging and encoding a pixel takes at most, on a slow machine. */
+  private static final Duration PER_MEGAPIXEL = Duration.ofMillis(1000);
+
+  private final Budget budget;
+  private final BudgetWatch watch;
+  private final Deadline time;
+  private boolean reachedTarget;
+
+  /**
+   * @param time after which no more samples are taken
+   */
+  RunBudget(Budget budget, Deadline time) {
+    this.budget = budget;
+    this.time = time;
+    watch = new BudgetWatch(budget);
+  }
+
+  /** Returns the budget of samples alone. */
+  static RunBudget ofSamples(int samples) {
+    return new RunBudget(Budget.ofSamples(samples), Deadline.NEVER);
+  }
+
+  /**
+   * Returns the time for rendering when the whole command is to take a time: what is left after
+   * starting, developing and writing, but half of it at least.
+   */
+  static Duration rendering(Duration whole, RenderSettings settings) {
+    long pixels = (long) settings.window().width() * settings.window().height();
+    Duration rest = AROUND.plus(PER_MEGAPIXEL.multipliedBy(pixels).dividedBy(1_000_000));
+    Duration left = whole.minus(rest);
+    Duration half = whole.dividedBy(2);
+    return left.compareTo(half) > 0 ? left : half;
+  }
+
+  /** Tells whether nothing but a time or an error limits the samples. */
+  boolean isOpen() {
+    return budget.samples() == RenderSettings.MAX_SAMPLES;
+  }
+
+  /** Tells, between passes, whether time or error end the run. */
+  boolean isUsedUp(Film film) {
+    reachedTarget |= watch.isReachedBy(film);
+    return reachedTarget || time.hasPassed();
+  }
+
+  /** Returns a listener that also ends passes when the time is over. */
+  Progress within(Progress progress) {
+    return new Progress() {
+      @Override
+      public void started(long totalSamples) {
+        progress.started(totalSamples);
+      }
+
+      @Override
+      public void advanced(long samples) {
+        progress.advanced(samples);
+      }
+
+      @Override
+      public void finished(Bucket bucket) {
+        progress.finished(bucket);
+      }
+
+      @Override
+      public boolean isCancelled() {
+        return time.hasPassed() || progress.isCancelled();
+      }
+    };
+  }
+
+  /** Tells whether the time is over. */
+  boolean isOutOfTime() {
+    return time.hasPassed();
+  }
+
+  /** Tells whether the film has what this run was to give it. */
+  boolean isMetBy(Film film) {
+    return film.fewestSamples() >= budget.samples() || reachedTarget || time.hasPassed();
+  }
+
+  /** Returns what is to be told of the film when the run has ended. */
+  NoiseReport report(Film film) {
+    Optional<NoiseEstimate> noise = watch.estimate(film);
+    reachedTarget |= noise.filter(budget::isReachedBy).isPresent();
+    String end = reachedTarget ? "error" : time.hasPassed() ? "time" : "samples";
+    return new NoiseReport(film, noise, budget.targetError(), reachedTarget, end);
+  }
+}

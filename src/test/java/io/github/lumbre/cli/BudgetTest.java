@@ -1,0 +1,90 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import io.github.lumbre.image.LinearReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Renders that a time or an error ends. */
+class BudgetTest {
+  @TempDir private Path directory;
+
+  private Outcome render(String picture, String... flags) {
+    String scene = TinyScene.write(directory, TinyScene.JSON).toString();
+    String output = directory.resolve(picture).toString();
+    return Outcome.of(
+        Stream.concat(Stream.of("render", scene, "-o", output), Arrays.stream(flags))
+            .toArray(String[]::new));
+  }
+
+  private static JsonObject json(Outcome outcome) {
+    return JsonParser.parseString(outcome.out()).getAsJsonObject();
+  }
+
+  @Test
+  void anErrorEndsARenderThatHasTheBitsOfItsSamples() throws IOException {
+    Outcome outcome = render("error.pfm", "--target-error", "5%", "--json");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    JsonObject summary = json(outcome);
+    assertThat(summary.get("ended_by").getAsString()).isEqualTo("error");
+    assertThat(summary.get("target_reached").getAsBoolean()).isTrue();
+    JsonObject noise = summary.getAsJsonObject("noise");
+    assertThat(noise.get("at_most").getAsDouble()).isLessThanOrEqualTo(.05);
+    assertThat(noise.get("relative_rmse").getAsDouble()).isPositive();
+    int samples = summary.getAsJsonObject("pixel_samples").get("max").getAsInt();
+    assertThat(samples).isGreaterThanOrEqualTo(32);
+
+    assertThat(render("samples.pfm", "-s", "" + samples).exitCode()).isZero();
+    assertThat(directory.resolve("error.pfm"))
+        .hasSameBinaryContentAs(directory.resolve("samples.pfm"));
+  }
+
+  @Test
+  void samplesMayEndItBeforeTheError() {
+    Outcome outcome = render("a.png", "--target-error", "0.01%", "-s", "40");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.TARGET);
+    assertThat(outcome.err())
+        .contains(
+            "40 samples per pixel, noise about", "the target error of 0.010 % is not reached");
+    assertThat(directory.resolve("a.png")).exists();
+  }
+
+  @Test
+  void aTimeEndsARenderThatIsComplete() throws IOException {
+    Outcome outcome = render("time.exr", "--time", "1s", "--json");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    JsonObject summary = json(outcome);
+    assertThat(summary.get("complete").getAsBoolean()).isTrue();
+    assertThat(summary.get("ended_by").getAsString()).isEqualTo("time");
+    assertThat(summary.get("seconds").getAsDouble()).isBetween(.3, 20.0);
+    byte[] file = Files.readAllBytes(directory.resolve("time.exr"));
+    assertThat(new String(file, StandardCharsets.ISO_8859_1))
+        .contains("NoiseBound", "with a confidence of 95 %")
+        .doesNotContain("Partial");
+    assertThat(LinearReader.read(directory.resolve("time.exr")).width()).isEqualTo(16);
+  }
+
+  @Test
+  void everyRenderTellsItsNoise() {
+    assertThat(render("a.png", "-s", "16").err()).containsPattern("noise about \\S+ % \\(at most ");
+    assertThat(render("a.png", "-s", "1").err()).doesNotContain("noise");
+  }
+
+  @Test
+  void wrongFlagsAreNamed() {
+    render("a.png", "--target-error", "0.02")
+        .assertFailed(ExitCodes.USAGE, "--target-error", "expected a percentage above 0");
+    render("a.png", "--target-error", "2%", "--confidence", "100%")
+        .assertFailed(ExitCodes.USAGE, "--confidence: expected 50% to less than 100%");
+    render("a.png", "--time", "0s").assertFailed(ExitCodes.USAGE, "--time");
+  }
+}
