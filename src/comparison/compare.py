@@ -251,21 +251,21 @@ class Comparison:
             for server in servers.values():
                 self.load(server, "cornell-box")
                 self.warm(server)
-            for target in TARGETS:
-                needed = {name: samples_to(curves[name], target) for name in names}
+            counts = {name: samples_to(curves[name], TARGETS[0])[0] for name in names}
 
-                def take(name, turn):
-                    whole, exact = needed[name]
-                    answer = servers[name].ask("render", whole, turn, 1, "-")
-                    return answer["cpu"] * exact / whole
+            def take(name, turn):
+                return servers[name].ask("render", counts[name], turn, 1, "-")["cpu"]
 
-                turns = Turns(servers, self.options.blocks, take)
-                for name in names:
-                    seconds = three_digits(turns.median(name)) + " s"
-                    slower = turns.ratio_text(name, self.lumbre)
-                    exact = three_digits(needed[name][1])
-                    slower = "1" if name == self.lumbre else slower
-                    rows.append([target, name, exact, seconds, slower])
+            turns = Turns(servers, self.options.blocks, take)
+        for target in TARGETS:
+            needed = {name: samples_to(curves[name], target)[1] for name in names}
+            parts = {name: needed[name] / counts[name] for name in names}
+            for name in names:
+                seconds = three_digits(turns.median(name) * parts[name]) + " s"
+                factor = parts[name] / parts[self.lumbre]
+                ratio = turns.ratio_text(name, self.lumbre, factor)
+                ratio = "1" if name == self.lumbre else ratio
+                rows.append([target, name, three_digits(needed[name]), seconds, ratio])
         head = ["relMSE", "renderer", "samples a pixel", "CPU time", "times Lumbre's"]
         return table(head, rows)
 
@@ -427,7 +427,7 @@ def own_error(halves):
 
 
 def samples_to(curve, target):
-    """How many samples bring the error down to a target: a number to render, and the exact one."""
+    """How many samples bring the error down to a target: a number tried, and the exact one."""
     counts = sorted(curve)
     for low, high in zip(counts, counts[1:], strict=False):
         if curve[high] <= target:

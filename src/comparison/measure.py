@@ -70,10 +70,14 @@ class Turns:
     def median(self, contestant):
         return statistics.median(cost for block in self.costs[contestant] for cost in block)
 
-    def ratio(self, a, b):
-        """How many times as much a took as b: the geometric mean over blocks, and 95 % limits."""
+    def ratio(self, a, b, factor=1):
+        """How many times as much a took as b: the geometric mean over blocks, and 95 % limits.
+
+        The costs of a are multiplied by the factor.
+        """
         logs = [
-            math.log(sum(x) / sum(y)) for x, y in zip(self.costs[a], self.costs[b], strict=True)
+            math.log(factor * sum(x) / sum(y))
+            for x, y in zip(self.costs[a], self.costs[b], strict=True)
         ]
         middle = statistics.fmean(logs)
         if len(logs) == 1:
@@ -82,8 +86,8 @@ class Turns:
         half = quantile * statistics.stdev(logs) / math.sqrt(len(logs))
         return math.exp(middle), math.exp(middle - half), math.exp(middle + half)
 
-    def ratio_text(self, a, b):
-        return "%s (%s to %s)" % tuple(map(three_digits, self.ratio(a, b)))
+    def ratio_text(self, a, b, factor=1):
+        return "%s (%s to %s)" % tuple(map(three_digits, self.ratio(a, b, factor)))
 
 
 def three_digits(value):
