@@ -28,6 +28,7 @@ module io.github.lumbre {
   exports io.github.lumbre.measure;
   exports io.github.lumbre.parser;
   exports io.github.lumbre.audit;
+  exports io.github.lumbre.laws;
 
   opens io.github.lumbre.cli to
       info.picocli;

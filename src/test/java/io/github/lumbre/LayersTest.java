@@ -48,11 +48,12 @@ class LayersTest {
           Map.entry("checkpoint", "image sampling scene render"),
           Map.entry("measure", "math image sampling scene render"),
           Map.entry("audit", BASIC + " material camera light scene integrator render parser"),
+          Map.entry("laws", BASIC + " material camera light scene integrator render"),
           Map.entry(
               "cli",
               BASIC
                   + " material camera light scene integrator render checkpoint parser measure"
-                  + " audit"));
+                  + " audit laws"));
 
   /** Libraries beyond Java that a package may use. */
   private static final Map<String, List<String>> LIBRARIES =

@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
       CompareCommand.class,
       TradeCommand.class,
       GalleryCommand.class,
+      SelfTestCommand.class,
       CompletionCommand.class,
       HelpCommand.class
     },
@@ -100,6 +101,6 @@ public final class Lumbre implements Runnable {
     throw new ParameterException(
         spec.commandLine(),
         "expected a command: render, resume, merge, develop, check, audit, pixel, benchmark, bench,"
-            + " compare, trade, gallery");
+            + " compare, trade, gallery, selftest");
   }
 }

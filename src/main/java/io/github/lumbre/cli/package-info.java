@@ -4,11 +4,11 @@
  * <p>{@link io.github.lumbre.cli.Lumbre} is the entrance, with a class for each command: {@link
  * io.github.lumbre.cli.RenderCommand}, {@link io.github.lumbre.cli.CheckCommand}, {@link
  * io.github.lumbre.cli.AuditCommand}, {@link io.github.lumbre.cli.PixelCommand}, {@link
- * io.github.lumbre.cli.BenchmarkCommand}, {@link io.github.lumbre.cli.BenchCommand}, {@link
- * io.github.lumbre.cli.GalleryCommand}. Commands end in one of {@link
- * io.github.lumbre.cli.ExitCodes}; what goes wrong leaves them as an exception and is put into
- * words in {@link io.github.lumbre.cli.Failures}, and nowhere else. Results go to standard output;
- * warnings, errors, progress and summaries to standard error.
+ * io.github.lumbre.cli.SelfTestCommand}, {@link io.github.lumbre.cli.BenchmarkCommand}, {@link
+ * io.github.lumbre.cli.BenchCommand}, {@link io.github.lumbre.cli.GalleryCommand}. Commands end in
+ * one of {@link io.github.lumbre.cli.ExitCodes}; what goes wrong leaves them as an exception and is
+ * put into words in {@link io.github.lumbre.cli.Failures}, and nowhere else. Results go to standard
+ * output; warnings, errors, progress and summaries to standard error.
  *
  * <p>This package alone prints, ends the program and knows the optional libraries picocli and
  * progressbar; programs that embed Lumbre need neither.

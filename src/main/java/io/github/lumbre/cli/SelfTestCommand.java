@@ -1,0 +1,86 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.laws.Law;
+import io.github.lumbre.laws.Laws;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre selftest}: measures on this machine whether the laws hold at the extremes. */
+@Command(
+    name = "selftest",
+    header = "Measure on this machine whether the renderer's laws hold at the extremes.",
+    description =
+        "Prints a line for each law: whether it holds, the worst that was found, what it may be,"
+            + " and over which range it was tried. Takes a minute or two of processor time.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre selftest",
+      "  lumbre selftest --markdown > docs/stability.md"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:All laws hold",
+      "1:A law does not hold",
+      "2:The command line is wrong",
+      "7:A fault of the program"
+    })
+final class SelfTestCommand implements Callable<Integer> {
+  /** Four times what the tests of a build try. */
+  private static final int EFFORT = 4;
+
+  @Option(names = "--markdown", description = "Print the table of docs/stability.md instead.")
+  private boolean markdown;
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    return run(Laws.all(), markdown, new Messages(spec.commandLine().getOut()));
+  }
+
+  /** Measures laws and prints a line for each as it is known. */
+  static int run(List<Law> laws, boolean markdown, Messages out) {
+    List<Law.Outcome> outcomes = new ArrayList<>();
+    if (markdown) {
+      StabilityPage.HEAD.lines().forEach(out::line);
+    }
+    for (Law law : laws) {
+      Law.Outcome outcome = law.measure(EFFORT);
+      outcomes.add(outcome);
+      out.line(markdown ? StabilityPage.row(outcome) : line(outcome));
+    }
+    boolean allHold = outcomes.stream().allMatch(Law.Outcome::holds);
+    if (!markdown) {
+      long held = outcomes.stream().filter(Law.Outcome::holds).count();
+      out.line(held + " of " + outcomes.size() + " laws hold");
+    }
+    return allHold ? ExitCodes.OK : ExitCodes.DIFFERENT;
+  }
+
+  private static String line(Law.Outcome outcome) {
+    Law law = outcome.law();
+    return String.format(
+        Locale.ROOT,
+        "%-6s %-22s %s (limit %s): %s; %s",
+        outcome.holds() ? "ok" : "BROKEN",
+        law.name(),
+        StabilityPage.figure(outcome.worst()),
+        StabilityPage.figure(law.limit()),
+        law.statement(),
+        law.range());
+  }
+}

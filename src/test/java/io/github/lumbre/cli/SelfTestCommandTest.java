@@ -1,0 +1,55 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.laws.Law;
+import io.github.lumbre.laws.Laws;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class SelfTestCommandTest {
+  private static final Law HOLDING = new Law("one", "share", "everywhere", 1e-3, effort -> 2e-4);
+  private static final Law BROKEN = new Law("two", "leaks", "1 to 2", 0, effort -> 3);
+
+  private static Outcome run(boolean markdown, Law... laws) {
+    StringWriter out = new StringWriter();
+    int code =
+        SelfTestCommand.run(List.of(laws), markdown, new Messages(new PrintWriter(out, true)));
+    return new Outcome(code, out.toString(), "");
+  }
+
+  @Test
+  void eachLawHasItsLine() {
+    Outcome outcome = run(false, HOLDING, BROKEN);
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.DIFFERENT);
+    assertThat(outcome.out().lines())
+        .containsExactly(
+            "ok     one                    0.000200 (limit 0.00100): share; everywhere",
+            "BROKEN two                    3 (limit 0): leaks; 1 to 2",
+            "1 of 2 laws hold");
+    assertThat(run(false, HOLDING).exitCode()).isZero();
+  }
+
+  /** The published table tells of these laws and no others; written by the command itself. */
+  @Test
+  void publishedTableIsThatOfTheLaws() throws IOException {
+    List<String> page = Files.readAllLines(Path.of("docs", "stability.md"));
+    String head = StabilityPage.HEAD.stripTrailing();
+    assertThat(String.join("\n", page)).startsWith(head);
+    List<String> rows = page.subList((int) head.lines().count(), page.size());
+    assertThat(rows).hasSameSizeAs(Laws.all());
+    for (int i = 0; i < rows.size(); i++) {
+      Law law = Laws.all().get(i);
+      assertThat(rows.get(i))
+          .startsWith("| " + law.name() + " | " + law.statement() + " | ")
+          .endsWith(" | " + StabilityPage.figure(law.limit()) + " |");
+    }
+    assertThat(run(true, HOLDING).out())
+        .isEqualTo(StabilityPage.HEAD + "| one | share | everywhere | 0.000200 | 0.00100 |\n");
+  }
+}
