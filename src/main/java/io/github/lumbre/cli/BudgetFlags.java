@@ -31,7 +31,7 @@ final class BudgetFlags {
       paramLabel = "P",
       converter = FlagConverters.OfShare.class,
       description = {
-        "Take samples until the noise is at most so much, as relative root mean squared error: 2%.",
+        "Take samples until the noise is at most so much, as relative root mean squared error: 2%%.",
         "If something else ends the render before, the exit code is 1."
       })
   private Optional<Double> targetError = Optional.empty();

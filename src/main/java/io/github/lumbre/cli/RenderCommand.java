@@ -45,7 +45,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
       "  lumbre render scene.json --timeout 5m",
-      "  lumbre render scene.json --target-error 2% --time 10m",
+      "  lumbre render scene.json --target-error 2%% --time 10m",
       "  lumbre render scene.json -s 4000 --checkpoint night.film"
     },
     exitCodeListHeading = "%nExit codes:%n",
