@@ -192,9 +192,9 @@ class Comparison:
         truth, own = sum(halves) / 2, own_error(halves)
         stem = name.replace(" ", "-").replace(",", "")
         if name in self.javas:
-            # Another version may take other samples.
+            # The same with every Java, but another version may take other samples.
             with open(self.jar, "rb") as jar:
-                stem += "-" + hashlib.sha256(jar.read()).hexdigest()[:12]
+                stem = "Lumbre-" + hashlib.sha256(jar.read()).hexdigest()[:12]
         path = os.path.join(self.work, "references", stem + ".curve")
         if not os.path.exists(path):
             curve = {}
