@@ -22,6 +22,7 @@ public final class Sphere implements Shape {
 
   private final Transform toWorld;
   private final double radius;
+  private final boolean isSkewed;
 
   /**
    * @param toWorld invertible
@@ -30,6 +31,7 @@ public final class Sphere implements Shape {
   public Sphere(Transform toWorld, double radius) {
     this.toWorld = Placement.invertible(toWorld);
     this.radius = Placement.size("radius", radius);
+    isSkewed = toWorld.isSkewed();
   }
 
   @Override
@@ -154,6 +156,9 @@ public final class Sphere implements Shape {
     }
     Vec3 normal = toWorld.normal(n);
     double error = toWorld.pointError(local, normal);
+    if (isSkewed) {
+      error += toWorld.mappingError(reference, normal);
+    }
     drawn.set(position, normal, texture(n), error, pdf);
   }
 

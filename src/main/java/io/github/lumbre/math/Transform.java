@@ -17,6 +17,9 @@ public final class Transform {
    */
   private static final double ROUNDING = 32 * 0x1p-52;
 
+  /** The cosine from which on an angle is no right one. */
+  private static final double RIGHT_ANGLE = 1e-12;
+
   // Row-major: the image of (x, y, z) is (m00 x + m01 y + m02 z + tx, …).
   private final double m00, m01, m02, tx;
   private final double m10, m11, m12, ty;
@@ -139,6 +142,36 @@ public final class Transform {
         * (Math.abs(worldNormal.x()) * ex
             + Math.abs(worldNormal.y()) * ey
             + Math.abs(worldNormal.z()) * ez);
+  }
+
+  /**
+   * Returns a bound for how far, along a unit world normal, the way of a world point into local
+   * space and back leads astray. Where the map skews, that is far more than the rounding of either.
+   */
+  public double mappingError(Vec3 p, Vec3 worldNormal) {
+    double px = Math.abs(p.x() - tx);
+    double py = Math.abs(p.y() - ty);
+    double pz = Math.abs(p.z() - tz);
+    double ex = Math.abs(i00) * px + Math.abs(i01) * py + Math.abs(i02) * pz;
+    double ey = Math.abs(i10) * px + Math.abs(i11) * py + Math.abs(i12) * pz;
+    double ez = Math.abs(i20) * px + Math.abs(i21) * py + Math.abs(i22) * pz;
+    return ROUNDING
+        * (Math.abs(worldNormal.x())
+                * (Math.abs(m00) * ex + Math.abs(m01) * ey + Math.abs(m02) * ez)
+            + Math.abs(worldNormal.y())
+                * (Math.abs(m10) * ex + Math.abs(m11) * ey + Math.abs(m12) * ez)
+            + Math.abs(worldNormal.z())
+                * (Math.abs(m20) * ex + Math.abs(m21) * ey + Math.abs(m22) * ez));
+  }
+
+  /** Tells whether the images of the local axes are not at right angles, by more than rounding. */
+  public boolean isSkewed() {
+    Vec3 x = vector(Vec3.X);
+    Vec3 y = vector(Vec3.Y);
+    Vec3 z = vector(Vec3.Z);
+    return Math.abs(x.dot(y)) > RIGHT_ANGLE * x.length() * y.length()
+        || Math.abs(y.dot(z)) > RIGHT_ANGLE * y.length() * z.length()
+        || Math.abs(z.dot(x)) > RIGHT_ANGLE * z.length() * x.length();
   }
 
   /** Returns the world direction of a local one; length scales along. */

@@ -2,10 +2,12 @@ package io.github.lumbre.geometry;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -114,6 +116,29 @@ class SurfaceHitTest {
                         .isBetween(0.0, 64 * Math.sqrt(3) * Math.ulp(centre.maxAbs() + 10)));
       }
     }
+  }
+
+  /** Where a map skews, the way into local space and back is the less exact the longer it is. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e2, 1e4, 1e6})
+  void shadowRaysEndBeforeSkewedSpheres(double distance) {
+    Random random = new Random(Effort.seed(12));
+    int sampled = 0;
+    for (int i = 0; i < Effort.count(5000, 500_000); i++) {
+      Transform skew = Transform.scale(new Vec3(1e-3, 1, 1e3)).times(Shapes.rotation(random));
+      Shape sphere = new Sphere(skew, 1);
+      Vec3 normal = Shapes.direction(random);
+      SurfaceHit hit = new SurfaceHit();
+      Vec3 position = Shapes.direction(random).times(distance);
+      hit.set(position, normal, Frame.around(normal), new TexturePoint(0, 0), normal, 0);
+      SurfaceSample sample = sphere.sample(position, Shapes.square(random));
+      Vec3 way = sample.position().minus(position).normalized();
+      if (sample.pdf() > 0 && way.dot(sample.normal()) < -1e-3) {
+        sampled++;
+        assertThat(Shapes.distance(sphere, hit.spawnTowards(sample))).isNaN();
+      }
+    }
+    assertThat(sampled).isPositive();
   }
 
   @Test

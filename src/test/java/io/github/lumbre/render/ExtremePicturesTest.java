@@ -1,0 +1,361 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.camera.Aperture;
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.CylindricalCamera;
+import io.github.lumbre.camera.FishEyeCamera;
+import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.SphericalCamera;
+import io.github.lumbre.camera.ThinLensCamera;
+import io.github.lumbre.geometry.Box;
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.geometry.Plane;
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SharedMesh;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Moments;
+import io.github.lumbre.testing.Statistics;
+import io.github.lumbre.texture.ImageTexture;
+import io.github.lumbre.texture.Texture;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Pictures of scenes and by cameras at the ends of their ranges. */
+class ExtremePicturesTest {
+  private static final Rgb RED = new Rgb(1, 0, 0);
+  private static final Rgb GREEN = new Rgb(0, 1, 0);
+
+  private final SplittableRandom random = new SplittableRandom(Effort.seed(41));
+
+  private static RenderSettings.Builder settings(int width, int height, int samples) {
+    return new RenderSettings.Builder().size(width, height).samples(samples).threads(2);
+  }
+
+  private static Emission glow(Rgb radiance) {
+    return new Emission(Texture.constant(radiance), true);
+  }
+
+  private static Transform at(double x, double y, double z) {
+    return Transform.translation(new Vec3(x, y, z));
+  }
+
+  private Vec3 vector(double size) {
+    return new Vec3(
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size));
+  }
+
+  private static List<Camera> cameras(Vec3 position, double aspect) {
+    Frame axes = Frame.WORLD;
+    List<Camera> cameras = new ArrayList<>();
+    for (double fov : new double[] {1e-12, 1e-6, 60, 179, 179.999999}) {
+      cameras.add(new PinholeCamera(position, axes, aspect, fov));
+      for (double aperture : new double[] {0, 1e-12, .2, 1e6}) {
+        cameras.add(new ThinLensCamera(position, axes, aspect, fov, 5, aperture, Aperture.DISK));
+      }
+    }
+    cameras.add(new SphericalCamera(position, axes, aspect));
+    cameras.add(new CylindricalCamera(position, axes, aspect, 0));
+    cameras.add(new CylindricalCamera(position, axes, aspect, 1e150));
+    cameras.add(new FishEyeCamera(position, axes, aspect, 360));
+    return cameras;
+  }
+
+  /** Where all that shines is white, a pixel that is not has lost its ray. */
+  @ParameterizedTest
+  @CsvSource({"1, 1", "1, 16384", "16384, 1", "3, 2"})
+  void everyCameraHasARayForEveryPixelOfEverySize(int width, int height)
+      throws InterruptedException {
+    for (Camera camera : cameras(new Vec3(0, 0, -3), (double) width / height)) {
+      Scene scene =
+          Scene.seenBy(camera)
+              .addGlowing(new Sphere(Transform.IDENTITY, 1), glow(Rgb.WHITE))
+              .addBackground(Rgb.WHITE)
+              .build();
+      Image image = new BucketRenderer(settings(width, height, 1).build()).render(scene);
+      for (int i = 0; i < width * height; i++) {
+        Rgb pixel = image.pixel(i % width, i / width);
+        if (!pixel.equals(Rgb.WHITE)) {
+          assertThat(pixel).as("%s", camera).isEqualTo(Rgb.BLACK);
+          assertThat(camera.leavesBlanks()).as("%s", camera).isTrue();
+        }
+      }
+    }
+  }
+
+  private static Matte matte(Rgb albedo) {
+    return new Matte(Texture.constant(albedo));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 5, 1e12, Double.POSITIVE_INFINITY})
+  void pictureThroughAClosedLensIsThePinholesToTheBit(double focus) throws InterruptedException {
+    Vec3 eye = new Vec3(0, 1, -4);
+    Camera pinhole = new PinholeCamera(eye, Frame.WORLD, 1.5, 50);
+    Camera closed = new ThinLensCamera(eye, Frame.WORLD, 1.5, 50, focus, 0, Aperture.DISK);
+    RenderSettings settings = settings(30, 20, 4).seed(Effort.seed(1)).build();
+    float[] expected = new BucketRenderer(settings).render(stillLife(pinhole).build()).rgb();
+    float[] found = new BucketRenderer(settings).render(stillLife(closed).build()).rgb();
+    assertThat(found).isEqualTo(expected);
+  }
+
+  private static SceneBuilder stillLife(Camera camera) {
+    return Scene.seenBy(camera)
+        .add(new Plane(Transform.IDENTITY, false), Matte.GREY)
+        .add(new Sphere(at(-.8, .7, 0), .7), matte(new Rgb(.8, .3, .2)))
+        .add(
+            new Box(at(1, .5, .3).times(Transform.rotationDegrees(new Vec3(0, 30, 0))), 1, 1, 1),
+            matte(new Rgb(.2, .5, .8)))
+        .addLamp(
+            new Rectangle(
+                at(.5, 3, -1).times(Transform.rotationDegrees(new Vec3(180, 0, 0))), 1, 2, false),
+            glow(Rgb.grey(4)));
+  }
+
+  /** A ball fills its share of a frame of one and a half radii from however far it is seen. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e2, 1e4, 1e6, 1e8})
+  void distantBallKeepsItsSize(double distance) throws InterruptedException {
+    double fov = 2 * Math.toDegrees(StrictMath.atan(1.5 / distance));
+    Vec3 eye = new Vec3(.3, -.2, .5).plus(distance, new Vec3(0, 0, -1));
+    Scene scene =
+        Scene.seenBy(new PinholeCamera(eye, Frame.WORLD, 1, fov))
+            .addGlowing(new Sphere(at(.3, -.2, .5), 1), glow(Rgb.WHITE))
+            .build();
+    int replicates = 100;
+    Moments share = new Moments();
+    for (int seed = 0; seed < replicates; seed++) {
+      RenderSettings settings = settings(32, 32, 1).seed(Effort.seed(seed)).build();
+      float[] rgb = new BucketRenderer(settings).render(scene).rgb();
+      double sum = 0;
+      for (int i = 0; i < rgb.length; i += 3) {
+        assertThat(rgb[i]).isIn(0f, 1f);
+        sum += rgb[i];
+      }
+      share.add(sum / (32 * 32));
+    }
+    double apparent = 1 / (1 - 1 / (distance * distance));
+    assertThat(share.mean()).isCloseTo(Math.PI / 9 * apparent, within(1e-3));
+    assertThat(Math.abs(share.z(Math.PI / 9 * apparent))).isLessThan(Statistics.CRITICAL_Z);
+  }
+
+  /** Of surfaces in one plane the first is seen, everywhere: no speckle. */
+  @Test
+  void coincidingSurfacesShowTheFirst() throws InterruptedException {
+    for (int i = 0; i < 20; i++) {
+      Transform place =
+          at(0, 0, 4)
+              .times(Transform.rotationDegrees(vector(40)))
+              .times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
+      for (boolean redFirst : new boolean[] {true, false}) {
+        Scene scene =
+            Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 20))
+                .addGlowing(new Rectangle(place, 9, 9, true), glow(redFirst ? RED : GREEN))
+                .addGlowing(new Rectangle(place, 8, 7, true), glow(redFirst ? GREEN : RED))
+                .addGlowing(new Rectangle(place, 9, 9, true), glow(redFirst ? GREEN : RED))
+                .build();
+        for (int threads = 1; threads < 4; threads++) {
+          RenderSettings settings = settings(24, 24, 1).threads(threads).bucketSize(7).build();
+          Image image = new BucketRenderer(settings).render(scene);
+          for (int pixel = 0; pixel < 24 * 24; pixel++) {
+            assertThat(image.pixel(pixel % 24, pixel / 24)).isEqualTo(redFirst ? RED : GREEN);
+          }
+        }
+      }
+    }
+  }
+
+  /** Between two planes it is dark, however narrow the gap that one looks into. */
+  @ParameterizedTest
+  @CsvSource({"1e-9, 1", "1e-9, 1e3", "1e-6, 1e3", "1e-3, 10", "1, 10"})
+  void noLightComesBetweenTwoPlanes(double gap, double distance) throws InterruptedException {
+    double fov = 2 * Math.toDegrees(StrictMath.atan(.4 * gap / distance));
+    Transform tilt = Transform.rotationDegrees(vector(180));
+    Frame axes = new Frame(tilt.vector(Vec3.X), tilt.vector(Vec3.Y), tilt.vector(Vec3.Z));
+    Vec3 eye = tilt.point(new Vec3(0, .5 * gap, 0));
+    Transform above = tilt.times(at(0, gap, 0));
+    // Without an end the gap would be seen where it is narrower than rounding.
+    Transform end =
+        tilt.times(at(0, 0, distance)).times(Transform.rotationDegrees(Vec3.X.times(90)));
+    Scene scene =
+        Scene.seenBy(new PinholeCamera(eye, axes, 1, Math.min(fov * 10, 90)))
+            .add(new Plane(tilt, true), matte(Rgb.WHITE))
+            .add(new Plane(above, true), matte(Rgb.WHITE))
+            .add(new Plane(end, true), matte(Rgb.WHITE))
+            .add(point(tilt.point(new Vec3(1, 2 + gap, distance))))
+            .add(point(tilt.point(new Vec3(1, -2, .5 * distance))))
+            .addLamp(new Sphere(tilt.times(at(0, 4 + gap, distance)), 1), glow(Rgb.WHITE))
+            .addLamp(new Sphere(tilt.times(at(0, -3, distance)), 1), glow(Rgb.WHITE))
+            .build();
+    RenderSettings settings =
+        settings(64, 64, Effort.count(4, 64)).maxTraceDepth(4).seed(Effort.seed(1)).build();
+    for (float value : new BucketRenderer(settings).render(scene).rgb()) {
+      assertThat(value).isZero();
+    }
+  }
+
+  private static PointLight point(Vec3 position) {
+    return new PointLight(position, Rgb.WHITE, Falloff.NONE);
+  }
+
+  /** The mean over a textured wall is that of its texels; their deviation is below .3. */
+  @ParameterizedTest
+  @CsvSource({"1, 1", "3, 5", "64, 48", "16384, 2"})
+  void texturedWallHasTheMeanOfItsTexels(int width, int height) throws InterruptedException {
+    byte[] values = new byte[3 * width * height];
+    random.nextBytes(values);
+    ImageTexture texture =
+        new ImageTexture(
+            Pixels.of(width, height, 3, values),
+            ImageTexture.Role.DATA,
+            ImageTexture.Filter.NEAREST);
+    double expected = 0;
+    for (int i = 0; i < values.length; i += 3) {
+      expected += (values[i] & 255) / 255.0 / (width * height);
+    }
+    // Facing the camera, and just as large as the frame at distance 1.
+    Transform place = at(0, 0, 1).times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
+    Scene scene =
+        Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90))
+            .addGlowing(new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
+            .build();
+    Moments means = new Moments();
+    for (int seed = 0; seed < 100; seed++) {
+      RenderSettings settings = settings(8, 8, 4).seed(Effort.seed(seed)).build();
+      float[] rgb = new BucketRenderer(settings).render(scene).rgb();
+      double sum = 0;
+      for (int i = 0; i < rgb.length; i += 3) {
+        sum += rgb[i] / 64;
+      }
+      means.add(sum);
+    }
+    assertThat(means.mean()).isCloseTo(expected, within(.02));
+    if (width > 1) {
+      assertThat(Math.abs(means.z(expected))).isLessThan(Statistics.CRITICAL_Z);
+    } else {
+      assertThat(means.mean()).isCloseTo(expected, within(1e-6));
+    }
+  }
+
+  @Test
+  void mirroredScenesGiveMirroredPictures() throws InterruptedException {
+    int side = 8;
+    int replicates = Effort.count(150, 5000);
+    Moments[] plain = moments(side * side);
+    Moments[] mirrored = moments(side * side);
+    Transform mirror = Transform.scale(new Vec3(-1, 1, 1));
+    Scene scene = lopsided(Transform.IDENTITY);
+    Scene image = lopsided(mirror);
+    for (int i = 0; i < replicates; i++) {
+      RenderSettings settings =
+          settings(side, side, 2).maxTraceDepth(3).seed(Effort.seed(i)).build();
+      Image one = new BucketRenderer(settings).render(scene);
+      // Other random numbers, so that the two are independent.
+      Image other =
+          new BucketRenderer(settings.toBuilder().seed(Effort.seed(i) + 1_000_000).build())
+              .render(image);
+      for (int pixel = 0; pixel < side * side; pixel++) {
+        int x = pixel % side;
+        int y = pixel / side;
+        plain[pixel].add(one.pixel(x, y).g());
+        mirrored[pixel].add(other.pixel(side - 1 - x, y).g());
+      }
+    }
+    for (int pixel = 0; pixel < side * side; pixel++) {
+      assertThat(Math.abs(plain[pixel].z(mirrored[pixel]))).isLessThan(Statistics.CRITICAL_Z);
+    }
+  }
+
+  private static Moments[] moments(int count) {
+    Moments[] moments = new Moments[count];
+    for (int i = 0; i < count; i++) {
+      moments[i] = new Moments();
+    }
+    return moments;
+  }
+
+  private static Scene lopsided(Transform all) {
+    Camera camera = new PinholeCamera(new Vec3(0, 1, -5), Frame.WORLD, 1, 40);
+    Transform lamp = at(2, 3, -1).times(Transform.rotationDegrees(new Vec3(180, 0, 20)));
+    return Scene.seenBy(camera)
+        .add(new Plane(all, false), Matte.GREY)
+        .add(Mesh.baked(tetrahedron(), all.times(at(-.9, .1, 0))), matte(new Rgb(.2, .8, .4)))
+        .add(new Sphere(all.times(at(1.1, .6, .4)), .6), Matte.GREY)
+        .addLamp(new Rectangle(all.times(lamp), 1, 2, false), glow(Rgb.grey(6)))
+        .build();
+  }
+
+  private static TriangleMesh tetrahedron() {
+    double[] p = {0, 0, 0, 1, 0, 0, 0, 1, .1, .2, .1, 1};
+    double[] n = {-1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    return TriangleMesh.of(p, n, new double[0], new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+  }
+
+  /** A thousand places of one mesh look like a thousand meshes, but for some borders. */
+  @Test
+  void instancesLookLikeCopies() throws InterruptedException {
+    TriangleMesh mesh = tetrahedron();
+    SharedMesh shared = new SharedMesh(mesh);
+    List<Transform> places = new ArrayList<>();
+    for (int i = 0; i < 1000; i++) {
+      double size = random.nextDouble(.1, .5);
+      places.add(
+          Transform.translation(vector(3))
+              .times(Transform.rotationDegrees(vector(180)))
+              .times(Transform.scale(new Vec3(size, size * random.nextDouble(.5, 2), size))));
+    }
+    RenderSettings settings =
+        settings(Effort.count(80, 640), 60, 1).maxTraceDepth(2).seed(Effort.seed(1)).build();
+    float[] baked = render(settings, places, place -> Mesh.baked(mesh, place));
+    float[] placed = render(settings, places, place -> new MeshInstance(shared, place));
+    int different = 0;
+    double lit = 0;
+    for (int i = 0; i < baked.length; i++) {
+      different += Math.abs(placed[i] - baked[i]) <= 1e-6 * baked[i] ? 0 : 1;
+      lit += baked[i] > 0 ? 1 : 0;
+    }
+    assertThat(lit / baked.length).isGreaterThan(.25);
+    assertThat(different).isLessThanOrEqualTo(baked.length / 10_000);
+  }
+
+  private static float[] render(
+      RenderSettings settings, List<Transform> places, Function<Transform, Shape> shape)
+      throws InterruptedException {
+    SceneBuilder scene =
+        Scene.seenBy(new PinholeCamera(new Vec3(0, 0, -8), Frame.WORLD, settings.aspect(), 40))
+            .addLamp(new Sphere(at(3, 6, -6), 1), glow(Rgb.grey(9)))
+            .addLamp(new Sphere(at(-5, 2, -7), .5), glow(Rgb.grey(9)));
+    for (int i = 0; i < places.size(); i++) {
+      double shade = (double) i / places.size();
+      scene.add(shape.apply(places.get(i)), matte(new Rgb(shade, .5, 1 - shade)));
+    }
+    return new BucketRenderer(settings).render(scene.build()).rgb();
+  }
+}
