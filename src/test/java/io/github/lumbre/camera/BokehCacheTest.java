@@ -8,11 +8,13 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.ScriptedSampler;
 import org.junit.jupiter.api.Test;
 
 class BokehCacheTest {
   private static final double LAST = 1 - 0x1p-53;
+  private static final int SAMPLES = Effort.count(300_000, 3_000_000);
 
   /** An asymmetric form, like a heart with one lobe higher; row 0 is the bottom. */
   private static boolean[][] heart(int size) {
@@ -35,7 +37,7 @@ class BokehCacheTest {
   /** Samples over pixels, and of one pixel in sequence, in a grid of the mask's own texels. */
   private static long[] histogram(BokehCache cache, int size, int n) {
     long[] counts = new long[size * size];
-    SobolSampler sampler = new SobolSampler(4);
+    SobolSampler sampler = new SobolSampler(Effort.seed(4));
     for (int i = 0; i < n; i++) {
       sampler.startSample(i % 1000, i / 1000, i % 7);
       Point2 p = cache.sample(sampler);
@@ -50,7 +52,7 @@ class BokehCacheTest {
   void whiteAreaIsCoveredEvenlyAndBlackNever() {
     int size = 64;
     boolean[][] white = heart(size);
-    int n = 300_000;
+    int n = SAMPLES;
     long[] counts = histogram(new BokehCache(white), size, n);
     double[] expected = new double[counts.length];
     int texels = 0;
@@ -70,14 +72,14 @@ class BokehCacheTest {
   void insideOfATexelIsCoveredEvenly() {
     boolean[][] white = new boolean[4][4];
     white[1][2] = true;
-    long[] counts = histogram(new BokehCache(white), 64, 300_000);
+    long[] counts = histogram(new BokehCache(white), 64, SAMPLES);
     long[] inside = new long[256];
     long total = 0;
     for (int i = 0; i < 256; i++) {
       inside[i] = counts[(16 + i / 16) * 64 + 32 + i % 16];
       total += inside[i];
     }
-    assertThat(total).isEqualTo(300_000);
+    assertThat(total).isEqualTo(SAMPLES);
     assertThat(ChiSquare.uniform(inside).passes()).isTrue();
   }
 

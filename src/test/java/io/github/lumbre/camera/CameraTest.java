@@ -12,6 +12,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.ScriptedSampler;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +25,7 @@ class CameraTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
 
-  private final SplittableRandom random = new SplittableRandom(20);
+  private final SplittableRandom random = new SplittableRandom(Effort.seed(20));
 
   private static List<Camera> cameras(Vec3 position, Frame axes, double aspect) {
     List<Camera> cameras = new ArrayList<>(camerasWithoutLens(position, axes, aspect));
@@ -77,7 +78,7 @@ class CameraTest {
     SobolSampler sampler = new SobolSampler(1);
     double[] extremes = {0, LAST, .5, 0x1p-53, .5 + EPS};
     for (Camera camera : cameras(new Vec3(1, 2, 3), Frame.around(new Vec3(.6, 0, .8)), 1.7)) {
-      for (int i = 0; i < 100_000; i++) {
+      for (int i = 0; i < Effort.count(100_000, 1_000_000); i++) {
         double u = i < 25 ? extremes[i % 5] : random.nextDouble();
         double v = i < 25 ? extremes[i / 5] : random.nextDouble();
         sampler.startSample(i, 0, i);
@@ -190,6 +191,22 @@ class CameraTest {
       }
     }
     assertThat(solidAngle).isCloseTo(4 * Math.PI, within(4 * Math.PI * 1e-4));
+  }
+
+  /** The midpoint rule over the cosine of latitude has a closed form, near 4π but not 4π. */
+  @Test
+  void sphericalRowsHaveTheWeightOfTheirLatitude() {
+    Camera camera = new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2);
+    for (int rows : new int[] {1, 2, 7, 256, 4096}) {
+      double sum = 0;
+      for (int y = 0; y < rows; y++) {
+        Vec3 d = ray(camera, .37, (y + .5) / rows).direction();
+        sum += Math.hypot(d.x(), d.z()) * 2 * Math.PI * Math.PI / rows;
+      }
+      double step = Math.PI / rows;
+      double closed = 2 * Math.PI * step / Math.sin(step / 2);
+      assertThat(sum / closed).isCloseTo(1, within(1e-12));
+    }
   }
 
   /** Returns the area of the parallelogram that a cell's midlines span on the sphere. */

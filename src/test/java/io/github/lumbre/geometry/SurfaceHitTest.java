@@ -135,7 +135,7 @@ class SurfaceHitTest {
       Vec3 way = sample.position().minus(position).normalized();
       if (sample.pdf() > 0 && way.dot(sample.normal()) < -1e-3) {
         sampled++;
-        assertThat(Shapes.distance(sphere, hit.spawnTowards(sample))).isNaN();
+        assertThat(Shapes.hidesItself(sphere, hit, sample)).isFalse();
       }
     }
     assertThat(sampled).isPositive();

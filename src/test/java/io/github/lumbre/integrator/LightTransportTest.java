@@ -14,6 +14,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.geometry.Box;
+import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
@@ -134,16 +135,26 @@ class LightTransportTest {
 
   /** 1 − R³/(x²+R²)^1.5 of the dome remains beside a black sphere that touches the ground. */
   @ParameterizedTest
-  @CsvSource({".5, .284458247", "1, .646446609", "2, .910557281"})
-  void sphereOnAPlaneHidesPartOfTheDome(double x, double share) {
+  @CsvSource({
+    ".5, .284458247, 1",
+    "1, .646446609, 1",
+    "2, .910557281, 1",
+    "10, .999014815, 1",
+    ".5, .284458247, 1e-6",
+    "1, .646446609, 1e-6",
+    "2, .910557281, 1e-6",
+    ".5, .284458247, 1e-9",
+    "1, .646446609, 1e9"
+  })
+  void sphereOnAPlaneHidesPartOfTheDome(double x, double share, double radius) {
     Scene scene =
         empty()
-            .add(floor(), matte(ALBEDO))
-            .add(sphere(0, 1, 0, 1), matte(0))
+            .add(new Plane(Transform.IDENTITY, false), matte(ALBEDO))
+            .add(sphere(0, radius, 0, radius), matte(0))
             .add(EnvironmentLight.uniform(Rgb.WHITE))
             .build();
 
-    assertRadiance(scene, lookingDownAt(x), ALBEDO * share);
+    assertRadiance(scene, lookingDownAt(x * radius, 1e-3 * radius), ALBEDO * share);
   }
 
   /** E = 2π / (n+2) under a dome of radiance cosⁿ. */

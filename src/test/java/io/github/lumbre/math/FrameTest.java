@@ -3,13 +3,14 @@ package io.github.lumbre.math;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class FrameTest {
   private static final double EPS = 0x1p-52;
 
-  private final SplittableRandom random = new SplittableRandom(4);
+  private final SplittableRandom random = new SplittableRandom(Effort.seed(4));
 
   private Vec3 direction() {
     Vec3 v = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
@@ -32,7 +33,7 @@ class FrameTest {
 
   @Test
   void framesAroundNormalsAreOrthonormalAndOfOneHandedness() {
-    for (int i = 0; i < 100_000; i++) {
+    for (int i = 0; i < Effort.count(100_000, 1_000_000); i++) {
       Frame frame = Frame.around(direction());
       assertOrthonormal(frame);
       assertThat(handedness(frame)).isCloseTo(1, within(8 * EPS));

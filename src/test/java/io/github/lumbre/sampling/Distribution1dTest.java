@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -12,7 +13,7 @@ class Distribution1dTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
 
-  private final SplittableRandom random = new SplittableRandom(9);
+  private final SplittableRandom random = new SplittableRandom(Effort.seed(9));
 
   private static double sumOfProbabilities(Distribution1d distribution) {
     double sum = 0;
@@ -81,7 +82,8 @@ class Distribution1dTest {
 
   @Test
   void manyItemsSumToOne() {
-    double[] weights = random.doubles(100_000).map(x -> x < .3 ? 0 : x).toArray();
+    double[] weights =
+        random.doubles(Effort.count(100_000, 1_000_000)).map(x -> x < .3 ? 0 : x).toArray();
     Distribution1d distribution = new Distribution1d(weights);
     assertThat(sumOfProbabilities(distribution)).isCloseTo(1, within(4 * EPS));
     for (int i = 0; i < 100_000; i++) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.Statistics;
 import java.util.Arrays;
@@ -101,11 +102,12 @@ class SobolSamplerTest {
 
   @Test
   void valuesOverPixelsAreUniform() {
+    int rows = Effort.count(500, 25_000);
     for (long seed : new long[] {0, -1, Long.MAX_VALUE}) {
-      SobolSampler sampler = new SobolSampler(seed);
+      SobolSampler sampler = new SobolSampler(Effort.seed(seed));
       long[] line = new long[256];
       long[] square = new long[1024];
-      for (int y = 0; y < 500; y++) {
+      for (int y = 0; y < rows; y++) {
         for (int x = 0; x < 400; x++) {
           sampler.startSample(x, y, 5);
           line[(int) (256 * sampler.get1d(9))]++;
@@ -118,7 +120,7 @@ class SobolSamplerTest {
     }
   }
 
-  /** With 200 000 pairs, correlations from .016 on are found with a power of .99. */
+  /** With the 200 000 pairs of every build, correlations from .016 on are found at .99. */
   @Test
   void neighbouringAddressesAreUncorrelated() {
     assertUncorrelated(7, 1, 0, 0);
@@ -131,9 +133,9 @@ class SobolSamplerTest {
 
   /** Compares with the sampler of seed 7 at other pixels or dimensions. */
   private static void assertUncorrelated(long seed, int dx, int dy, int dimensions) {
-    int n = 200_000;
-    SobolSampler here = new SobolSampler(7);
-    SobolSampler there = new SobolSampler(seed);
+    int n = Effort.count(200_000, 1_000_000);
+    SobolSampler here = new SobolSampler(Effort.seed(7));
+    SobolSampler there = new SobolSampler(Effort.seed(seed));
     double[] one = new double[n];
     double[] other = new double[n];
     double[] x = new double[n];
@@ -197,7 +199,7 @@ class SobolSamplerTest {
   @Test
   void anyNumberOfSamplesIsSpreadEvenly() {
     SobolSampler sampler = new SobolSampler(5);
-    for (int n : new int[] {1, 2, 3, 7, 100, 997, 65537}) {
+    for (int n : new int[] {1, 2, 3, 7, 100, 997, 65537, 1_000_000}) {
       int[] strata = new int[64];
       for (int i = 0; i < n; i++) {
         sampler.startSample(n, 0, i);

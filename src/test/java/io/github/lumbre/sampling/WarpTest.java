@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.Statistics;
 import java.util.ArrayList;
@@ -17,9 +18,9 @@ import org.junit.jupiter.api.Test;
 class WarpTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
-  private static final int SAMPLES = 300_000;
+  private static final int SAMPLES = Effort.count(300_000, 3_000_000);
 
-  private final SplittableRandom random = new SplittableRandom(8);
+  private final SplittableRandom random = new SplittableRandom(Effort.seed(8));
 
   private Point2 point() {
     return new Point2(random.nextDouble(), random.nextDouble());
@@ -188,6 +189,56 @@ class WarpTest {
       cells[16 * (int) (16 * Math.min(strip, LAST)) + (int) (16 * Math.min(along, LAST))]++;
     }
     assertThat(ChiSquare.uniform(cells).passes()).isTrue();
+  }
+
+  /** What was drawn tells the numbers that it was drawn from: no two of them meet. */
+  @Test
+  void mapsCanBeUndone() {
+    for (int i = 0; i < Effort.count(20_000, 1_000_000); i++) {
+      Point2 u = point();
+      assertSame(inverseDisk(Warp.concentricDisk(u)), u);
+      Vec3 cosine = Warp.cosineHemisphere(u);
+      assertSame(inverseDisk(new Point2(cosine.x(), cosine.y())), u);
+      Vec3 sphere = Warp.uniformSphere(u);
+      assertSame(new Point2((1 - sphere.z()) / 2, turns(sphere)), u);
+      for (double edge : new double[] {1e-300, 1e-12, .5, 2}) {
+        Vec3 cone = Warp.uniformCone(u, edge);
+        double sine = cone.x() * cone.x() + cone.y() * cone.y();
+        // 1 - cos, by the sine where the cosine has lost its digits.
+        double h = cone.z() > 0 ? sine / (1 + cone.z()) : 1 - cone.z();
+        assertSame(new Point2(h / edge, turns(cone)), u);
+      }
+      Point2 b = Warp.uniformTriangle(u);
+      double root = 1 - b.x();
+      assertSame(new Point2(root * root, b.y() / root), u);
+    }
+  }
+
+  private static void assertSame(Point2 found, Point2 expected) {
+    double off = Math.max(Math.abs(found.x() - expected.x()), Math.abs(found.y() - expected.y()));
+    if (!(off <= 1e-9)) {
+      assertThat(found).isEqualTo(expected);
+    }
+  }
+
+  private static double turns(Vec3 w) {
+    double turns = Math.atan2(w.y(), w.x()) / (2 * Math.PI);
+    return turns < 0 ? turns + 1 : turns;
+  }
+
+  private static Point2 inverseDisk(Point2 p) {
+    double r = length(p);
+    double eighths = Math.atan2(p.y(), p.x()) / (Math.PI / 4);
+    double a;
+    double b;
+    if (Math.abs(p.x()) > Math.abs(p.y())) {
+      a = Math.copySign(r, p.x());
+      b = r * (p.x() > 0 ? eighths : Math.copySign(4, eighths) - eighths);
+    } else {
+      b = Math.copySign(r, p.y());
+      a = r * (2 - Math.abs(eighths));
+    }
+    return new Point2((a + 1) / 2, (b + 1) / 2);
   }
 
   @Test
