@@ -204,7 +204,7 @@ class TransformTest {
       double condition = condition(t);
       Vec3[] axes = {Vec3.X, Vec3.Y, Vec3.Z};
       BigDecimal[][] inverse = Exactly.inverse(exactly);
-      double size = Exactly.largest(exactly);
+      double size = outer.maxAbs() * inner.maxAbs();
       double inverseSize = Exactly.largest(inverse);
       for (int column = 0; column < 3; column++) {
         for (int row = 0; row < 3; row++) {
