@@ -163,6 +163,13 @@ class CameraReaderTest {
         "'fieldOfView': 0|.fieldOfView: expected a number in (0, 180), found 0",
         "'fieldOfView': 180|.fieldOfView: expected a number in (0, 180), found 180",
         "'fieldOfView': -5|.fieldOfView: expected a number in (0, 180), found -5",
+        "'fieldOfView': 360|.fieldOfView: expected a number in (0, 180), found 360",
+        "'cameraType': 'ThinLens', 'focusDistance': -1"
+            + "|.focusDistance: expected a finite number > 0, found -1",
+        "'cameraType': 'ThinLens', 'focusDistance': 1e400"
+            + "|.focusDistance: expected a finite number, found 1e400",
+        "'cameraType': 'Cylindrical', 'height': -1"
+            + "|.height: expected a number from 0 to 1e150, found -1",
         "'cameraType': 'ThinLens', 'focusDistance': 0"
             + "|.focusDistance: expected a finite number > 0, found 0",
         "'cameraType': 'ThinLens', 'aperture': -1"

@@ -1,13 +1,20 @@
 package io.github.lumbre.parser;
 
 import static io.github.lumbre.parser.SceneFixture.json;
+import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ObjectTreeTest {
   private static List<Placed> objects(String text) {
@@ -59,6 +66,41 @@ class ObjectTreeTest {
     assertThat(found)
         .extracting(p -> p.node().id("id").orElseThrow())
         .containsExactly(1, 2, 3, 4, 5);
+  }
+
+  /** Pairs of a shift and a quarter turn that undo each other are exact however many there are. */
+  @ParameterizedTest
+  @ValueSource(ints = {2, 10, 1000, 2000})
+  void chainsThatUndoThemselvesLeaveTheirChildInPlace(int depth) {
+    String out = "{'localPosition': {'x': 1, 'y': 2, 'z': 3}, 'localRotation': {'y': 90}";
+    String back = "{'localPosition': {'x': 3, 'y': -2, 'z': -1}, 'localRotation': {'y': -90}";
+    List<Placed> chain = objects(nested(depth, i -> i % 2 == 0 ? out : back));
+    assertThat(chain).hasSize(depth);
+    Vec3 point = new Vec3(.3, -.7, 11);
+    assertThat(chain.get(depth - 1).toWorld().point(point)).isEqualTo(point);
+    assertThat(chain.get(depth - 1).toWorld().inversePoint(point)).isEqualTo(point);
+  }
+
+  /** A camera hung below many small turns looks where one turn would let it look. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 10, 1000, 2000})
+  void chainsOfSmallTurnsAreTheWholeTurn(int depth) {
+    for (double whole : new double[] {90, 180, 270, 77}) {
+      String level = "{'localRotation': {'y': " + whole / depth + "}";
+      Frame axes = objects(nested(depth, i -> level)).get(depth - 1).axes();
+      Transform turn = Transform.rotationDegrees(new Vec3(0, whole, 0));
+      double bound = depth * 8 * 0x1p-52;
+      assertThat(axes.tangent().minus(turn.vector(Vec3.X)).length()).isLessThan(bound);
+      assertThat(axes.bitangent().minus(turn.vector(Vec3.Y)).length()).isLessThan(bound);
+      assertThat(axes.normal().minus(turn.vector(Vec3.Z)).length()).isLessThan(bound);
+    }
+  }
+
+  /** Returns objects within each other, each given without its end. */
+  private static String nested(int depth, IntFunction<String> object) {
+    return IntStream.range(0, depth).mapToObj(object).collect(joining(", 'children': ["))
+        + "}"
+        + "]}".repeat(depth - 1);
   }
 
   @Test

@@ -117,6 +117,10 @@ class SceneParserTest {
             + "|.penumbra: expected a number from 0 to 60, found 61",
         "'localScale': {'x': 0}"
             + "|: singular transform: with its parents, it flattens or overflows the object",
+        "'localScale': {'x': 0, 'y': 0, 'z': 0}"
+            + "|: singular transform: with its parents, it flattens or overflows the object",
+        "'type': 'Shape', 'shapeType': 'Sphere', 'radius': 1e308"
+            + "|.radius: expected a number <= 1e150, found 1e308",
         "'localPosition': {'x': 1e300}, 'type': 'Shape', 'shapeType': 'Sphere'"
             + "|: expected a shape within 1e150 of the origin, found one that reaches beyond",
         "'localPosition': [1, 2, 3]|.localPosition: expected an object, found an array",

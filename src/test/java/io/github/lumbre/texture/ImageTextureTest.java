@@ -120,6 +120,24 @@ class ImageTextureTest {
     assertThat(column(texture, -1e9 - .25)).isEqualTo(750);
   }
 
+  /** Among a billion tiles a place is right to an ulp of them, a ten millionth of a tile. */
+  @Test
+  void aBillionTilesAreReadAtTheirFraction() {
+    Texture<Rgb> tiled = new UvMapping(0, 0, 1e9, 1e9).over(indices(1000, 1));
+    SplittableRandom random = new SplittableRandom(7);
+    for (int i = 0; i < 10_000; i++) {
+      double u = random.nextDouble();
+      double exactly =
+          new BigDecimal(u)
+              .multiply(BigDecimal.valueOf(1_000_000_000L))
+              .remainder(BigDecimal.ONE)
+              .doubleValue();
+      double found = 65535 * tiled.at(new TexturePoint(u, .5)).r();
+      double off = Math.abs(found + .5 - 1000 * exactly);
+      assertThat(Math.min(off, 1000 - off)).isLessThan(.5 + 1000 * Math.ulp(1e9));
+    }
+  }
+
   @ParameterizedTest
   @EnumSource
   void whatIsNotFiniteIsReadAtTheOrigin(Filter filter) {
