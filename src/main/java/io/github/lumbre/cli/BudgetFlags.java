@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -37,6 +38,16 @@ final class BudgetFlags {
   private Optional<Double> targetError = Optional.empty();
 
   @Option(
+      names = "--quality",
+      paramLabel = "NAME",
+      converter = FlagConverters.OfQuality.class,
+      description = {
+        "draft: --target-error 20%% --depth 3; preview: 10%%, 5; final: 3%%, 16; reference: 1%%,",
+        "1000. Flags of those names win."
+      })
+  private Optional<Quality> quality = Optional.empty();
+
+  @Option(
       names = "--confidence",
       paramLabel = "P",
       converter = FlagConverters.OfShare.class,
@@ -60,12 +71,21 @@ final class BudgetFlags {
 
   /** Tells whether a time or an error is to end the render. */
   boolean areGiven() {
-    return time.isPresent() || targetError.isPresent();
+    return time.isPresent() || targetError.isPresent() || quality.isPresent();
+  }
+
+  /** Returns the depth of paths that goes with the quality asked for; empty if none was. */
+  OptionalInt depth() {
+    return quality.map(q -> OptionalInt.of(q.depth())).orElseGet(OptionalInt::empty);
   }
 
   /** Returns the budget of a command that began some time ago. */
   RunBudget since(Instant start, RenderSettings settings) {
-    OptionalDouble target = targetError.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+    OptionalDouble target =
+        targetError
+            .or(() -> quality.map(Quality::targetError))
+            .map(OptionalDouble::of)
+            .orElseGet(OptionalDouble::empty);
     Budget budget = new Budget(settings.samples(), target, confidence.orElse(.95));
     Duration spent = Duration.between(start, Instant.now());
     Optional<Duration> left = time.map(t -> RunBudget.rendering(t, settings).minus(spent));

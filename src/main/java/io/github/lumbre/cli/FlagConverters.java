@@ -146,6 +146,14 @@ final class FlagConverters {
     }
   }
 
+  /** {@code draft}, {@code preview}, {@code final} or {@code reference}. */
+  static final class OfQuality implements ITypeConverter<Quality> {
+    @Override
+    public Quality convert(String text) {
+      return oneOf(Quality.values(), text);
+    }
+  }
+
   /** {@code auto}, {@code vector} or {@code scalar}. */
   static final class OfKernel implements ITypeConverter<Kernel> {
     @Override

@@ -157,7 +157,8 @@ final class RenderCommand implements Callable<Integer> {
     try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
         FilmKeeper keeper = keeper(target, messages);
         Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
-      SceneFile file = options.load(flags.over(options.parser(), budgets.areGiven()), messages);
+      SceneFile file =
+          options.load(flags.over(options.parser(), budgets.areGiven(), budgets.depth()), messages);
       if (dryRun) {
         return estimate(file, report);
       }

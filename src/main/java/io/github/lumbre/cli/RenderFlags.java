@@ -8,6 +8,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.Optional;
+import java.util.OptionalInt;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -156,23 +157,30 @@ final class RenderFlags {
 
   /** Returns a parser that lets the flags win over the scene. */
   SceneParser over(SceneParser parser) {
-    return over(parser, false);
+    return over(parser, false, OptionalInt.empty());
   }
 
   /**
    * Returns a parser that lets the flags win over the scene.
    *
    * @param isOpen whether something else ends the render, so that the scene's samples do not
+   * @param pathDepth that wins over the scene's in path mode
    */
-  SceneParser over(SceneParser parser, boolean isOpen) {
+  SceneParser over(SceneParser parser, boolean isOpen, OptionalInt pathDepth) {
     SceneParser limited = maxPixels.map(parser::limitedTo).orElse(parser);
     return mode.map(limited::inMode)
         .orElse(limited)
-        .overriding(inScene -> override(isOpen ? unlimited(inScene) : inScene));
+        .overriding(inScene -> override(changed(inScene, isOpen, pathDepth)));
   }
 
-  private static RenderSettings unlimited(RenderSettings inScene) {
-    return inScene.toBuilder().samples(RenderSettings.MAX_SAMPLES).build();
+  private static RenderSettings changed(
+      RenderSettings inScene, boolean isOpen, OptionalInt pathDepth) {
+    RenderSettings.Builder builder = inScene.toBuilder();
+    if (isOpen) {
+      builder.samples(RenderSettings.MAX_SAMPLES);
+    }
+    pathDepth.ifPresent(builder::maxTraceDepth);
+    return builder.build();
   }
 
   private RenderSettings override(RenderSettings inScene) {

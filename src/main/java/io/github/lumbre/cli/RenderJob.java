@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.measure.Forecast;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -12,6 +13,7 @@ import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
@@ -84,14 +86,48 @@ record RenderJob(
     }
     Progress progress = keeper.pausing(budget.within(monitor));
     RenderStatistics statistics = RenderStatistics.ZERO;
+    long start = System.nanoTime();
+    boolean isForecast = false;
     int done = film.fewestSamples();
     while (done < goal && !monitor.isCancelled() && !budget.isUsedUp(film)) {
       PassResult pass = renderer.addSamples(film, Passes.next(done, goal), progress);
       statistics = statistics.plus(pass.statistics());
       keeper.saveIfDue(film);
+      if (!isForecast && budget.forecast().isPresent()) {
+        isForecast = true;
+        tell(budget.forecast().get(), done, (System.nanoTime() - start) * 1e-9, film);
+      }
       done = film.fewestSamples();
     }
     return statistics;
+  }
+
+  /**
+   * Tells how long the render will take, after its first look at the error.
+   *
+   * @param done samples per pixel that took so many seconds
+   */
+  private void tell(Forecast forecast, int done, double seconds, Film film) {
+    double likely = Math.min(forecast.likely(), file.settings().samples());
+    if (budget.isOpen()) {
+      RenderSettings.Crop window = film.window();
+      double all = (double) window.width() * window.height() * likely;
+      monitor.started(Math.max(1, (long) all - film.totalSamples()));
+    }
+    if (!how.quiet()) {
+      double each = seconds / done;
+      messages.line(
+          String.format(
+              Locale.ROOT,
+              "forecast: the error takes about %.0f samples per pixel (%.0f to %.0f), %.3g s"
+                  + " (%.2g to %.2g)",
+              likely,
+              forecast.least(),
+              forecast.most(),
+              each * likely,
+              each * forecast.least(),
+              each * forecast.most()));
+    }
   }
 
   private void requireSamples(Film film) throws CommandException {

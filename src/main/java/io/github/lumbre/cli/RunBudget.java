@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.measure.Budget;
 import io.github.lumbre.measure.BudgetWatch;
+import io.github.lumbre.measure.Forecast;
 import io.github.lumbre.measure.NoiseEstimate;
 import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Film;
@@ -52,6 +53,11 @@ final class RunBudget {
   /** Tells whether nothing but a time or an error limits the samples. */
   boolean isOpen() {
     return budget.samples() == RenderSettings.MAX_SAMPLES;
+  }
+
+  /** Returns how many samples the error will take; empty as long as that cannot be told. */
+  Optional<Forecast> forecast() {
+    return watch.forecast();
   }
 
   /** Tells, between passes, whether time or error end the run. */

@@ -14,6 +14,7 @@ public final class BudgetWatch {
   private final Budget budget;
   private int looks;
   private int lastLook;
+  private Optional<Forecast> forecast = Optional.empty();
 
   public BudgetWatch(Budget budget) {
     this.budget = budget;
@@ -34,7 +35,18 @@ public final class BudgetWatch {
     }
     lastLook = samples;
     looks++;
-    return estimate(film, looks).filter(budget::isReachedBy).isPresent();
+    Optional<NoiseEstimate> noise = estimate(film, looks);
+    double target = budget.targetError().getAsDouble();
+    forecast =
+        noise
+            .filter(n -> Double.isFinite(n.upperRelativeMse()))
+            .map(n -> Forecast.of(n, samples, target));
+    return noise.filter(budget::isReachedBy).isPresent();
+  }
+
+  /** Returns how many samples the error will take, by the last look; empty before there is one. */
+  public Optional<Forecast> forecast() {
+    return forecast;
   }
 
   /**

@@ -80,6 +80,28 @@ class BudgetTest {
   }
 
   @Test
+  void aQualityIsAnErrorAndADepth() throws IOException {
+    Outcome outcome = render("draft.pfm", "--quality", "draft", "--json", "--bucket", "64");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    JsonObject summary = json(outcome);
+    assertThat(summary.get("target_error").getAsDouble()).isEqualTo(.2);
+    String samples = summary.getAsJsonObject("pixel_samples").get("max").getAsString();
+    assertThat(render("same.pfm", "-s", samples, "--depth", "3").exitCode()).isZero();
+    assertThat(directory.resolve("draft.pfm"))
+        .hasSameBinaryContentAs(directory.resolve("same.pfm"));
+    Outcome finer = render("a.png", "--quality", "draft", "--target-error", "5%", "--json");
+    assertThat(json(finer).get("target_error").getAsDouble()).isEqualTo(.05);
+  }
+
+  @Test
+  void theTimeToAnErrorIsForecast() {
+    Outcome outcome = render("a.png", "--target-error", "4%");
+    assertThat(outcome.err())
+        .containsPattern("forecast: the error takes about \\d+ samples per pixel \\(");
+    assertThat(render("a.png", "-s", "64").err()).doesNotContain("forecast");
+  }
+
+  @Test
   void wrongFlagsAreNamed() {
     render("a.png", "--target-error", "0.02")
         .assertFailed(ExitCodes.USAGE, "--target-error", "expected a percentage above 0");
