@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
     header = "Measure on this machine whether the renderer's laws hold at the extremes.",
     description =
         "Prints a line for each law: whether it holds, the worst that was found, what it may be,"
-            + " and over which range it was tried. Takes a minute or two of processor time.",
+            + " and over which range it was tried. Takes about 20 seconds of processor time.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,

@@ -66,8 +66,9 @@ final class PictureLaws {
             effort -> scheduleDifferences()),
         new Law(
             "film-exact",
-            "pixels that change when samples come in several passes",
-            "8 samples as 1+7, 3+5, 7+1 and one by one",
+            "pixels that change when samples come in several passes, or from films that are added"
+                + " up",
+            "8 samples as 1+7, 3+5, 7+1 and one by one; of two films either one added to the other",
             0,
             effort -> passDifferences()));
   }
@@ -219,6 +220,31 @@ final class PictureLaws {
       }
       count += differences(expected, film.develop(), 0, 0);
     }
+    for (int split : new int[] {1, 3, 7}) {
+      count += differences(expected, added(settings, scene, 0, split), 0, 0);
+      count += differences(expected, added(settings, scene, split, 0), 0, 0);
+    }
     return count;
+  }
+
+  /**
+   * Renders two films apart, one up to some sample and one from it on, and adds them up.
+   *
+   * @param first the number of the first sample of the film that the other is added to
+   * @param second likewise of the other; one of the two is 0
+   */
+  private static Image added(RenderSettings settings, Scene scene, int first, int second) {
+    int split = Math.max(first, second);
+    FilmRenderer renderer = new FilmRenderer(settings, scene);
+    Film sum = renderer.newFilm(first);
+    Film other = renderer.newFilm(second);
+    try {
+      renderer.addSamples(sum, first == 0 ? split : SAMPLES - split, Progress.NONE);
+      renderer.addSamples(other, second == 0 ? split : SAMPLES - split, Progress.NONE);
+    } catch (InterruptedException e) {
+      throw interrupted(e);
+    }
+    sum.addAll(other);
+    return sum.develop();
   }
 }
