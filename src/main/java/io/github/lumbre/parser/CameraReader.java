@@ -42,6 +42,11 @@ final class CameraReader {
     this.textures = textures;
   }
 
+  /** Returns the types that cameras come in. */
+  Family<?> family() {
+    return family;
+  }
+
   /** Warns of keys that no camera has. */
   void check(Placed camera) {
     camera.node().warnUnknown(family.keys());

@@ -39,6 +39,11 @@ final class Family<F> {
     return keys;
   }
 
+  /** Returns the names of the types. */
+  Set<String> types() {
+    return readers.keySet();
+  }
+
   /** Returns what reads a thing of this type; if there is no such type, adds an error. */
   Optional<F> choose(JsonNode node) {
     return choose(node, "");

@@ -89,6 +89,11 @@ final class LightReader {
     this.hasGlass = hasGlass;
   }
 
+  /** Returns the types that lights come in. */
+  Family<?> family() {
+    return family;
+  }
+
   /** Returns how many lights have been read. */
   int count() {
     return count;

@@ -58,6 +58,11 @@ final class MaterialReader {
     this.textures = textures;
   }
 
+  /** Returns the types that materials come in. */
+  Family<?> family() {
+    return family;
+  }
+
   private static String[] cookTorranceKeys() {
     List<String> all =
         new ArrayList<>(List.of(keys("color", "specularColor", "roughness", "normal", "ior")));

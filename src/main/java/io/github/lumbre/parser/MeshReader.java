@@ -11,7 +11,7 @@ import java.util.Set;
 /** Reads meshes, each when it is first used. */
 final class MeshReader {
   private static final String BASE64_KEY = "base64OBJ";
-  private static final Set<String> KEYS = new LinkedHashSet<>(AssetTable.COMMON_KEYS);
+  static final Set<String> KEYS = new LinkedHashSet<>(AssetTable.COMMON_KEYS);
 
   static {
     KEYS.add(BASE64_KEY);

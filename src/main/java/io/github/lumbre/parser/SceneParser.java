@@ -27,8 +27,9 @@ public final class SceneParser {
   /** Beyond this, an array of Java cannot hold a file. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
-  private static final Set<String> KEYS =
-      Set.of("mainCameraId", "renderOptions", "assets", "objects", "name");
+  /** Keys of a scene; {@code $schema} tells editors which keys there are. */
+  static final Set<String> KEYS =
+      Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
 
   private final boolean lenient;
   private final Optional<RenderSettings.Mode> mode;

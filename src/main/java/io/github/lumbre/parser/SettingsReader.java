@@ -22,7 +22,7 @@ final class SettingsReader {
           "reinhard", ToneCurve.REINHARD,
           "aces", ToneCurve.ACES);
   private static final String TRANSPARENT = "transparent";
-  private static final Set<String> KEYS =
+  static final Set<String> KEYS =
       Set.of(
           "width",
           "height",

@@ -51,6 +51,11 @@ final class ShapeReader {
     }
   }
 
+  /** Returns the types that shapes come in. */
+  Family<?> family() {
+    return family;
+  }
+
   private void countPlacement(JsonNode object) {
     if (object.find("shapeType").filter(type -> type.isText(MESH)).isPresent()) {
       Optional<JsonNode> asset = meshes.asset(object);

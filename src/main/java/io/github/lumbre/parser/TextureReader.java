@@ -78,6 +78,11 @@ final class TextureReader {
     procedurals = new ProceduralReader(seed);
   }
 
+  /** Returns the types that textures come in. */
+  Family<?> family() {
+    return family;
+  }
+
   /** Warns of keys that no texture has. */
   void checkAll() {
     assets.all(Type.TEXTURE).forEach(t -> t.warnUnknown(family.keys()));

@@ -22,7 +22,7 @@ final class FuzzRun {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final Duration SLOW = Duration.ofSeconds(3);
   private static final int MOST_FAILURES = 20;
-  private static final long REPORT_EVERY = 50_000;
+  private static final long REPORT_EVERY = 10_000;
 
   private record Started(long seed, long nanos) {}
 

@@ -69,7 +69,7 @@ public final class HostileScenes {
 
   private void prepare(Path around) throws IOException {
     Files.createDirectories(folder);
-    byte[] picture = new PictureMutator(new Random(0)).sound();
+    byte[] picture = PictureMutator.sound();
     byte[] mesh = MESH.getBytes(StandardCharsets.US_ASCII);
     Files.write(folder.resolve(INSIDE_PICTURE), picture);
     Files.write(folder.resolve(INSIDE_MESH), mesh);

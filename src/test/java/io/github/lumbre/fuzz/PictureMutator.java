@@ -77,8 +77,8 @@ final class PictureMutator {
   }
 
   /** Returns a picture file that is as it should be. */
-  byte[] sound() {
-    return PNGS.get(random.nextInt(PNGS.size())).clone();
+  static byte[] sound() {
+    return PNGS.get(0).clone();
   }
 
   /** Returns a picture file that differs from a sound one. */

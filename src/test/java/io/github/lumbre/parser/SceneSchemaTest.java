@@ -1,0 +1,282 @@
+package io.github.lumbre.parser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.JsonSchema;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion.VersionFlag;
+import io.github.lumbre.testing.Effort;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The schema, which editors read, says what the parser does. */
+class SceneSchemaTest {
+  private static final String SCHEMA = text(Path.of("docs", "scene.schema.json"));
+  private static final JsonObject DEFINITIONS =
+      JsonParser.parseString(SCHEMA).getAsJsonObject().getAsJsonObject("$defs");
+  private static final JsonSchema VALIDATOR =
+      JsonSchemaFactory.getInstance(VersionFlag.V202012).getSchema(SCHEMA);
+
+  /** Takes the place of a value that is probed; no scene contains it. */
+  private static final String HOLE = "@hole@";
+
+  private static final List<String> PROBES =
+      List.of(
+          "null",
+          "true",
+          "\"\"",
+          "\"None\"",
+          "\"auto\"",
+          "\"transparent\"",
+          "\"ray\"",
+          "{}",
+          "[]",
+          "[1]",
+          "{\"x\": \"1\"}",
+          "{\"x\": 1, \"w\": 1}",
+          "{\"r\": -1}",
+          "{\"r\": 1, \"x\": 1}",
+          "-2147483649",
+          "-1e308",
+          "-2",
+          "-1",
+          "-0.0",
+          "0",
+          "1e-320",
+          "0.5",
+          "1",
+          "1.0",
+          "2.5",
+          "16",
+          "17",
+          "89",
+          "180",
+          "360",
+          "361",
+          "1024",
+          "1025",
+          "16384",
+          "16385",
+          "65535",
+          "65536",
+          "1000000",
+          "1000001",
+          "1073741824",
+          "1073741825",
+          "2147483647",
+          "2147483648",
+          "9223372036854775807",
+          "9223372036854775808",
+          "1e150",
+          "1.1e150",
+          "1e308");
+
+  /** Complaints about what a schema cannot know: other places, files, and products of numbers. */
+  private static final Pattern BEYOND_SCHEMAS =
+      Pattern.compile(
+          "expected the id of a \\w+, found -?\\d|each id once|main camera's id once|expected"
+              + " base64|expected a file|relative path|PNG|JPEG|picture|: line \\d|singular|within"
+              + " 1e150|infinite one|a mask with|width x height|number from 0 to \\d+(\\.\\d+)?,"
+              + " found \\d");
+
+  @TempDir private Path folder;
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  static Stream<Path> scenes() throws IOException {
+    try (Stream<Path> files = Files.list(Path.of("scenes"))) {
+      return files.filter(f -> f.toString().endsWith(".json")).sorted().toList().stream();
+    }
+  }
+
+  private static boolean isValid(String scene) {
+    return VALIDATOR.validate(scene, InputFormat.JSON).isEmpty();
+  }
+
+  /** Tells whether the parser finds nothing that a schema could find. */
+  private boolean isSound(String scene) {
+    List<String> problems;
+    try {
+      SceneFile file = new SceneParser().parse(Files.writeString(folder.resolve("s.json"), scene));
+      problems = file.warnings().stream().filter(w -> w.contains("unknown key")).toList();
+    } catch (SceneFormatException e) {
+      problems = e.problems();
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+    return problems.stream().allMatch(problem -> BEYOND_SCHEMAS.matcher(problem).find());
+  }
+
+  @ParameterizedTest
+  @MethodSource("scenes")
+  void scenesOfTheProjectAreValid(Path scene) {
+    assertThat(VALIDATOR.validate(text(scene), InputFormat.JSON)).isEmpty();
+  }
+
+  /**
+   * Each value of scenes with everything in them, but only one of those that are alike, is
+   * exchanged for others: in a quick build for a few, which differ from place to place.
+   */
+  @Test
+  void schemaAndParserAgreeOnEveryValue() throws IOException {
+    Files.writeString(folder.resolve("inside.obj"), SceneFixture.TRIANGLE);
+    Files.write(folder.resolve("inside.png"), SceneFixture.png(0xffffff));
+    List<String> places = new ArrayList<>();
+    Set<String> seen = new HashSet<>();
+    for (String name : List.of("thin-lens", "pinhole", "fish-eye", "cylindrical")) {
+      String scene = sound(name);
+      assertThat(isValid(scene) && isSound(scene)).as(name).isTrue();
+      JsonObject tree = JsonParser.parseString(scene).getAsJsonObject();
+      collect(tree, tree, "", seen, places);
+    }
+    int step = Effort.isExhaustive() ? 1 : 9;
+    List<String> disagreements = new ArrayList<>();
+    for (int i = 0; i < places.size(); i++) {
+      for (int k = i % step; k < PROBES.size(); k += step) {
+        compare(places.get(i), PROBES.get(k), disagreements);
+      }
+    }
+    assertThat(disagreements).isEmpty();
+  }
+
+  private String sound(String name) throws IOException {
+    String resource = "/io/github/lumbre/fuzz/" + name + ".json";
+    try (InputStream in = getClass().getResourceAsStream(resource)) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+
+  private void compare(String withHole, String probe, List<String> disagreements) {
+    String changed = withHole.replace('"' + HOLE + '"', probe);
+    boolean valid = isValid(changed);
+    if (valid != isSound(changed)) {
+      int at = withHole.indexOf(HOLE);
+      disagreements.add(
+          withHole.substring(Math.max(0, at - 60), at) + probe + (valid ? ": valid" : ": invalid"));
+    }
+  }
+
+  private static void collect(
+      JsonObject scene, JsonElement element, String path, Set<String> seen, List<String> all) {
+    if (element instanceof JsonArray array) {
+      for (int i = 0; i < array.size(); i++) {
+        JsonElement old = array.get(i);
+        if (seen.add(path + "[]")) {
+          array.set(i, JsonParser.parseString('"' + HOLE + '"'));
+          all.add(scene.toString());
+          array.set(i, old);
+        }
+        collect(scene, old, path, seen, all);
+      }
+    } else if (element instanceof JsonObject object) {
+      String type = path + kind(object);
+      for (String key : List.copyOf(object.keySet())) {
+        JsonElement old = object.get(key);
+        if (seen.add(type + "." + key)) {
+          object.addProperty(key, HOLE);
+          all.add(scene.toString());
+          object.add(key, old);
+        }
+        collect(scene, old, key.equals("children") ? "/objects" : type + "/" + key, seen, all);
+      }
+    }
+  }
+
+  private static String kind(JsonObject object) {
+    return object.entrySet().stream()
+        .filter(member -> member.getKey().matches("type|\\w+Type|finite"))
+        .map(Map.Entry::getValue)
+        .map(JsonElement::toString)
+        .collect(Collectors.joining(","));
+  }
+
+  @Test
+  void schemaKnowsTheTypesAndKeysThatTheParserKnows() {
+    assertKeys("renderOptions", SettingsReader.KEYS);
+    assertKeys("mesh", MeshReader.KEYS);
+    assertKeys("group", ObjectTree.COMMON_KEYS);
+    TextureReader textures = new TextureReader(null, null, 0);
+    assertFamily("texture", "textureType", textures.family());
+    assertFamily("material", "materialType", new MaterialReader(null, textures).family());
+    assertFamily("shape", "shapeType", new ShapeReader(null, List.of()).family());
+    assertFamily("light", "lightType", new LightReader(textures, false).family());
+    assertFamily("camera", "cameraType", new CameraReader(textures).family());
+    assertThat(
+            JsonParser.parseString(SCHEMA).getAsJsonObject().getAsJsonObject("properties").keySet())
+        .isEqualTo(SceneParser.KEYS);
+  }
+
+  private static void assertKeys(String definition, Set<String> keys) {
+    assertThat(DEFINITIONS.getAsJsonObject(definition).getAsJsonObject("properties").keySet())
+        .as(definition)
+        .isEqualTo(keys);
+  }
+
+  private static void assertFamily(String definition, String typeKey, Family<?> family) {
+    assertKeys(definition, family.keys());
+    JsonObject type =
+        DEFINITIONS
+            .getAsJsonObject(definition)
+            .getAsJsonObject("properties")
+            .getAsJsonObject(typeKey);
+    Set<String> names = new LinkedHashSet<>();
+    type.getAsJsonArray("enum").forEach(e -> names.add(e.isJsonNull() ? "" : e.getAsString()));
+    names.remove("");
+    assertThat(names).as(definition).isEqualTo(family.types());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{}",
+        "[]",
+        "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1, \"fieldOfVeiw\":"
+            + " 50}]}",
+        "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1, \"radius\": 5}]}",
+        "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1}], \"assets\": [{}]}",
+        "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1, \"children\":"
+            + " [3]}]}",
+        "{\"mainCameraId\": 1, \"objects\": [{\"id\": 1, \"intensity\": 1}]}"
+      })
+  void whatTheParserComplainsOfIsNotValid(String scene) {
+    assertThat(isSound(scene)).isFalse();
+    assertThat(isValid(scene)).isFalse();
+  }
+
+  @Test
+  void scenesMayNameTheirSchema() {
+    String scene =
+        "{\"$schema\": \"scene.schema.json\", \"mainCameraId\": 1, \"objects\": [{\"type\":"
+            + " \"Camera\", \"id\": 1}]}";
+    assertThat(isSound(scene)).isTrue();
+    assertThat(isValid(scene)).isTrue();
+  }
+}
