@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /**
  * A value of a JSON text that knows its path. Immutable once {@link JsonTree} has read the text.
@@ -168,7 +169,12 @@ final class JsonNode {
   }
 
   void warn(String childKey, String message) {
-    problems.warn(() -> path(childKey), () -> message);
+    warn(childKey, () -> message);
+  }
+
+  /** Adds a warning at the value of a key; the message is asked for only if it is told. */
+  void warn(String childKey, Supplier<String> message) {
+    problems.warn(() -> path(childKey), message);
   }
 
   /** Returns the value as an error message shows it. */

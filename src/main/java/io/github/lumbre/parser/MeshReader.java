@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.parser.AssetTable.Type;
+import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
@@ -57,7 +58,7 @@ final class MeshReader {
     try {
       obj = ObjReader.read(content.bytes());
     } catch (ObjFormatException e) {
-      content.error(SceneFormatException.Kind.ASSET, e.getMessage());
+      content.error(e.isTooLarge() ? Kind.LIMIT : Kind.ASSET, e.getMessage());
       return Optional.empty();
     }
     TriangleMesh mesh = TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());

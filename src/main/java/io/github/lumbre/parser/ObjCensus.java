@@ -2,13 +2,20 @@ package io.github.lumbre.parser;
 
 /** How many of everything an OBJ text has. */
 record ObjCensus(int positions, int uvs, int normals, long triangles) {
-  /** What fits in an array of three indices each. */
-  private static final long MAX_TRIANGLES = (Integer.MAX_VALUE - 8) / 3;
+  /** What fits in an array of three numbers each. */
+  private static final long MAX_COUNT = (Integer.MAX_VALUE - 8) / 3;
+
+  /** A vector is three numbers, and so are a triangle's indices, of half the size. */
+  private static final long BYTES_PER_VECTOR = 3L * Double.BYTES;
 
   /**
-   * @throws ObjFormatException if there are more triangles than fit in memory
+   * @throws ObjFormatException if there is more than fits into memory
    */
   static ObjCensus of(byte[] text) throws ObjFormatException {
+    return of(text, Runtime.getRuntime().maxMemory());
+  }
+
+  static ObjCensus of(byte[] text, long maxHeapBytes) throws ObjFormatException {
     ObjScanner scanner = new ObjScanner(text);
     int positions = 0;
     int uvs = 0;
@@ -28,10 +35,25 @@ record ObjCensus(int positions, int uvs, int normals, long triangles) {
       }
       scanner.endLine();
     }
-    if (triangles > MAX_TRIANGLES) {
-      throw scanner.error("expected at most " + MAX_TRIANGLES + " triangles, found " + triangles);
+    ObjCensus census = new ObjCensus(positions, uvs, normals, triangles);
+    census.requireRoom(scanner, maxHeapBytes);
+    return census;
+  }
+
+  private void requireRoom(ObjScanner scanner, long maxHeapBytes) throws ObjFormatException {
+    long most = Math.max(Math.max(positions, uvs), Math.max(normals, triangles));
+    if (most > MAX_COUNT) {
+      throw scanner.tooLarge(
+          "expected at most " + MAX_COUNT + " vertices and triangles, found " + most);
     }
-    return new ObjCensus(positions, uvs, normals, triangles);
+    long bytes = BYTES_PER_VECTOR * ((long) positions + uvs + normals) + 12 * triangles;
+    if (bytes > maxHeapBytes) {
+      throw scanner.tooLarge(
+          "expected a mesh that takes at most "
+              + maxHeapBytes
+              + " bytes of memory, found one that takes "
+              + bytes);
+    }
   }
 
   private static int words(ObjScanner scanner) {

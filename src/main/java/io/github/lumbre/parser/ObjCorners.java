@@ -6,6 +6,9 @@ import java.util.Arrays;
 final class ObjCorners {
   private static final int FREE = -1;
 
+  /** Differs from run to run, so that no file can be made of corners that share a slot. */
+  private final long salt = System.nanoTime() * 0x9E3779B97F4A7C15L | 1;
+
   private int[] corners = new int[3 * 64];
   private int[] slots = freeSlots(256);
   private int count;
@@ -32,9 +35,9 @@ final class ObjCorners {
   /** Returns the slot of an open hash table where the corner is or may be put. */
   private int slot(int position, int uv, int normal) {
     int mask = slots.length - 1;
-    int hash = (position * 31 + uv) * 31 + normal;
-    hash *= 0x9E3779B9;
-    int slot = (hash ^ hash >>> 15) & mask;
+    long hash = (position * salt ^ uv) * salt;
+    hash = ((hash ^ hash >>> 32) ^ normal) * salt;
+    int slot = (int) (hash >>> 32 ^ hash >>> 15) & mask;
     while (slots[slot] != FREE && !isAt(slots[slot], position, uv, normal)) {
       slot = slot + 1 & mask;
     }

@@ -195,6 +195,11 @@ final class ObjScanner {
     return c >= '0' && c <= '9';
   }
 
+  /** Returns an exception that says that something is larger than a limit, and names the line. */
+  ObjFormatException tooLarge(String message) {
+    return new ObjFormatException(line, message, true);
+  }
+
   /** Returns an exception that names the line. */
   ObjFormatException error(String message) {
     return new ObjFormatException(line, message);

@@ -124,7 +124,7 @@ final class ObjectTree {
               JsonNode first = byId.putIfAbsent(id, node);
               if (first != null) {
                 repeated.putIfAbsent(id, node);
-                node.warn("id", "object id " + id + " is also at " + first.path() + ".id");
+                node.warn("id", () -> "object id " + id + " is also at " + first.path() + ".id");
               }
             });
   }

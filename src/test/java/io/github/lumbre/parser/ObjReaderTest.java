@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
@@ -133,5 +134,18 @@ class ObjReaderTest {
       })
   void errorsNameTheLine(String text, String message) {
     assertThat(refusal(CORNERS + text.replace(';', '\n') + "\n".repeat(1))).isEqualTo(message);
+  }
+
+  @Test
+  void meshLargerThanTheHeapIsRefusedByItsCensus() throws ObjFormatException {
+    byte[] text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(30_000).getBytes(US_ASCII);
+    assertThat(ObjCensus.of(text, 3 << 20).positions()).isEqualTo(90_000);
+    ObjFormatException thrown =
+        catchThrowableOfType(ObjFormatException.class, () -> ObjCensus.of(text, 2 << 20));
+    assertThat(thrown)
+        .hasMessage(
+            "line 120001: expected a mesh that takes at most 2097152 bytes of memory,"
+                + " found one that takes 2520000");
+    assertThat(thrown.isTooLarge()).isTrue();
   }
 }

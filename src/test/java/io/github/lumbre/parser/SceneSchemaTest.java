@@ -96,10 +96,10 @@ class SceneSchemaTest {
   /** Complaints about what a schema cannot know: other places, files, and products of numbers. */
   private static final Pattern BEYOND_SCHEMAS =
       Pattern.compile(
-          "expected the id of a \\w+, found -?\\d|each id once|main camera's id once|expected"
-              + " base64|expected a file|relative path|PNG|JPEG|picture|: line \\d|singular|within"
-              + " 1e150|infinite one|a mask with|width x height|number from 0 to \\d+(\\.\\d+)?,"
-              + " found \\d");
+          ": expected the id of a \\w+, found -?\\d|each id once|main camera's id once"
+              + "|: expected base64, |: expected a file|relative path|: PNG |: expected a PNG"
+              + "|: line \\d|: singular|within 1e150|infinite one|a mask with|width x height"
+              + "|penumbra: expected a number from 0 to [0-9.]+, found \\d");
 
   @TempDir private Path folder;
 
@@ -264,7 +264,8 @@ class SceneSchemaTest {
         "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1}], \"assets\": [{}]}",
         "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1, \"children\":"
             + " [3]}]}",
-        "{\"mainCameraId\": 1, \"objects\": [{\"id\": 1, \"intensity\": 1}]}"
+        "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1}, {\"intensity\":"
+            + " 1}]}"
       })
   void whatTheParserComplainsOfIsNotValid(String scene) {
     assertThat(isSound(scene)).isFalse();
