@@ -163,7 +163,7 @@ final class RenderCommand implements Callable<Integer> {
         return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
-      RenderMonitor monitor = new RenderMonitor(interruption, this::display, deadline);
+      RenderMonitor monitor = new RenderMonitor(interruption, this::display, deadline, messages);
       RunBudget budget = budgets.since(start, file.settings());
       return interruption.beginRender()
           ? ended(

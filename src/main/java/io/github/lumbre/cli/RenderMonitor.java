@@ -1,6 +1,9 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Progress;
+import java.io.PrintWriter;
+import java.util.Locale;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongFunction;
 
@@ -12,6 +15,7 @@ final class RenderMonitor implements Progress, AutoCloseable {
   private final Interruption interruption;
   private final LongFunction<ProgressDisplay> displayOf;
   private final Deadline deadline;
+  private final Messages messages;
   private final AtomicReference<ProgressDisplay> display =
       new AtomicReference<>(ProgressDisplay.NONE);
 
@@ -22,15 +26,21 @@ final class RenderMonitor implements Progress, AutoCloseable {
     this(
         interruption,
         hasDisplay ? ProgressDisplay::bar : totalSamples -> ProgressDisplay.NONE,
-        Deadline.NEVER);
+        Deadline.NEVER,
+        new Messages(new PrintWriter(System.err, true)));
   }
 
   /**
    * @param displayOf returns what shows the progress of so many samples
    * @param deadline after which the render is to stop
+   * @param messages where to say that a render has stalled
    */
   RenderMonitor(
-      Interruption interruption, LongFunction<ProgressDisplay> displayOf, Deadline deadline) {
+      Interruption interruption,
+      LongFunction<ProgressDisplay> displayOf,
+      Deadline deadline,
+      Messages messages) {
+    this.messages = messages;
     this.interruption = interruption;
     this.displayOf = displayOf;
     this.deadline = deadline;
@@ -49,6 +59,19 @@ final class RenderMonitor implements Progress, AutoCloseable {
   /** The picture's error is about so large, relative to the picture. */
   void estimated(double relativeError) {
     display.get().estimated(relativeError);
+  }
+
+  @Override
+  public void stalled(Bucket bucket, double seconds) {
+    messages.line(
+        String.format(
+            Locale.ROOT,
+            "warning: no sample of the bucket at %d,%d of %dx%d pixels has ended for %.0f s",
+            bucket.x(),
+            bucket.y(),
+            bucket.width(),
+            bucket.height(),
+            seconds));
   }
 
   @Override

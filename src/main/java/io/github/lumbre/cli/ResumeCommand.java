@@ -137,7 +137,8 @@ final class ResumeCommand implements Callable<Integer> {
                 !quiet && Boolean.getBoolean("lumbre.tty")
                     ? ProgressDisplay::bar
                     : total -> ProgressDisplay.NONE,
-                deadline);
+                deadline,
+                messages);
         return resume(loaded, notes, picture, keeper, monitor, interruption, messages);
       }
     }

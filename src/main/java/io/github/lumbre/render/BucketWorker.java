@@ -31,6 +31,11 @@ final class BucketWorker implements Runnable {
   private final Sampler sampler;
   private final Scratch scratch = new Scratch();
   private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
+
+  /** Grows with the samples; others watch it. */
+  private volatile long beats;
+
+  private volatile Optional<Bucket> bucket = Optional.empty();
   private long samples;
   private long reported;
   private long rejected;
@@ -56,13 +61,14 @@ final class BucketWorker implements Runnable {
   public void run() {
     boolean returned = false;
     try {
-      Optional<Bucket> bucket = queue.take();
+      bucket = queue.take();
       while (bucket.isPresent() && render(bucket.get())) {
         queue.finish(bucket.get());
         bucket = queue.take();
       }
       returned = true;
     } finally {
+      bucket = Optional.empty();
       if (!returned) {
         queue.stop();
       }
@@ -89,8 +95,11 @@ final class BucketWorker implements Runnable {
       if (samples - reported >= SAMPLES_PER_REPORT) {
         report();
       }
-      if (samples % SAMPLES_PER_QUESTION == 0 && queue.isStopped()) {
-        return false;
+      if (samples % SAMPLES_PER_QUESTION == 0) {
+        beats = samples;
+        if (queue.isStopped()) {
+          return false;
+        }
       }
       renderSample(x, y, film.firstSample() + count, pixel);
     }
@@ -127,6 +136,16 @@ final class BucketWorker implements Runnable {
   private void report() {
     queue.advance(samples - reported);
     reported = samples;
+  }
+
+  /** Returns a number that changes while samples end; for any thread. */
+  long beats() {
+    return beats;
+  }
+
+  /** Returns the bucket that is being rendered; for any thread. */
+  Optional<Bucket> bucket() {
+    return bucket;
   }
 
   RenderStatistics statistics() {

@@ -12,6 +12,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * Adds samples of one scene to films, a pass at a time: between passes the caller may look at the
@@ -23,6 +25,8 @@ import java.util.concurrent.Future;
  * threads nor the buckets change a bit of the sums.
  */
 public final class FilmRenderer {
+  private static final long SECONDS_PER_LOOK = 5;
+
   private final RenderSettings settings;
   private final Scene scene;
   private final Integrator integrator;
@@ -98,7 +102,7 @@ public final class FilmRenderer {
     for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {
       workers.add(new BucketWorker(settings, scene, integrator, film, target, queue));
     }
-    run(workers, queue);
+    run(workers, queue, progress);
     return new PassResult(queue.isExhausted(), statistics(workers));
   }
 
@@ -136,7 +140,7 @@ public final class FilmRenderer {
     return buckets;
   }
 
-  private static void run(List<BucketWorker> workers, RenderQueue queue)
+  private static void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
       throws InterruptedException {
     List<Thread> threads = new ArrayList<>();
     ExecutorService pool =
@@ -151,8 +155,9 @@ public final class FilmRenderer {
     try {
       List<Future<?>> futures = new ArrayList<>();
       workers.forEach(worker -> futures.add(pool.submit(worker)));
+      Watchdog watchdog = new Watchdog(workers, seconds(), progress);
       for (Future<?> future : futures) {
-        future.get();
+        await(future, watchdog);
       }
     } catch (ExecutionException e) {
       throw new RenderException("rendering failed: " + e.getCause(), e.getCause());
@@ -161,6 +166,22 @@ public final class FilmRenderer {
       pool.shutdown();
       awaitEnd(threads);
     }
+  }
+
+  private static void await(Future<?> future, Watchdog watchdog)
+      throws InterruptedException, ExecutionException {
+    while (true) {
+      try {
+        future.get(SECONDS_PER_LOOK, TimeUnit.SECONDS);
+        return;
+      } catch (TimeoutException e) {
+        watchdog.look(seconds());
+      }
+    }
+  }
+
+  private static double seconds() {
+    return System.nanoTime() * 1e-9;
   }
 
   /** Waits for the threads, which end within a moment, and keeps an interruption for later. */

@@ -1,7 +1,7 @@
 package io.github.lumbre.render;
 
 /**
- * Hears what a render has done and may cancel it. All methods are called from worker threads, any
+ * Hears what a render has done and may cancel it. All methods are called from several threads, any
  * of them at once, and should return quickly.
  */
 public interface Progress {
@@ -13,6 +13,9 @@ public interface Progress {
 
   /** So many more samples are done: a fraction of a bucket, many times a second. */
   default void advanced(long samples) {}
+
+  /** For so many seconds, no sample of a bucket has ended: told after a minute, two, four, …. */
+  default void stalled(Bucket bucket, double seconds) {}
 
   /** All pixels of a bucket have what a pass gives them. */
   default void finished(Bucket bucket) {}
