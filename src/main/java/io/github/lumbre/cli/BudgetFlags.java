@@ -22,8 +22,8 @@ final class BudgetFlags {
       paramLabel = "T",
       converter = FlagConverters.OfDuration.class,
       description = {
-        "Take as many samples as fit into such a time, reading and writing included: 90s, 5m, 2h.",
-        "Without --samples there is no other limit."
+        "Take as many samples as fit into such a time, reading and writing",
+        "included: 90s, 5m, 2h. Without --samples there is no other limit."
       })
   private Optional<Duration> time = Optional.empty();
 
@@ -32,8 +32,9 @@ final class BudgetFlags {
       paramLabel = "P",
       converter = FlagConverters.OfShare.class,
       description = {
-        "Take samples until the noise is at most so much, as relative root mean squared error: 2%%.",
-        "If something else ends the render before, the exit code is 1."
+        "Take samples until the noise is at most so much, as relative root",
+        "mean squared error: 2%%. If something else ends the render before,",
+        "the exit code is 1."
       })
   private Optional<Double> targetError = Optional.empty();
 
@@ -42,8 +43,8 @@ final class BudgetFlags {
       paramLabel = "NAME",
       converter = FlagConverters.OfQuality.class,
       description = {
-        "draft: --target-error 20%% --depth 3; preview: 10%%, 5; final: 3%%, 16; reference: 1%%,",
-        "1000. Flags of those names win."
+        "draft: --target-error 20%% --depth 3; preview: 10%%, 5; final: 3%%, 16;",
+        "reference: 1%%, 1000. Flags of those names win."
       })
   private Optional<Quality> quality = Optional.empty();
 
