@@ -64,6 +64,8 @@ record RenderJob(
       return ExitCodes.INTERRUPTED;
     } finally {
       keeper.save(film);
+      // Not later: the virtual machine may end as soon as nothing is left to be written.
+      keeper.close();
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);
