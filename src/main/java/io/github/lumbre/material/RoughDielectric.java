@@ -23,30 +23,90 @@ public record RoughDielectric(
 
   @Override
   public Rgb eval(Vec3 wo, Vec3 wi) {
-    Vec3 m = facetBetween(wo, wi);
-    double density = density(wo, wi, m);
-    if (!(density > 0)) {
-      return Rgb.BLACK;
-    }
-    double fresnel = fresnel(wo, wi, m);
-    double drawn = density * facets.maskingRatio(Math.abs(wo.z()), Math.abs(wi.z()));
-    return wo.z() * wi.z() > 0
-        ? reflectance.times(fresnel * drawn)
-        : transmittance.times((1 - fresnel) * drawn);
+    BsdfValue value = new BsdfValue();
+    evaluate(wo, wi, value);
+    return value.f();
   }
 
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
-    Vec3 m = facetBetween(wo, wi);
-    double density = density(wo, wi, m);
-    if (!(density > 0)) {
-      return 0;
+    BsdfValue value = new BsdfValue();
+    evaluate(wo, wi, value);
+    return value.pdf();
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>What both directions enter alike is computed alike whichever is wo, so that rounding leaves
+   * scattering reciprocal: near the critical angle, and from nearly smooth surfaces, shares and
+   * densities hang on the last digits of the facet.
+   */
+  @Override
+  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+    double sides = wo.z() * wi.z();
+    if (sides > 0) {
+      reflect(wo, wi, value);
+    } else if (sides < 0) {
+      refract(wo, wi, value);
+    } else {
+      value.clear();
     }
-    double fresnel = fresnel(wo, wi, m);
+  }
+
+  private void reflect(Vec3 wo, Vec3 wi, BsdfValue value) {
+    Vec3 sum = wo.plus(wi);
+    // Half the sum is as long as the cosine at the facet.
+    double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), eta(wo));
+    double density =
+        facets.density(outward(sum.normalized())) / (4 * facets.visible(Math.abs(wo.z())));
+    set(value, reflectance, fresnel, density, fresnel, masking(wo, wi));
+  }
+
+  private void refract(Vec3 wo, Vec3 wi, BsdfValue value) {
+    Vec3 outer = wo.z() > 0 ? wo : wi;
+    Vec3 inner = wo.z() > 0 ? wi : wo;
+    Vec3 sum = outer.plus(ior, inner);
+    Vec3 m = outward(sum.normalized());
+    double cosOuter = outer.dot(m);
+    double cosInner = -inner.dot(m);
+    if (!(cosOuter > 0 && cosInner > 0)) {
+      value.clear();
+      return;
+    }
+    // From the side on which there is no critical angle.
+    double fresnel =
+        ior > 1
+            ? Fresnel.dielectric(Math.min(1, cosOuter), ior)
+            : Fresnel.dielectric(Math.min(1, cosInner), 1 / ior);
+    // Walter et al. 2007, eq. 17: the sum is as long as the difference of the scaled cosines.
+    double spread = (wi.z() < 0 ? ior : 1) / sum.length();
+    double density =
+        facets.density(m)
+            * (cosOuter * cosInner)
+            * (spread * spread)
+            / facets.visible(Math.abs(wo.z()));
+    set(value, transmittance, 1 - fresnel, density, fresnel, masking(wo, wi));
+  }
+
+  private double masking(Vec3 wo, Vec3 wi) {
+    return facets.maskingRatio(Math.abs(wo.z()), Math.abs(wi.z()));
+  }
+
+  /**
+   * Sets what is scattered and its density.
+   *
+   * @param share of the light at the facet that takes this way, tint aside
+   * @param density of wi per solid angle once the way is chosen
+   */
+  private void set(
+      BsdfValue value, Rgb tint, double share, double density, double fresnel, double masking) {
     double all = scattered(fresnel);
-    double part =
-        wo.z() * wi.z() > 0 ? fresnel * reflectance.max() : (1 - fresnel) * transmittance.max();
-    return all > 0 ? density * part / all : 0;
+    if (density > 0 && all > 0) {
+      value.set(tint.times(share * masking * density), density * (share * tint.max() / all));
+    } else {
+      value.clear();
+    }
   }
 
   /** Returns how much of the light that meets a facet goes on, at most, either way. */
@@ -54,41 +114,8 @@ public record RoughDielectric(
     return fresnel * reflectance.max() + (1 - fresnel) * transmittance.max();
   }
 
-  /** Returns the share that the facet between two directions reflects. */
-  private double fresnel(Vec3 wo, Vec3 wi, Vec3 m) {
-    double eta = eta(wo);
-    double cosI = up(wi, wo).dot(m);
-    // On the dense side, close to the critical angle, the share hangs on the last digits.
-    return cosI < 0 && eta < 1
-        ? Fresnel.dielectric(Math.min(1, -cosI), 1 / eta)
-        : Fresnel.dielectric(Math.min(1, up(wo, wo).dot(m)), eta);
-  }
-
-  /** Returns the normal, on the side of wo, that takes wo to wi by a mirror or by Snell's law. */
-  private Vec3 facetBetween(Vec3 wo, Vec3 wi) {
-    Vec3 o = up(wo, wo);
-    Vec3 i = up(wi, wo);
-    Vec3 m = i.z() > 0 ? o.plus(i) : o.plus(eta(wo), i);
-    Vec3 unit = m.normalized();
-    return unit.z() < 0 ? unit.negated() : unit;
-  }
-
-  /** Returns the density of wi per solid angle once the kind of event is chosen. */
-  private double density(Vec3 wo, Vec3 wi, Vec3 m) {
-    Vec3 o = up(wo, wo);
-    Vec3 i = up(wi, wo);
-    double cosO = o.dot(m);
-    double cosI = i.dot(m);
-    if (o.z() == 0 || i.z() == 0 || !(cosO > 0) || !(cosI * i.z() > 0)) {
-      return 0;
-    }
-    double visible = facets.visibleDensity(o, m);
-    if (i.z() > 0) {
-      return visible / (4 * cosO);
-    }
-    double eta = eta(wo);
-    double sum = cosO + eta * cosI;
-    return visible * eta * eta * -cosI / (sum * sum);
+  private static Vec3 outward(Vec3 m) {
+    return m.z() < 0 ? m.negated() : m;
   }
 
   @Override
@@ -119,19 +146,10 @@ public record RoughDielectric(
       drawn.absorb();
       return;
     }
-    Vec3 wi = up(i, wo);
-    double pdf = pdf(wo, wi);
-    if (!(pdf > 0) || pdf == Double.POSITIVE_INFINITY) {
-      drawn.absorb();
-      return;
-    }
-    // Divided by the probability of its kind of event, the share is the larger part of all.
-    Rgb tint =
-        reflects
-            ? reflectance.times(1 / reflectance.max())
-            : transmittance.times(1 / transmittance.max());
-    double masking = facets.maskingRatio(o.z(), Math.abs(i.z()));
-    drawn.set(wi, tint.times(masking * all), pdf);
+    drawn.setDirection(up(i, wo));
+    BsdfValue value = new BsdfValue();
+    evaluate(wo, drawn.wi(), value);
+    drawn.weighBy(value);
   }
 
   private double eta(Vec3 wo) {

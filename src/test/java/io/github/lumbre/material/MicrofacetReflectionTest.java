@@ -109,8 +109,8 @@ class MicrofacetReflectionTest {
     for (double alpha : ROUGHNESSES) {
       Bsdf bsdf = new MicrofacetReflection(TINT, 1.5, MicrofacetDistribution.of(kind, alpha));
       for (double cos : COSINES) {
-        BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(cos), 1000, random, 1e-9);
-        BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(-cos), 1000, random, 1e-9);
+        BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(cos), 1000, random, 1e-12);
+        BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(-cos), 1000, random, 1e-12);
       }
     }
   }

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import static io.github.lumbre.material.BsdfLaws.COSINES;
+import static io.github.lumbre.material.BsdfLaws.EPS;
 import static io.github.lumbre.material.BsdfLaws.direction;
 import static io.github.lumbre.material.BsdfLaws.relative;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -86,7 +87,11 @@ class RoughDielectricTest {
         double indexB = b.z() > 0 ? 1 : ior;
         double there = glass.eval(a, b).g() / (Math.abs(b.z()) * indexB * indexB);
         double back = glass.eval(b, a).g() / (Math.abs(a.z()) * indexA * indexA);
-        assertThat(relative(there, back)).as("%s %s %s", glass, a, b).isLessThan(1e-9);
+        if (Math.max(there, back) > 1e-290) {
+          assertThat(relative(there, back))
+              .as("%s %s %s", glass, a, b)
+              .isLessThanOrEqualTo(64 * EPS);
+        }
       }
     }
   }
@@ -113,8 +118,8 @@ class RoughDielectricTest {
       RoughDielectric glass =
           new RoughDielectric(new Rgb(.9, .5, .1), new Rgb(.2, .6, 1), ior, new Ggx(alpha));
       for (double cos : COSINES) {
-        BsdfLaws.assertWeightIsEvalOverPdf(glass, direction(cos), 500, random, 1e-9);
-        BsdfLaws.assertWeightIsEvalOverPdf(glass, direction(-cos), 500, random, 1e-9);
+        BsdfLaws.assertWeightIsEvalOverPdf(glass, direction(cos), 500, random, 1e-12);
+        BsdfLaws.assertWeightIsEvalOverPdf(glass, direction(-cos), 500, random, 1e-12);
       }
     }
   }
