@@ -64,11 +64,13 @@ class BvhTest {
     assertThat(found.error()).isEqualTo(expected.error());
   }
 
-  @Test
-  void raysOnFacesAndThroughVerticesFindWhatAskingEveryTriangleFinds() {
+  @ParameterizedTest
+  @EnumSource(Kernel.class)
+  void raysOnFacesAndThroughVerticesFindWhatAskingEveryTriangleFinds(Kernel kernel) {
+    assumeTrue(kernel != Kernel.VECTOR || Kernel.vectorObstacle().isEmpty());
     Mesh ball = Mesh.baked(Shapes.closedBall(8, 8, 0, false), Transform.IDENTITY);
     List<Mesh> triangles = Shapes.singly(ball);
-    Bvh bvh = Bvh.over(triangles);
+    Bvh bvh = Bvh.over(triangles, kernel);
     TriangleMesh data = ball.triangles();
     Random random = new Random(1);
     NearestHit found = new NearestHit();
@@ -89,15 +91,17 @@ class BvhTest {
     }
   }
 
-  @Test
-  void axisAlignedRaysMeetFlatGrids() {
+  @ParameterizedTest
+  @EnumSource(Kernel.class)
+  void axisAlignedRaysMeetFlatGrids(Kernel kernel) {
+    assumeTrue(kernel != Kernel.VECTOR || Kernel.vectorObstacle().isEmpty());
     List<Shape> tiles = new ArrayList<>();
     for (int i = 0; i < 64; i++) {
       Transform place = Transform.translation(new Vec3(i % 8, i % 3, i / 8));
       tiles.add(i % 2 == 0 ? new Rectangle(place, 1, 1, true) : tile(place));
     }
     Random random = new Random(2);
-    Bvh bvh = Bvh.over(tiles);
+    Bvh bvh = Bvh.over(tiles, kernel);
     NearestHit found = new NearestHit();
     NearestHit expected = new NearestHit();
     for (int i = 0; i < 5000; i++) {

@@ -15,6 +15,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Light;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
@@ -24,9 +26,11 @@ import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.Texture;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Light that is scattered more than once: enclosures, mirrors and glass, against closed forms. */
@@ -94,6 +98,16 @@ class InterreflectionTest {
         .isEqualTo(1.5);
     assertThat(radianceOnce(builder.build(), 0, new Ray(new Vec3(0, .5, 0), new Vec3(0, -1, 0))))
         .isZero();
+  }
+
+  @Test
+  void emitterSeenThroughGlassKeepsItsRadiance() {
+    Scene scene =
+        empty().addLamp(ceilingLamp(1, 1, 1), glow(3)).add(sphere(0, .7, 0, .1), glass(1)).build();
+    Ray up = new Ray(new Vec3(.01, .5, .02), Vec3.Y);
+
+    assertThat(radianceOnce(scene, 2, up)).isEqualTo(3);
+    assertThat(radianceOnce(scene, 1, up)).isZero();
   }
 
   @Test
@@ -207,14 +221,16 @@ class InterreflectionTest {
     assertThat(sum).isCloseTo(expected, within(2e-3 * expected));
   }
 
-  @Test
-  void rayModeIsPathModeOfDepthOneForOnePointLight() {
+  static List<Light> lightsOfNoSize() {
+    Vec3 down = new Vec3(-1, -2, 1).normalized();
+    return List.of(point(new Vec3(1, 2, -1), 4), new DirectionalLight(down, Rgb.WHITE));
+  }
+
+  @ParameterizedTest
+  @MethodSource("lightsOfNoSize")
+  void rayModeIsPathModeOfDepthOneForOneLightOfNoSize(Light light) {
     Scene scene =
-        empty()
-            .add(floor(), matte(.7))
-            .add(sphere(0, .5, 0, .5), matte(.3))
-            .add(point(new Vec3(1, 2, -1), 4))
-            .build();
+        empty().add(floor(), matte(.7)).add(sphere(0, .5, 0, .5), matte(.3)).add(light).build();
     Sampler sampler = sampler();
     Scratch scratch = new Scratch();
     for (int i = 0; i < 1000; i++) {

@@ -19,12 +19,18 @@ import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.PathTracer.Strategy;
+import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.PointLight;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import java.util.ArrayList;
@@ -40,6 +46,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  */
 class LightTransportTest {
   private static final double ALBEDO = .5;
+  private static final double EPS = 0x1p-52;
 
   /** Irradiance under the centre of a parallel rectangle (Howell's catalogue of view factors). */
   @ParameterizedTest
@@ -54,6 +61,7 @@ class LightTransportTest {
     "1e-6, 1e-6, 1, 9.99999999999667e-13",
     "1, .1, 1, 0.0862304220629105",
     "1.3, 1.05, 5.488, 0.0446324746681278",
+    "1e6, 1e6, 1, 3.14159265357951",
   })
   void rectangleLightsTheFloorBelowIt(double a, double b, double h, double irradiance) {
     Scene scene =
@@ -70,6 +78,15 @@ class LightTransportTest {
     Scene scene = empty().add(floor(), matte(ALBEDO)).addLamp(lamp, glow(1)).build();
 
     assertRadiance(scene, lookingDownAt(0), ALBEDO * irradiance / Math.PI);
+  }
+
+  /** A wall from the floor up, whose foot's corner stands at distance 1. */
+  @Test
+  void rectangleLightsTheFloorBesideIt() {
+    Shape wall = new Rectangle(at(.5, .5, 1).times(turned(-90, 0, 0)), 1, 1, false);
+    Scene scene = empty().add(floor(), matte(ALBEDO)).addLamp(wall, glow(1)).build();
+
+    assertRadiance(scene, lookingDownAt(0), ALBEDO * 0.175094143856948 / Math.PI);
   }
 
   @Test
@@ -189,6 +206,46 @@ class LightTransportTest {
     }
   }
 
+  /** E = I cos θ / d², or I cos θ of lights that do not fall off, to the last digits. */
+  @ParameterizedTest
+  @EnumSource(Falloff.class)
+  void irradianceOfOneLightIsExact(Falloff falloff) {
+    for (double distance = .1; distance < 1e3; distance *= 3) {
+      for (double degrees : new double[] {0, 10, 45, 80, 89, 89.9}) {
+        double angle = Math.toRadians(degrees);
+        Vec3 position = new Vec3(distance * Math.sin(angle), distance * Math.cos(angle), 0);
+        Light light = new PointLight(position, Rgb.grey(3), falloff);
+        Scene scene = empty().add(floor(), matte(ALBEDO)).add(light).build();
+        double length = position.length();
+        double fall = falloff == Falloff.NONE ? 1 : length * length;
+        double expected = ALBEDO / Math.PI * 3 * (position.y() / length) / fall;
+
+        assertThat(once(scene)).isCloseTo(expected, within(16 * EPS * expected));
+      }
+    }
+  }
+
+  @Test
+  void irradianceOfADistantLightIsExact() {
+    for (double degrees = 0; degrees < 90; degrees += 2.9) {
+      double angle = Math.toRadians(degrees);
+      Vec3 down = new Vec3(Math.sin(angle), -Math.cos(angle), 0).normalized();
+      Light light = new DirectionalLight(down, Rgb.grey(3));
+      Scene scene = empty().add(floor(), matte(ALBEDO)).add(light).build();
+      double expected = ALBEDO / Math.PI * 3 * -down.y();
+
+      assertThat(once(scene)).isCloseTo(expected, within(8 * EPS * expected));
+    }
+  }
+
+  /** Returns the light of one sample of the floor at the origin, which it meets exactly. */
+  private static double once(Scene scene) {
+    Sampler sampler = new SobolSampler(0);
+    sampler.startSample(1, 2, 3);
+    Ray ray = new Ray(new Vec3(0, 1e-9, 0), new Vec3(0, -1, 0));
+    return new PathTracer(scene, 1).radiance(ray, sampler, new Scratch()).r();
+  }
+
   @Test
   void coincidentLightsAddUp() {
     for (int k : new int[] {1, 2, 4, 7}) {
@@ -198,6 +255,38 @@ class LightTransportTest {
       }
 
       assertRadiance(builder.build(), lookingDownAt(0), k * ALBEDO);
+    }
+  }
+
+  /** Behind a point light stands a wall, behind the floor there is another one. */
+  @Test
+  void shadowsAreCastByWhatLiesBetweenOnly() {
+    Scene scene =
+        empty()
+            .add(floor(), matte(ALBEDO))
+            .add(ceilingLamp(50, 50, 3), matte(0))
+            .add(new Rectangle(at(0, -1, 0), 50, 50, true), matte(0))
+            .add(point(new Vec3(0, 2, 0), 4 * Math.PI))
+            .build();
+
+    assertRadiance(scene, lookingDownAt(0), ALBEDO);
+  }
+
+  /** Nothing is at the point that a direction's components name, or all is. */
+  @Test
+  void distantLightComesFromItsDirectionWhereverTheSceneStands() {
+    Vec3 down = new Vec3(0, -1, 0);
+    for (double x : new double[] {-100, 0, 100}) {
+      Scene scene =
+          empty()
+              .add(new Rectangle(at(x, 0, 0), 9, 9, false), matte(ALBEDO))
+              .add(sphere(.5 * x, 1, 0, .5), matte(0))
+              .add(new DirectionalLight(down, Rgb.grey(Math.PI)))
+              .build();
+
+      double expected = x == 0 ? 0 : ALBEDO;
+      assertThat(Estimate.of(new PathTracer(scene, 1), lookingDownAt(x), 1).mean())
+          .isCloseTo(expected, within(1e-12));
     }
   }
 

@@ -18,14 +18,17 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.Phong;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.TexturePoint;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
@@ -49,7 +52,9 @@ class MaterialReaderTest {
         json("{'id': 2, 'assetType': 'Material', " + material + "},")
             + texture(3, png(0xff8000, 0x0080ff), "")
             + ","
-            + texture(4, png(0xff8000, 0x0080ff), json(", 'filter': 'bilinear'"));
+            + texture(4, png(0xff8000, 0x0080ff), json(", 'filter': 'bilinear'"))
+            + ","
+            + texture(5, png(0x808080, 0x334455), "");
     return fixture.parse(
         scene(json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}"), assets));
   }
@@ -142,6 +147,18 @@ class MaterialReaderTest {
     Glass glass = (Glass) only(file).material();
     assertThat(glass.ior().at(LEFT)).isEqualTo(2);
     assertThat(glass.ior().at(RIGHT)).isEqualTo(1);
+  }
+
+  @Test
+  void texturesOfNumbersAreTakenAsTheyAre() {
+    SceneFile rough =
+        parse("'materialType': 'CookTorrance', 'roughness': 0.5, 'roughnessTextureId': 5");
+    ScalarTexture roughness = ((CookTorrance) only(rough).material()).roughness();
+    assertThat(roughness.at(LEFT)).isEqualTo(.5 * (128 / 255.0));
+    assertThat(roughness.at(RIGHT)).isEqualTo(.5 * (51 / 255.0));
+    SceneFile sharp = parse("'materialType': 'Phong', 'exponent': 100, 'exponentTextureId': 5");
+    ScalarTexture exponent = ((Phong) only(sharp).material()).exponent();
+    assertThat(exponent.at(LEFT)).isEqualTo(100 * (128 / 255.0));
   }
 
   private Scene shapes(String objects, String assets) {

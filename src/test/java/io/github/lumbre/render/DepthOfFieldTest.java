@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.BokehCache;
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
@@ -67,6 +69,24 @@ class DepthOfFieldTest {
     assertThat(before.y()).isCloseTo(-.25 * turned, within(.03 * turned));
   }
 
+  @Test
+  void lensOfNoSizeTakesThePictureOfAPinhole() throws InterruptedException {
+    Image pinhole = picture(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES), 9, 4);
+    Image lens =
+        picture(
+            new ThinLensCamera(Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES, FOCUS, 0, Aperture.DISK),
+            9,
+            4);
+
+    assertThat(lens.rgb()).isEqualTo(pinhole.rgb());
+    // Its border runs through pixels.
+    int grey = 0;
+    for (float value : lens.rgb()) {
+      grey += value > 0 && value < 1 ? 1 : 0;
+    }
+    assertThat(grey).isPositive();
+  }
+
   /** Returns a length at a depth in pixels of the film. */
   private static double pixels(double length, double depth) {
     return length / (depth * Math.tan(Math.toRadians(FOV_DEGREES / 2))) * SIZE / 2;
@@ -74,15 +94,23 @@ class DepthOfFieldTest {
 
   private static Spot spotOf(Aperture form, double aperture, double depth)
       throws InterruptedException {
+    Camera camera =
+        new ThinLensCamera(Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES, FOCUS, aperture, form);
+    return spot(picture(camera, depth, 256));
+  }
+
+  /** Returns the picture of the ball at a depth. */
+  private static Image picture(Camera camera, double depth, int samples)
+      throws InterruptedException {
     Scene scene =
-        Scene.seenBy(
-                new ThinLensCamera(Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES, FOCUS, aperture, form))
+        Scene.seenBy(camera)
             .addGlowing(
                 new Sphere(Transform.translation(new Vec3(0, 0, depth)), BALL),
                 new Emission(Texture.constant(Rgb.WHITE), true))
             .build();
-    RenderSettings settings = new RenderSettings.Builder().size(SIZE, SIZE).samples(256).build();
-    return spot(new BucketRenderer(settings).render(scene));
+    RenderSettings settings =
+        new RenderSettings.Builder().size(SIZE, SIZE).samples(samples).build();
+    return new BucketRenderer(settings).render(scene);
   }
 
   private static Spot spot(Image image) {

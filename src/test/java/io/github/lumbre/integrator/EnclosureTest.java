@@ -1,0 +1,181 @@
+package io.github.lumbre.integrator;
+
+import static io.github.lumbre.integrator.TestScenes.empty;
+import static io.github.lumbre.integrator.TestScenes.matte;
+import static io.github.lumbre.integrator.TestScenes.point;
+import static io.github.lumbre.integrator.TestScenes.sphere;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Moments;
+import io.github.lumbre.testing.Statistics;
+import io.github.lumbre.texture.Texture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Paths inside closed spheres, where roulette alone ends them: its mean and its variance. Light is
+ * the ambient one mostly, of which every vertex gets the same: then nothing but roulette varies.
+ */
+class EnclosureTest {
+  private static final Ray FROM_INSIDE = new Ray(new Vec3(.1, .2, -.3), new Vec3(.6, .64, .48));
+
+  /** Scatterings before the first at which a path may end. */
+  private static final int SAFE = 4;
+
+  /** A sphere of some reflectance whose every point gets an irradiance of π from nowhere. */
+  private static Scene furnace(double albedo) {
+    return empty().add(sphere(0, 0, 0, 1), matte(albedo)).addAmbient(Rgb.grey(Math.PI)).build();
+  }
+
+  /** Returns the moments of single samples, each of a pixel of its own. */
+  private static Moments moments(Scene scene, int depth, Ray ray, int samples, long seed) {
+    PathTracer tracer = new PathTracer(scene, depth);
+    Sampler sampler = new SobolSampler(Effort.seed(seed));
+    Scratch scratch = new Scratch();
+    Moments moments = new Moments();
+    for (int i = 0; i < samples; i++) {
+      sampler.startSample(i & 0xffff, i >>> 16, 0);
+      moments.add(tracer.radiance(ray, sampler, scratch).r());
+    }
+    return moments;
+  }
+
+  /** ρ + ρ² + … + ρᴺ: what an enclosure that glows with 1 shows after N bounces, less its glow. */
+  @ParameterizedTest
+  @CsvSource({
+    ".2, 0, 1",
+    ".2, 1, 1.2",
+    ".2, 2, 1.24",
+    ".2, 5, 1.24992",
+    ".2, 10, 1.249999974",
+    ".2, 50, 1.25",
+    ".5, 0, 1",
+    ".5, 1, 1.5",
+    ".5, 2, 1.75",
+    ".5, 5, 1.96875",
+    ".5, 10, 1.999023438",
+    ".5, 50, 2",
+    ".8, 1, 1.8",
+    ".8, 2, 2.44",
+    ".8, 5, 3.68928",
+    ".8, 10, 4.57050327",
+    ".8, 50, 4.99994291",
+    ".8, 100, 5",
+    ".9, 2, 2.71",
+    ".9, 5, 4.68559",
+    ".9, 10, 6.861894039",
+    ".9, 50, 9.953616023",
+    ".9, 100, 9.999760947",
+    ".9, 1000, 10",
+    ".95, 5, 5.298162187",
+    ".95, 10, 8.623998154",
+    ".95, 50, 18.53804547",
+    ".95, 100, 19.88750994",
+    ".95, 1000, 20",
+    ".99, 1, 1.99",
+    ".99, 5, 5.85198506",
+    ".99, 10, 10.46617457",
+    ".99, 50, 40.10439935",
+    ".99, 100, 63.76279821",
+    ".99, 1000, 99.99572605",
+  })
+  void furnaceIsTruncatedAtTheDepth(double albedo, int bounces, double radiance) {
+    int samples = Effort.count(4000, 1_000_000);
+    Moments moments = moments(furnace(albedo), bounces, FROM_INSIDE, samples, bounces);
+
+    // The table has ten digits.
+    double error = 1e-9 * radiance;
+    double distance = Math.abs(moments.mean() - (radiance - 1));
+    assertThat(distance - error)
+        .isLessThan(Statistics.CRITICAL_Z * Math.sqrt(moments.variance() / samples) + 1e-300);
+  }
+
+  /**
+   * After four scatterings a path survives with its weight, ρ⁴, from then on with ρ, so that it
+   * counts for 1 whenever it does: the number of its vertices is geometrically distributed. With
+   * probabilities of ρ² or less the variance would be infinite. Of so many samples, the variance
+   * has a standard error of 1 %.
+   */
+  @ParameterizedTest
+  @CsvSource({".5, 700000", ".8, 200000", ".95, 100000"})
+  void rouletteKeepsTheVarianceFinite(double albedo, int quick) {
+    int samples = Effort.count(quick, 10 * quick);
+    Moments moments = moments(furnace(albedo), 100_000, FROM_INSIDE, samples, 7);
+
+    double all = albedo / (1 - albedo);
+    double first = Math.pow(albedo, SAFE);
+    double rest = first * all;
+    double square = first * albedo * albedo * (1 + albedo) / ((1 - albedo) * (1 - albedo));
+    double variance = square - rest * rest;
+    assertThat(Math.abs(moments.z(all))).isLessThan(Statistics.CRITICAL_Z);
+    assertThat(moments.variance()).isCloseTo(variance, within(.05 * variance));
+  }
+
+  @Test
+  void deeperPathsAreNeverDarker() {
+    Scene scene =
+        empty().add(sphere(0, 0, 0, 1), matte(.95)).add(point(Vec3.ZERO, Math.PI)).build();
+    Scratch scratch = new Scratch();
+    Sampler sampler = new SobolSampler(Effort.seed(3));
+    for (int sample = 0; sample < Effort.count(50, 1000); sample++) {
+      double before = 0;
+      for (int depth = 0; depth <= 1000; depth = depth < 20 ? depth + 1 : 2 * depth) {
+        sampler.startSample(5, 6, sample);
+        double radiance = new PathTracer(scene, depth).radiance(FROM_INSIDE, sampler, scratch).r();
+        assertThat(radiance).isGreaterThanOrEqualTo(before);
+        before = radiance;
+      }
+    }
+  }
+
+  /**
+   * Every point of a sphere sees every other under the same factor: with a light of intensity π in
+   * the centre, Bᵢ = ρᵢ / (1 − (ρ₁ + ρ₂) / 2).
+   */
+  @ParameterizedTest
+  @CsvSource({".5, .5", ".9, .9", ".2, .8", ".95, .1"})
+  void hemispheresOfDifferentReflectanceLightEachOther(double upper, double lower) {
+    Texture<Rgb> halves = p -> Rgb.grey(p.v() < .5 ? upper : lower);
+
+    Scene scene =
+        empty().add(sphere(0, 0, 0, 1), new Matte(halves)).add(point(Vec3.ZERO, Math.PI)).build();
+    int samples = Effort.count(20_000, 2_000_000);
+    double all = 1 / (1 - .5 * (upper + lower));
+    for (Vec3 way : new Vec3[] {new Vec3(.48, .8, .36), new Vec3(.48, -.8, .36)}) {
+      double own = way.y() > 0 ? upper : lower;
+      Moments moments = moments(scene, 100_000, new Ray(Vec3.ZERO, way), samples, 5);
+      assertThat(Math.sqrt(moments.variance() / samples)).isLessThan(.03 * own * all);
+      assertThat(Math.abs(moments.z(own * all))).isLessThan(Statistics.CRITICAL_Z);
+    }
+  }
+
+  /** Where everything is white, whatever its form, nothing is seen against a white dome. */
+  @Test
+  void whiteHollowsUnderAWhiteDomeAreWhite() {
+    Scene scene =
+        empty()
+            .add(TestScenes.floor(), matte(1))
+            .add(sphere(0, 1, 0, 1), matte(1))
+            .add(sphere(1.5, .6, .3, .6), matte(1))
+            .add(sphere(.4, .3, -1.4, .3), matte(1))
+            .add(EnvironmentLight.uniform(Rgb.WHITE))
+            .build();
+    for (double x : new double[] {.6, 1, 3}) {
+      Ray ray = TestScenes.lookingDownAt(x);
+      Estimate estimate = Estimate.of(new PathTracer(scene, 100_000), ray, Effort.count(64, 4096));
+      assertThat(estimate.error()).isLessThan(5e-3);
+      assertThat(estimate.z(1)).isLessThan(Estimate.CRITICAL);
+    }
+  }
+}

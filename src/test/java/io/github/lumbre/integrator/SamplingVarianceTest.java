@@ -1,0 +1,103 @@
+package io.github.lumbre.integrator;
+
+import static io.github.lumbre.integrator.TestScenes.ceilingLamp;
+import static io.github.lumbre.integrator.TestScenes.empty;
+import static io.github.lumbre.integrator.TestScenes.floor;
+import static io.github.lumbre.integrator.TestScenes.glow;
+import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
+import static io.github.lumbre.integrator.TestScenes.matte;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.PathTracer.Strategy;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Moments;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The variance of one sample of direct light is that of the density it should be drawn with:
+ * samplers that lose it keep the mean, and no other test would see it.
+ */
+class SamplingVarianceTest {
+  private static final double ALBEDO = .5;
+
+  /** From irradiance to the radiance of the floor. */
+  private static final double SCALE = ALBEDO / Math.PI;
+
+  private static Moments moments(Scene scene, Strategy strategy, int samples) {
+    PathTracer tracer = new PathTracer(scene, 1, strategy);
+    Sampler sampler = new SobolSampler(Effort.seed(1));
+    Scratch scratch = new Scratch();
+    Moments moments = new Moments();
+    for (int i = 0; i < samples; i++) {
+      // Every sample in a pixel of its own: they are independent then.
+      sampler.startSample(i & 0xffff, i >>> 16, 0);
+      moments.add(tracer.radiance(lookingDownAt(0), sampler, scratch).r() / SCALE);
+    }
+    return moments;
+  }
+
+  private static Scene under(double height) {
+    return empty().add(floor(), matte(ALBEDO)).addLamp(ceilingLamp(1, 1, height), glow(1)).build();
+  }
+
+  private static void assertVariance(Scene scene, Strategy strategy, int samples, double expected) {
+    double variance = moments(scene, strategy, samples).variance();
+
+    assertThat(variance).isCloseTo(expected, within(.05 * expected));
+  }
+
+  @Test
+  void nearRectangleIsSampledBySolidAngle() {
+    assertVariance(under(1), Strategy.LIGHT, Effort.count(100_000, 1_000_000), .00106004);
+  }
+
+  /** By area: E[(cos² / d²)²] − E², integrated over the lamp by midpoints. */
+  @Test
+  void farRectangleIsSampledByArea() {
+    double height = 2;
+    int n = 500;
+    double sum = 0;
+    double squares = 0;
+    for (int i = 0; i < n * n; i++) {
+      double x = (i % n + .5) / n - .5;
+      double y = (i / n + .5) / n - .5;
+      double dd = x * x + y * y + height * height;
+      double value = height * height / (dd * dd);
+      sum += value / (n * n);
+      squares += value * value / (n * n);
+    }
+
+    double expected = squares - sum * sum;
+    assertVariance(under(height), Strategy.LIGHT, Effort.count(100_000, 1_000_000), expected);
+  }
+
+  @Test
+  void diffuseSurfaceScattersByTheCosine() {
+    assertVariance(under(1), Strategy.BSDF, Effort.count(200_000, 1_000_000), 1.79742);
+  }
+
+  /** Where all light comes from a small part of the dome, every sample goes there. */
+  @Test
+  void smallBrightPartOfADomeIsSampled() {
+    EnvironmentLight dome =
+        EnvironmentLight.image(
+            Frame.WORLD,
+            p -> Rgb.grey(p.v() > .9 && p.v() < .92 && p.u() > .3 && p.u() < .32 ? 1000 : 0),
+            100,
+            100);
+    Scene scene = empty().add(floor(), matte(ALBEDO)).add(dome).build();
+    Moments moments = moments(scene, Strategy.LIGHT, Effort.count(20_000, 500_000));
+
+    // Rows of the table narrow by a tenth towards the zenith, which makes a deviation of a tenth
+    // over √12; even samples would meet the part once in ten thousand.
+    assertThat(moments.mean()).isPositive();
+    assertThat(Math.sqrt(moments.variance())).isLessThan(.04 * moments.mean());
+  }
+}
