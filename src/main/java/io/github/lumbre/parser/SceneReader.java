@@ -122,7 +122,8 @@ final class SceneReader {
       root.object("renderOptions")
           .ifPresent(o -> o.warn("background", "is ignored, since the scene has a Dome"));
     } else {
-      JsonNode origin = root.object("renderOptions").orElse(root);
+      JsonNode origin =
+          root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root);
       background.ifPresent(
           radiance -> additions.add(new Addition(origin, s -> s.addBackground(radiance))));
     }

@@ -243,6 +243,10 @@ class SceneAuditTest {
     List<Finding> findings = auditOf("", away);
     assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "paths found light of it");
     assertFinds(findings, "light", Severity.NOTE, "$.objects[2]", "100 % of the picture's light");
+    String sky = "\"background\": {\"r\": 1, \"g\": 1, \"b\": 1}, \"maxTraceDepth\": 50";
+    String ofSky = "of the picture's light";
+    assertFinds(
+        audit(sky, "", FLOOR, LAMP), "light", Severity.NOTE, "$.renderOptions.background", ofSky);
     String towards = away.replace("-90", "90");
     assertThat(auditOf("", towards)).noneMatch(f -> f.found().contains("found light of it"));
   }
