@@ -331,8 +331,9 @@ class ExtremePicturesTest {
               .times(Transform.rotationDegrees(vector(180)))
               .times(Transform.scale(new Vec3(size, size * random.nextDouble(.5, 2), size))));
     }
+    int height = Effort.count(60, 480);
     RenderSettings settings =
-        settings(Effort.count(80, 640), 60, 1).maxTraceDepth(2).seed(Effort.seed(1)).build();
+        settings(height * 4 / 3, height, 1).maxTraceDepth(2).seed(Effort.seed(1)).build();
     float[] baked = render(settings, places, place -> Mesh.baked(mesh, place));
     float[] placed = render(settings, places, place -> new MeshInstance(shared, place));
     int different = 0;
