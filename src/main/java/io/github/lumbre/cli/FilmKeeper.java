@@ -59,7 +59,7 @@ final class FilmKeeper implements AutoCloseable {
     checkpoints.ifPresent(c -> c.saveIfDue(film));
   }
 
-  /** Saves a film now. A failure is told, and remembered until a later attempt succeeds. */
+  /** Saves a film now. A failure is told once, and remembered until a later attempt succeeds. */
   void save(Film film) {
     if (file.isEmpty() || film.totalSamples() == 0) {
       return;
@@ -71,8 +71,11 @@ final class FilmKeeper implements AutoCloseable {
       failure = Optional.empty();
     } catch (IOException e) {
       String what = wanted.path() + ": cannot be written: " + e.getMessage();
-      failure = Optional.of(what + "; " + rescue(content, wanted.path()));
-      messages.line("warning: " + failure.get());
+      Optional<String> found = Optional.of(what + "; " + rescue(content, wanted.path()));
+      if (!found.equals(failure)) {
+        messages.line("warning: " + found.get());
+      }
+      failure = found;
     }
   }
 
