@@ -14,6 +14,9 @@ import picocli.CommandLine.Spec;
 
 /** The flags that end a render otherwise than by a number of samples; what comes first ends it. */
 final class BudgetFlags {
+  /** The property that tells when the program was started, in milliseconds since 1970. */
+  static final String START = "lumbre.start";
+
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
 
@@ -68,6 +71,12 @@ final class BudgetFlags {
                 spec.commandLine(), "--confidence: expected 50% to less than 100%");
           }
         });
+  }
+
+  /** Returns when the time of this command began: when the program did, if it runs this alone. */
+  static Instant start() {
+    Long millis = Long.getLong(START);
+    return millis == null ? Instant.now() : Instant.ofEpochMilli(millis);
   }
 
   /** Tells whether a time or an error is to end the render. */

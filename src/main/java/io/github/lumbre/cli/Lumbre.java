@@ -4,6 +4,7 @@ import java.io.FileNotFoundException;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.Charset;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -59,6 +60,8 @@ public final class Lumbre implements Runnable {
   /** Runs the command that the arguments name, and ends the program. */
   public static void main(String[] args) {
     redirectErrors();
+    long start = ManagementFactory.getRuntimeMXBean().getStartTime();
+    System.setProperty(BudgetFlags.START, String.valueOf(start));
     Charset charset = Charset.defaultCharset();
     PrintWriter out = new PrintWriter(System.out, true, charset);
     PrintWriter err = new PrintWriter(System.err, true, charset);

@@ -151,7 +151,7 @@ final class RenderCommand implements Callable<Integer> {
     kernel.apply();
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Deadline deadline = Deadline.after(timeout);
-    Instant start = Instant.now();
+    Instant start = BudgetFlags.start();
     Path target = target();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
