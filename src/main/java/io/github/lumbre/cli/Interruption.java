@@ -1,6 +1,8 @@
 package io.github.lumbre.cli;
 
 import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 
 /**
@@ -9,6 +11,9 @@ import java.util.concurrent.CountDownLatch;
  * Shared by the render's threads and the one that ends the virtual machine.
  */
 final class Interruption implements AutoCloseable {
+  /** What has been closed while the program was to end, but may still have to tell why. */
+  private static final Queue<Interruption> ENDING = new ConcurrentLinkedQueue<>();
+
   private final CountDownLatch ended = new CountDownLatch(1);
 
   private final Thread hook = new Thread(this::hold, "lumbre-interruption");
@@ -31,6 +36,11 @@ final class Interruption implements AutoCloseable {
     return interruption;
   }
 
+  /** Holds up the program's end no longer: all is told. */
+  static void letEnd() {
+    ENDING.forEach(interruption -> interruption.ended.countDown());
+  }
+
   /** Tells whether the program is to end. */
   boolean isRequested() {
     return requested;
@@ -42,13 +52,17 @@ final class Interruption implements AutoCloseable {
     return rendering;
   }
 
-  /** All is saved, or nothing can be: nothing is held up any more. */
+  /**
+   * All is saved, or nothing can be: the program may end as soon as it has told so, see {@link
+   * #letEnd}.
+   */
   @Override
   public void close() {
-    ended.countDown();
     if (requested) {
+      ENDING.add(this);
       return;
     }
+    ended.countDown();
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {

@@ -68,6 +68,7 @@ public final class Lumbre implements Runnable {
     int exitCode = run(args, out, err);
     out.flush();
     err.flush();
+    Interruption.letEnd();
     System.exit(exitCode);
   }
 
