@@ -6,6 +6,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Supplier;
 
 /**
  * Progress for programs to read: a JSON object a line, at the beginning, every second and at the
@@ -39,8 +40,8 @@ final class JsonProgress implements ProgressDisplay {
   }
 
   @Override
-  public void estimated(double relativeError) {
-    error = OptionalDouble.of(relativeError);
+  public void estimable(Supplier<OptionalDouble> relativeError) {
+    error = relativeError.get();
   }
 
   /** Prints the last line; none follows. */

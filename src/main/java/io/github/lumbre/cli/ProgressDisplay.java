@@ -1,5 +1,8 @@
 package io.github.lumbre.cli;
 
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+
 /** Shows how far a render is. May be told from several threads at once. */
 interface ProgressDisplay extends AutoCloseable {
   /** Shows nothing. */
@@ -15,8 +18,8 @@ interface ProgressDisplay extends AutoCloseable {
   /** So many more samples are done. */
   void advanced(long samples);
 
-  /** The picture's error is about so large, relative to the picture. */
-  default void estimated(double relativeError) {}
+  /** The picture's error, relative to the picture, can be estimated now, which takes a moment. */
+  default void estimable(Supplier<OptionalDouble> relativeError) {}
 
   @Override
   void close();

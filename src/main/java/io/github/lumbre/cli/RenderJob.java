@@ -95,6 +95,7 @@ record RenderJob(
       PassResult pass = renderer.addSamples(film, Passes.next(done, goal), progress);
       statistics = statistics.plus(pass.statistics());
       keeper.saveIfDue(film);
+      monitor.estimable(() -> budget.noise(film));
       if (!isForecast && budget.forecast().isPresent()) {
         isForecast = true;
         tell(budget.forecast().get(), done, (System.nanoTime() - start) * 1e-9, film);

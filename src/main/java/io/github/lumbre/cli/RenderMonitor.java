@@ -4,8 +4,10 @@ import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Progress;
 import java.io.PrintWriter;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongFunction;
+import java.util.function.Supplier;
 
 /**
  * Passes on what a render has done to a display, and to the render whether the program is to end or
@@ -56,9 +58,9 @@ final class RenderMonitor implements Progress, AutoCloseable {
     display.get().advanced(samples);
   }
 
-  /** The picture's error is about so large, relative to the picture. */
-  void estimated(double relativeError) {
-    display.get().estimated(relativeError);
+  /** The picture's error, relative to the picture, can be estimated now, which takes a moment. */
+  void estimable(Supplier<OptionalDouble> relativeError) {
+    display.get().estimable(relativeError);
   }
 
   @Override

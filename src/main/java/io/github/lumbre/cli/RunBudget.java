@@ -10,6 +10,7 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** What ends a run: samples, a time or an error, whichever comes first. Mutable, for one run. */
 final class RunBudget {
@@ -99,6 +100,11 @@ final class RunBudget {
   /** Tells whether the film has what this run was to give it. */
   boolean isMetBy(Film film) {
     return film.fewestSamples() >= budget.samples() || reachedTarget || time.hasPassed();
+  }
+
+  /** Returns about how noisy the film is now; empty as long as that cannot be told. */
+  OptionalDouble noise(Film film) {
+    return watch.estimate(film).stream().mapToDouble(NoiseEstimate::relativeRmse).findAny();
   }
 
   /** Returns what is to be told of the film when the run has ended. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
@@ -119,6 +120,16 @@ class JsonSummaryTest {
     assertThat(last.get("done").getAsLong()).isEqualTo(16 * 12 * 2);
     assertThat(last.get("total").getAsLong()).isEqualTo(16 * 12 * 2);
     assertThat(last.get("seconds_left").getAsDouble()).isZero();
+  }
+
+  @Test
+  void progressTellsTheNoiseOfTheRender() {
+    Outcome outcome = render(TinyScene.JSON, "--progress", "json", "--quiet", "--samples", "64");
+    List<String> lines = outcome.err().lines().toList();
+    JsonObject last = JsonParser.parseString(lines.get(lines.size() - 1)).getAsJsonObject();
+    JsonObject noise = object(outcome).get("noise").getAsJsonObject();
+    assertThat(last.get("relative_error").getAsDouble())
+        .isCloseTo(noise.get("relative_rmse").getAsDouble(), within(1e-12));
   }
 
   @Test
