@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /** Starts other programs, as a user would, and waits for their end. */
@@ -12,6 +13,7 @@ final class Program {
   /** The command line with everything it needs. */
   static final Path JAR = Path.of("target", "lumbre-all.jar").toAbsolutePath();
 
+  private static final int SIGINT = 2;
   private static final long PATIENCE_SECONDS = 60;
 
   private Program() {}
@@ -30,11 +32,32 @@ final class Program {
 
   /** Starts a program in a directory, which takes what it prints. */
   static Process start(Path directory, List<String> command) throws IOException {
-    return new ProcessBuilder(command)
+    return new ProcessBuilder(interruptible(command))
         .directory(directory.toFile())
         .redirectOutput(directory.resolve("out.txt").toFile())
         .redirectError(directory.resolve("err.txt").toFile())
         .start();
+  }
+
+  /**
+   * Returns a command that hears SIGINT even if this process does not: shells let what they start
+   * in the background ignore it, and children inherit that.
+   */
+  private static List<String> interruptible(List<String> command) throws IOException {
+    Path status = Path.of("/proc/self/status");
+    if (!Files.exists(status)) {
+      return command;
+    }
+    Optional<String> ignored =
+        Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:")).findAny();
+    long mask =
+        ignored.map(line -> Long.parseUnsignedLong(line.substring(7).trim(), 16)).orElse(0L);
+    if ((mask >> SIGINT - 1 & 1) == 0) {
+      return command;
+    }
+    List<String> all = new ArrayList<>(List.of("env", "--default-signal=INT"));
+    all.addAll(command);
+    return all;
   }
 
   /** Waits for the end of what {@link #start} started. */
