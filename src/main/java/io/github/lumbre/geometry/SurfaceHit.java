@@ -144,10 +144,9 @@ public final class SurfaceHit {
 
   /** Aims a search by the ray that leaves in a unit direction. */
   public void spawn(Vec3 direction, NearestHit next) {
-    aim(next, direction.x(), direction.y(), direction.z());
-  }
-
-  private void aim(NearestHit next, double dx, double dy, double dz) {
+    double dx = direction.x();
+    double dy = direction.y();
+    double dz = direction.z();
     double side = side(dx, dy, dz);
     double ox = x + side * geometricX;
     double oy = y + side * geometricY;
@@ -189,7 +188,7 @@ public final class SurfaceHit {
         end.z() + side * normal.z());
   }
 
-  /** Returns how far along the true normal a ray of some direction begins off the surface. */
+  /** Returns how far, in world units, along the true normal a ray begins off the surface. */
   private double side(double dx, double dy, double dz) {
     return Math.copySign(error, dx * geometricX + dy * geometricY + dz * geometricZ);
   }
