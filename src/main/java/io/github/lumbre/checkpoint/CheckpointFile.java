@@ -13,7 +13,8 @@ import java.util.Optional;
 /**
  * Where a running render keeps its film: each save replaces the one before, which stays beside it
  * with the ending {@code .bak}. Whenever the program ends, one of the two is complete. Reserved
- * from the start, so that two renders cannot keep their films in one file. Mutable, for one thread.
+ * from the start, so that two renders cannot keep their films in one file. Mutable, for one thread
+ * at a time.
  */
 public final class CheckpointFile implements Closeable {
   private final Disk disk;

@@ -1,64 +1,94 @@
 package io.github.lumbre.checkpoint;
 
-import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Progress;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Says when a running render is to save its film: once in an interval. A pass over the film is
- * cancelled for it wherever it is, and made up for by the next, so that long passes do not put it
- * off. Shared by the render's threads; saving is its caller's.
+ * Saves the film of a running render: once in an interval. A pass over the film is cancelled for it
+ * wherever it is, and made up for by the next, so that long passes do not put it off. Rendering
+ * waits until the film is copied, and goes on while another thread saves the copy. There is one
+ * save at a time: if one takes longer than the interval, the next begins when it has ended.
+ *
+ * <p>{@link #pausing} is for the render's threads, all else for the one that starts their passes.
  */
 public final class Checkpoints {
   private final long intervalNanos;
   private final Consumer<Film> saver;
+  private final boolean copies;
   private volatile long next;
+  private volatile Optional<BackgroundSave> running = Optional.empty();
+  private Optional<Film> copy = Optional.empty();
 
   /**
-   * @param saver saves the film it is given
+   * @param saver saves the film it is given, which nobody changes meanwhile; called in one thread
+   *     at a time
+   * @param copies whether there is memory for a second film; if not, rendering waits for each save
    */
-  public Checkpoints(Duration interval, Consumer<Film> saver) {
+  public Checkpoints(Duration interval, Consumer<Film> saver, boolean copies) {
     this.intervalNanos = interval.toNanos();
     this.saver = saver;
+    this.copies = copies;
     next = System.nanoTime() + intervalNanos;
   }
 
   /** Returns a listener that cancels a pass when the film is to be saved, or the other does. */
   public Progress pausing(Progress listener) {
-    return new Progress() {
-      @Override
-      public void started(long totalSamples) {
-        listener.started(totalSamples);
-      }
-
-      @Override
-      public void advanced(long samples) {
-        listener.advanced(samples);
-      }
-
-      @Override
-      public void finished(Bucket bucket) {
-        listener.finished(bucket);
-      }
-
-      @Override
-      public boolean isCancelled() {
-        return isDue() || listener.isCancelled();
-      }
-    };
+    return listener.cancelledAlsoIf(this::isDue);
   }
 
   private boolean isDue() {
-    return System.nanoTime() - next >= 0;
+    return System.nanoTime() - next >= 0 && !running.map(BackgroundSave::isRunning).orElse(false);
   }
 
-  /** Saves a film if the interval is over; called between passes. */
+  /**
+   * Saves a film if the interval is over; called between passes.
+   *
+   * @throws IllegalStateException if the save before ended by an exception
+   */
   public void saveIfDue(Film film) {
-    if (isDue()) {
-      saver.accept(film);
-      next = System.nanoTime() + intervalNanos;
+    if (!isDue()) {
+      return;
     }
+    next = System.nanoTime() + intervalNanos;
+    if (copies) {
+      await();
+      Film content = copied(film);
+      running = Optional.of(BackgroundSave.start(() -> saver.accept(content)));
+    } else {
+      saver.accept(film);
+    }
+  }
+
+  private Film copied(Film film) {
+    if (copy.isPresent()) {
+      copy.get().set(film);
+    } else {
+      copy = Optional.of(film.copy());
+    }
+    return copy.get();
+  }
+
+  /**
+   * Saves a film now, after the save that is running, if one is.
+   *
+   * @throws IllegalStateException if the save before ended by an exception; this one is done all
+   *     the same
+   */
+  public void saveLast(Film film) {
+    try {
+      await();
+    } finally {
+      copy = Optional.empty();
+      saver.accept(film);
+    }
+  }
+
+  private void await() {
+    Optional<BackgroundSave> before = running;
+    running = Optional.empty();
+    before.ifPresent(BackgroundSave::await);
   }
 }

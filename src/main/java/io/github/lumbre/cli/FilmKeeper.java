@@ -5,6 +5,7 @@ import io.github.lumbre.checkpoint.Checkpoints;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -14,13 +15,14 @@ import java.util.Optional;
 
 /**
  * Keeps the film of a running render in a file, if there is one; if it cannot be written, in
- * another directory. Mutable, for the thread that renders.
+ * another directory. Mutable, for the thread that renders; films are saved in another.
  */
 final class FilmKeeper implements AutoCloseable {
   private final Optional<CheckpointFile> file;
   private final Fallback fallback;
   private final Messages messages;
-  private final Optional<Checkpoints> checkpoints;
+  private final Duration interval;
+  private Optional<Checkpoints> checkpoints = Optional.empty();
   private Map<String, String> identity = Map.of();
   private Map<String, String> notes = Map.of();
   private Optional<Path> instead = Optional.empty();
@@ -35,7 +37,7 @@ final class FilmKeeper implements AutoCloseable {
     this.file = file;
     this.fallback = fallback;
     this.messages = messages;
-    checkpoints = file.map(f -> new Checkpoints(interval, this::save));
+    this.interval = interval;
   }
 
   /** Returns one that keeps nothing. */
@@ -43,10 +45,21 @@ final class FilmKeeper implements AutoCloseable {
     return new FilmKeeper(Optional.empty(), Duration.ZERO, Fallback.TEMPORARY, messages);
   }
 
-  /** Says what films are of, before the first is saved. */
-  void label(Map<String, String> newIdentity, Map<String, String> newNotes) {
+  /**
+   * Begins the first interval. Rendering will wait for saves only if memory has no room for a
+   * second film.
+   *
+   * @param newIdentity what films are of
+   */
+  void begin(
+      Map<String, String> newIdentity, Map<String, String> newNotes, RenderSettings settings) {
     identity = newIdentity;
     notes = newNotes;
+    checkpoints =
+        file.map(
+            f ->
+                new Checkpoints(
+                    interval, film -> save(f, film), MemoryEstimate.leavesRoomForCopy(settings)));
   }
 
   /** Returns a listener that pauses a pass whenever the film is to be saved. */
@@ -59,12 +72,15 @@ final class FilmKeeper implements AutoCloseable {
     checkpoints.ifPresent(c -> c.saveIfDue(film));
   }
 
-  /** Saves a film now. A failure is told once, and remembered until a later attempt succeeds. */
-  void save(Film film) {
-    if (file.isEmpty() || film.totalSamples() == 0) {
-      return;
+  /** Saves a film now, at the end of the render. */
+  void saveLast(Film film) {
+    if (film.totalSamples() != 0) {
+      checkpoints.ifPresent(c -> c.saveLast(film));
     }
-    CheckpointFile wanted = file.get();
+  }
+
+  /** A failure is told once, and remembered until a later attempt succeeds. */
+  private void save(CheckpointFile wanted, Film film) {
     FilmFile content = FilmFile.of(identity, film, notes);
     try {
       wanted.save(content);
@@ -92,7 +108,7 @@ final class FilmKeeper implements AutoCloseable {
     }
   }
 
-  /** Returns what went wrong with the last film, if anything did. */
+  /** Returns what went wrong with the last film, if anything did; asked after the last save. */
   Optional<String> failure() {
     return failure;
   }

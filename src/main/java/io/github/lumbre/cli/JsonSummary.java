@@ -100,6 +100,7 @@ final class JsonSummary {
     values.put("scene_bytes", estimate.sceneBytes());
     values.put("thread_bytes", estimate.threadBytes());
     values.put("needed_bytes", estimate.neededBytes());
+    values.put("checkpoint_copy_bytes", estimate.copyBytes());
     values.put("max_heap_bytes", estimate.maxHeapBytes());
     values.put("fits", estimate.fits());
   }

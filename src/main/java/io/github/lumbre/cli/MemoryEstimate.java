@@ -14,6 +14,9 @@ record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapByte
   /** The film takes at most 64 bytes a pixel, and the picture made from it 16. */
   private static final int BYTES_PER_PIXEL = 80;
 
+  /** What a copy of the film takes, beside the film but not beside the picture. */
+  private static final int BYTES_PER_COPIED_PIXEL = 64;
+
   /** What a thread keeps, and the part of the heap that is set aside for it alone. */
   private static final long BYTES_PER_THREAD = 64 << 10;
 
@@ -31,6 +34,16 @@ record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapByte
       // Much of what is in use may be what reading the scene has left behind.
       measured(settings).require();
     }
+  }
+
+  /**
+   * Tells whether a scene that has just been read can be rendered on this heap with a second film,
+   * so that one can be saved while the other grows.
+   */
+  static boolean leavesRoomForCopy(RenderSettings settings) {
+    long maxHeapBytes = Runtime.getRuntime().maxMemory();
+    return new MemoryEstimate(settings, usedBytes(), maxHeapBytes).fitsWithCopy()
+        || measured(settings).fitsWithCopy();
   }
 
   /** Returns the estimate of a scene that has just been read, for this heap. Takes a moment. */
@@ -62,6 +75,11 @@ record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapByte
     return BYTES_PER_PIXEL * pixels();
   }
 
+  /** Returns what a second film takes, which checkpoints are saved from if there is room for it. */
+  long copyBytes() {
+    return BYTES_PER_COPIED_PIXEL * pixels();
+  }
+
   long threadBytes() {
     return BYTES_PER_THREAD * threads();
   }
@@ -74,6 +92,11 @@ record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapByte
   /** Tells whether the heap is large enough. */
   boolean fits() {
     return neededBytes() <= maxHeapBytes;
+  }
+
+  /** Tells whether the heap is large enough for a second film too. */
+  boolean fitsWithCopy() {
+    return neededBytes() + copyBytes() <= maxHeapBytes;
   }
 
   /**
@@ -108,6 +131,7 @@ record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapByte
     out.line("scene    " + mebibytes(sceneBytes));
     out.line("threads  " + mebibytes(threadBytes()) + ": " + threads());
     out.line("needed   " + mebibytes(neededBytes()));
+    out.line("copy     " + mebibytes(copyBytes()) + " more for checkpoints, if there is room");
     out.line("heap     " + mebibytes(maxHeapBytes));
   }
 

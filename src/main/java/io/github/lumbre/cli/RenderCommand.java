@@ -198,9 +198,10 @@ final class RenderCommand implements Callable<Integer> {
       RunBudget budget,
       JsonSummary report) {
     Path scene = options.scene();
-    keeper.label(
+    keeper.begin(
         FilmHeader.identity(file.hash(), file.settings()),
-        FilmNotes.of(scene, file, picture.target(), bits, options.isLenient()));
+        FilmNotes.of(scene, file, picture.target(), bits, options.isLenient()),
+        file.settings());
     RenderJob.How how = new RenderJob.How(bits, quiet, stats, options.isStrict());
     Messages messages = new Messages(spec.commandLine().getErr());
     return new RenderJob(scene, file, picture, keeper, monitor, messages, report, budget, how);

@@ -63,9 +63,10 @@ record RenderJob(
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
     } finally {
-      keeper.save(film);
       // Not later: the virtual machine may end as soon as nothing is left to be written.
-      keeper.close();
+      try (keeper) {
+        keeper.saveLast(film);
+      }
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);

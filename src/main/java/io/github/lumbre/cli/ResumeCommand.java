@@ -180,8 +180,10 @@ final class ResumeCommand implements Callable<Integer> {
       return ExitCodes.INTERRUPTED;
     }
     setDamagedAside(loaded, messages);
-    keeper.label(
-        identity, FilmNotes.of(path, file, picture.target(), notes.bits(), notes.lenient()));
+    keeper.begin(
+        identity,
+        FilmNotes.of(path, file, picture.target(), notes.bits(), notes.lenient()),
+        file.settings());
     RenderJob.How how = new RenderJob.How(notes.bits(), quiet, stats, false);
     JsonSummary report = new JsonSummary("resume", path);
     return new RenderJob(

@@ -4,7 +4,6 @@ import io.github.lumbre.measure.Budget;
 import io.github.lumbre.measure.BudgetWatch;
 import io.github.lumbre.measure.Forecast;
 import io.github.lumbre.measure.NoiseEstimate;
-import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
@@ -69,27 +68,7 @@ final class RunBudget {
 
   /** Returns a listener that also ends passes when the time is over. */
   Progress within(Progress progress) {
-    return new Progress() {
-      @Override
-      public void started(long totalSamples) {
-        progress.started(totalSamples);
-      }
-
-      @Override
-      public void advanced(long samples) {
-        progress.advanced(samples);
-      }
-
-      @Override
-      public void finished(Bucket bucket) {
-        progress.finished(bucket);
-      }
-
-      @Override
-      public boolean isCancelled() {
-        return time.hasPassed() || progress.isCancelled();
-      }
-    };
+    return progress.cancelledAlsoIf(time::hasPassed);
   }
 
   /** Tells whether the time is over. */

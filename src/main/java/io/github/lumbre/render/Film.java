@@ -141,6 +141,33 @@ public final class Film {
     }
   }
 
+  /** Returns another film that holds what this one does, and does not change with it. */
+  public Film copy() {
+    Film copy = new Film(window, hasAlpha(), firstSample);
+    copy.set(this);
+    return copy;
+  }
+
+  /**
+   * Makes this film hold what another does, and nothing else.
+   *
+   * @param other of the same window, which has alpha just if this one has, and the same first
+   *     sample
+   */
+  public void set(Film other) {
+    if (!other.window.equals(window)
+        || other.hasAlpha() != hasAlpha()
+        || other.firstSample != firstSample) {
+      throw new IllegalArgumentException(
+          "other: expected a film of " + window + ", found " + other.window);
+    }
+    System.arraycopy(other.whole, 0, whole, 0, whole.length);
+    System.arraycopy(other.fraction, 0, fraction, 0, fraction.length);
+    System.arraycopy(other.counts, 0, counts, 0, counts.length);
+    System.arraycopy(other.covered, 0, covered, 0, covered.length);
+    System.arraycopy(other.firstMeans, 0, firstMeans, 0, firstMeans.length);
+  }
+
   /**
    * Writes a pixel, at most {@link #MAX_PIXEL_BYTES}: the number of its samples; if there are any,
    * with alpha how many of them cover it, and of each channel the sum's whole part and its fraction

@@ -1,5 +1,8 @@
 package io.github.lumbre.render;
 
+import java.util.Objects;
+import java.util.function.BooleanSupplier;
+
 /**
  * Hears what a render has done and may cancel it. All methods are called from several threads, any
  * of them at once, and should return quickly.
@@ -23,5 +26,10 @@ public interface Progress {
   /** Asked every few samples: true makes the render stop and return what it has. */
   default boolean isCancelled() {
     return false;
+  }
+
+  /** Returns a listener that hears what this one does, and cancels if this one does or if asked. */
+  default Progress cancelledAlsoIf(BooleanSupplier condition) {
+    return new CancellingProgress(this, Objects.requireNonNull(condition, "condition"));
   }
 }

@@ -1,6 +1,8 @@
 package io.github.lumbre.fuzz;
 
 import io.github.lumbre.fuzz.HostileScenes.Ending;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -14,17 +16,22 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * Very many hostile scenes, on several threads, of which each has half a minute. System properties
- * say how many: {@code lumbre.fuzz.scenes} (a million), {@code lumbre.fuzz.threads} (one a
- * processor) and {@code lumbre.fuzz.seed} (a new one). Mutable, for one run.
+ * Very many hostile scenes, on several threads, of which each has half a minute of processor time,
+ * and ten minutes of the clock, as other programs may be busy. System properties say how many:
+ * {@code lumbre.fuzz.scenes} (a million), {@code lumbre.fuzz.threads} (one a processor) and {@code
+ * lumbre.fuzz.seed} (a new one). Mutable, for one run.
  */
 final class FuzzRun {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final Duration PATIENCE_BY_THE_CLOCK = Duration.ofMinutes(10);
   private static final Duration SLOW = Duration.ofSeconds(3);
   private static final int MOST_FAILURES = 20;
   private static final long REPORT_EVERY = 10_000;
 
-  private record Started(long seed, long nanos) {}
+  private static final ThreadMXBean CLOCK = ManagementFactory.getThreadMXBean();
+
+  /** A scene that is being tried, and when that began by the thread's time and by the clock. */
+  private record Started(long seed, long processorNanos, long nanos) {}
 
   private final HostileScenes scenes;
   private final long count;
@@ -77,7 +84,12 @@ final class FuzzRun {
 
   private boolean isHung(Thread worker) {
     Started started = running.get(worker);
-    if (started == null || System.nanoTime() - started.nanos < PATIENCE.toNanos()) {
+    if (started == null) {
+      return false;
+    }
+    long processorNanos = CLOCK.getThreadCpuTime(worker.getId()) - started.processorNanos;
+    if (processorNanos < PATIENCE.toNanos()
+        && System.nanoTime() - started.nanos < PATIENCE_BY_THE_CLOCK.toNanos()) {
       return false;
     }
     failures.add("seed " + started.seed + " takes more than " + PATIENCE);
@@ -90,10 +102,10 @@ final class FuzzRun {
         i < count && failures.size() < MOST_FAILURES;
         i = next.getAndIncrement()) {
       long seed = firstSeed + i;
-      long start = System.nanoTime();
-      running.put(Thread.currentThread(), new Started(seed, start));
+      long start = CLOCK.getCurrentThreadCpuTime();
+      running.put(Thread.currentThread(), new Started(seed, start, System.nanoTime()));
       tryOne(seed);
-      if (System.nanoTime() - start > SLOW.toNanos()) {
+      if (CLOCK.getCurrentThreadCpuTime() - start > SLOW.toNanos()) {
         count("slow: " + seed);
       }
       if (i > 0 && i % REPORT_EVERY == 0) {

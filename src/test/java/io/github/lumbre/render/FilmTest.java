@@ -40,6 +40,32 @@ class FilmTest {
   }
 
   @Test
+  void copyHoldsTheSameAndDoesNotChangeWithItsOriginal() {
+    Film film = new Film(new Crop(3, 4, 2, 1), true, 9);
+    Film empty = film.copy();
+    film.add(0, new Rgb(.1, 2, 3e5), true);
+    film.add(0, new Rgb(.3, 0, 1), false);
+    film.add(1, Rgb.grey(7), true);
+    Film copy = film.copy();
+    byte[] before = encoded(film);
+    assertThat(encoded(copy)).isEqualTo(before).isNotEqualTo(encoded(empty));
+    assertThat(copy.firstSample()).isEqualTo(9);
+    film.add(1, Rgb.grey(1), true);
+    assertThat(encoded(copy)).isEqualTo(before).isNotEqualTo(encoded(film));
+    film.set(copy);
+    assertThat(encoded(film)).isEqualTo(before);
+    assertThatThrownBy(() -> film.set(new Film(new Crop(3, 4, 1, 2), true, 9)))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  private static byte[] encoded(Film film) {
+    ByteBuffer bytes = ByteBuffer.allocate(2 * Film.MAX_PIXEL_BYTES);
+    film.encode(0, bytes);
+    film.encode(1, bytes);
+    return bytes.array();
+  }
+
+  @Test
   void smallSamplesAreRoundedToTheGrid() {
     assertThat(develop(GRID)).isEqualTo((float) GRID);
     assertThat(develop(1.5 * GRID)).isEqualTo((float) (2 * GRID));

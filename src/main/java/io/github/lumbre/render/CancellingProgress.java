@@ -1,0 +1,31 @@
+package io.github.lumbre.render;
+
+import java.util.function.BooleanSupplier;
+
+/** Passes everything on to a listener, and cancels for a reason of its own too. */
+record CancellingProgress(Progress listener, BooleanSupplier condition) implements Progress {
+  @Override
+  public void started(long totalSamples) {
+    listener.started(totalSamples);
+  }
+
+  @Override
+  public void advanced(long samples) {
+    listener.advanced(samples);
+  }
+
+  @Override
+  public void stalled(Bucket bucket, double seconds) {
+    listener.stalled(bucket, seconds);
+  }
+
+  @Override
+  public void finished(Bucket bucket) {
+    listener.finished(bucket);
+  }
+
+  @Override
+  public boolean isCancelled() {
+    return condition.getAsBoolean() || listener.isCancelled();
+  }
+}

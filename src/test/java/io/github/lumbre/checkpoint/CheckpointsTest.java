@@ -1,0 +1,127 @@
+package io.github.lumbre.checkpoint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.Progress;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class CheckpointsTest {
+  private final List<byte[]> saved = Collections.synchronizedList(new ArrayList<>());
+  private final List<Thread> savers = Collections.synchronizedList(new ArrayList<>());
+  private final AtomicInteger atOnce = new AtomicInteger();
+
+  /** How many saves may end. */
+  private final Semaphore disk = new Semaphore(0);
+
+  private static Film film(int samples) {
+    return FilmFixture.file(FilmFixture.FRAME, 0, (x, y) -> samples).film();
+  }
+
+  private Checkpoints always(boolean copies) {
+    return new Checkpoints(Duration.ZERO, this::save, copies);
+  }
+
+  private void save(Film film) {
+    assertThat(atOnce.incrementAndGet()).isEqualTo(1);
+    savers.add(Thread.currentThread());
+    disk.acquireUninterruptibly();
+    saved.add(FilmFixture.pixels(film));
+    atOnce.decrementAndGet();
+  }
+
+  private static boolean isPausing(Checkpoints checkpoints) {
+    return checkpoints.pausing(Progress.NONE).isCancelled();
+  }
+
+  @Test
+  void filmGrowsWhileWhatItWasIsSaved() {
+    Checkpoints checkpoints = always(true);
+    Film film = film(1);
+    checkpoints.saveIfDue(film);
+    film.set(film(2));
+    disk.release(2);
+    checkpoints.saveLast(film);
+    assertThat(saved).containsExactly(FilmFixture.pixels(film(1)), FilmFixture.pixels(film(2)));
+    assertThat(savers.get(0)).isNotEqualTo(Thread.currentThread());
+    assertThat(savers.get(1)).isEqualTo(Thread.currentThread());
+  }
+
+  @Test
+  void renderingIsNotPausedForASaveThatWouldHaveToWait() throws InterruptedException {
+    Checkpoints checkpoints = always(true);
+    assertThat(isPausing(checkpoints)).isTrue();
+    checkpoints.saveIfDue(film(1));
+    assertThat(isPausing(checkpoints)).isFalse();
+    checkpoints.saveIfDue(film(2));
+    disk.release();
+    while (!isPausing(checkpoints)) {
+      Thread.sleep(1);
+    }
+    checkpoints.saveIfDue(film(3));
+    disk.release(2);
+    checkpoints.saveLast(film(4));
+    assertThat(saved)
+        .containsExactly(
+            FilmFixture.pixels(film(1)), FilmFixture.pixels(film(3)), FilmFixture.pixels(film(4)));
+  }
+
+  @Test
+  void lastSaveComesAfterTheOneBeforeEvenIfInterrupted() {
+    Checkpoints checkpoints = always(true);
+    checkpoints.saveIfDue(film(1));
+    Thread.currentThread().interrupt();
+    new Thread(() -> disk.release(2)).start();
+    checkpoints.saveLast(film(2));
+    assertThat(Thread.interrupted()).isTrue();
+    assertThat(saved).hasSize(2);
+    assertThat(savers.get(0).isAlive()).isFalse();
+  }
+
+  @Test
+  void intervalIsKept() {
+    Checkpoints checkpoints = new Checkpoints(Duration.ofHours(1), this::save, true);
+    checkpoints.saveIfDue(film(1));
+    assertThat(isPausing(checkpoints)).isFalse();
+    assertThat(savers).isEmpty();
+  }
+
+  @Test
+  void withoutMemoryForACopyRenderingWaits() {
+    Checkpoints checkpoints = always(false);
+    disk.release();
+    checkpoints.saveIfDue(film(1));
+    assertThat(savers).containsExactly(Thread.currentThread());
+  }
+
+  /** What the saver throws is a fault of the program: it ends the render, after a last attempt. */
+  @Test
+  void faultsOfTheThreadThatSavesAreTold() {
+    List<Integer> samples = new ArrayList<>();
+    Checkpoints checkpoints =
+        new Checkpoints(
+            Duration.ZERO,
+            film -> {
+              samples.add(film.mostSamples());
+              if (samples.size() == 1) {
+                throw new OutOfMemoryError("planted");
+              }
+            },
+            true);
+    checkpoints.saveIfDue(film(1));
+    assertThatThrownBy(() -> checkpoints.saveLast(film(2)))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessageContaining("planted")
+        .hasRootCauseInstanceOf(OutOfMemoryError.class);
+    assertThat(samples).containsExactly(1, 2);
+  }
+}
