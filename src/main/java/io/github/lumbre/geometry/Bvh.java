@@ -2,6 +2,7 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Ray;
 import java.util.List;
+import java.util.concurrent.atomic.LongAdder;
 
 /**
  * A bounding volume hierarchy over shapes. Immutable, shared by all threads.
@@ -39,6 +40,17 @@ public final class Bvh {
   public static Bvh over(List<? extends Shape> shapes, Kernel kernel) {
     BvhItems items = new BvhItems(List.copyOf(shapes));
     return new Bvh(kernel.over(items), items.unbounded());
+  }
+
+  /**
+   * Builds a slow hierarchy over shapes that finds the same hits, and counts the nodes that plain
+   * Java visits; of shapes that are meshes placed often, not those inside.
+   *
+   * @param visits what hears of each node
+   */
+  public static Bvh counting(List<? extends Shape> shapes, LongAdder visits) {
+    BvhItems items = new BvhItems(List.copyOf(shapes));
+    return new Bvh(Kernel.counting(items, visits), items.unbounded());
   }
 
   /** Finds the nearest hit along a ray; tells whether there is one. */

@@ -3,6 +3,7 @@ package io.github.lumbre.geometry;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.atomic.LongAdder;
 
 /**
  * How hierarchies are searched: by vectors of eight floats, or by nothing but plain Java. Both find
@@ -67,6 +68,15 @@ public enum Kernel {
     }
     BvhBuilder builder = builder(items, WideTree.COSTS);
     return Vectors.over(new WideTree(builder.build(), builder.order(), items));
+  }
+
+  /** Returns the search over items that counts the nodes of {@link #SCALAR}'s. */
+  static Traversal counting(BvhItems items, LongAdder visits) {
+    if (items.isEmpty()) {
+      return Traversal.NONE;
+    }
+    BvhBuilder builder = builder(items, BinaryTraversal.COSTS);
+    return new CountingTraversal(builder.build(), builder.order(), items, visits);
   }
 
   private static BvhBuilder builder(BvhItems items, LeafCost costs) {

@@ -190,7 +190,9 @@ public final class PathRecorder extends PathTracer implements Recorder {
     BsdfSample drawn = scratch.scattered;
     if (!drawn.isAbsorbed()) {
       double survival =
-          depth < FIRST_ROULETTE ? 1 : Math.min(1, throughput.times(drawn.weight()).max());
+          depth < PathOptions.FIRST_ROULETTE
+              ? 1
+              : Math.min(1, throughput.times(drawn.weight()).max());
       scattering = Optional.of(new Scattering(drawn.wi(), drawn.weight(), drawn.pdf(), survival));
       lostRoulette = !goesOn;
     }

@@ -16,7 +16,6 @@ import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.Mis;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
@@ -35,53 +34,6 @@ import java.util.stream.IntStream;
  * nothing never loads that class, and the compiler takes the steps for final.
  */
 public sealed class PathTracer implements Integrator permits PathRecorder {
-  /** Which of the two ways to find an emitter counts. All have the same mean. */
-  enum Strategy {
-    /** Both, by multiple importance sampling. */
-    BOTH {
-      @Override
-      double lightWeight(double lightPdf, double bsdfPdf) {
-        return Mis.power(lightPdf, bsdfPdf);
-      }
-
-      @Override
-      double bsdfWeight(double bsdfPdf, double lightPdf) {
-        return Mis.power(bsdfPdf, lightPdf);
-      }
-    },
-    /** Light sampling alone, where it is possible. */
-    LIGHT {
-      @Override
-      double lightWeight(double lightPdf, double bsdfPdf) {
-        return 1;
-      }
-
-      @Override
-      double bsdfWeight(double bsdfPdf, double lightPdf) {
-        return lightPdf > 0 ? 0 : 1;
-      }
-    },
-    /** Scattered rays that meet an emitter alone; lights of no size are sampled all the same. */
-    BSDF {
-      @Override
-      double lightWeight(double lightPdf, double bsdfPdf) {
-        return 0;
-      }
-
-      @Override
-      double bsdfWeight(double bsdfPdf, double lightPdf) {
-        return 1;
-      }
-    };
-
-    abstract double lightWeight(double lightPdf, double bsdfPdf);
-
-    abstract double bsdfWeight(double bsdfPdf, double lightPdf);
-  }
-
-  /** The first vertex at which a path may end at random. */
-  static final int FIRST_ROULETTE = 3;
-
   final Scene scene;
   private final int maxDepth;
   final Light[] emitters;
@@ -91,25 +43,31 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
 
   private final LightSelector selector;
   private final Strategy strategy;
+  private final int firstRoulette;
   private final boolean hasAmbient;
   private final boolean hasChoice;
+
+  /** Whether vertices ask emitters for light. */
+  private final boolean asks;
 
   /**
    * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
    *     seen, with 1 direct light
    */
   public PathTracer(Scene scene, int maxDepth) {
-    this(scene, maxDepth, Strategy.BOTH);
+    this(scene, PathOptions.toDepth(maxDepth));
   }
 
-  PathTracer(Scene scene, int maxDepth, Strategy strategy) {
-    this(scene, maxDepth, strategy, LightSelector.over(scene.emitters(), scene.radius()));
+  /** Makes a path tracer that finds the same light in another way. */
+  public PathTracer(Scene scene, PathOptions options) {
+    this(scene, options, options.selection().over(scene));
   }
 
-  PathTracer(Scene scene, int maxDepth, Strategy strategy, LightSelector selector) {
+  PathTracer(Scene scene, PathOptions options, LightSelector selector) {
     this.scene = Objects.requireNonNull(scene, "scene");
-    this.maxDepth = maxDepth;
-    this.strategy = strategy;
+    maxDepth = options.maxDepth();
+    strategy = options.strategy();
+    firstRoulette = options.firstRoulette();
     hasAmbient = !scene.takes(Shortcut.NO_AMBIENT);
     hasChoice = !scene.takes(Shortcut.ONE_EMITTER);
     emitters = scene.emitters().toArray(Light[]::new);
@@ -117,6 +75,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
         IntStream.range(0, emitters.length)
             .filter(i -> emitters[i] instanceof EnvironmentLight)
             .toArray();
+    asks = strategy.asks(scene.emitters());
     this.selector = selector;
   }
 
@@ -164,7 +123,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     if (hasAmbient) {
       path.gather(ambient(vertex));
     }
-    if (emitters.length > 0 && !vertex.bsdf().isSpecular()) {
+    if (asks && !vertex.bsdf().isSpecular()) {
       direct(vertex, sampler, Sampler.vertex(depth), scratch);
     }
     return scatter(depth, sampler, scratch);
@@ -185,7 +144,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     path.leave(scattered.pdf());
 
     // End weak paths at random, and strengthen those that survive.
-    if (depth >= FIRST_ROULETTE) {
+    if (depth >= firstRoulette) {
       double survival = Math.min(1, path.throughput());
       if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {
         return false;
@@ -244,7 +203,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   /** Returns the share of a scattered ray, against light sampling, in meeting an emitter. */
   double emissionWeight(int emitter, Scratch scratch, SurfaceHit surface) {
     double pdf = scratch.path.pdf();
-    if (emitter < 0 || pdf == Double.POSITIVE_INFINITY) {
+    if (emitter < 0 || pdf == Double.POSITIVE_INFINITY || !asks) {
       return 1;
     }
     Shape shape = ((AreaLight) emitters[emitter]).shape();
@@ -263,7 +222,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   /** Returns the light from beyond everything, each dome with its own share. */
   Rgb escaped(Scratch scratch, Vec3 direction) {
     double pdf = scratch.path.pdf();
-    if (pdf == Double.POSITIVE_INFINITY) {
+    if (pdf == Double.POSITIVE_INFINITY || !asks) {
       return scene.background(direction);
     }
     Rgb sum = Rgb.BLACK;

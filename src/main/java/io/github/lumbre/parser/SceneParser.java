@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.ImageTexture;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -14,6 +15,7 @@ import java.util.HexFormat;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
 
 /** Reads scene files. Immutable: each method that changes how it reads returns another parser. */
@@ -35,37 +37,40 @@ public final class SceneParser {
   private final Optional<RenderSettings.Mode> mode;
   private final UnaryOperator<RenderSettings> change;
   private final int maxPixels;
+  private final TextureChange textures;
 
   /** A parser that takes scene files as they are. */
   public SceneParser() {
-    this(false, Optional.empty(), UnaryOperator.identity(), MAX_PIXELS);
+    this(false, Optional.empty(), UnaryOperator.identity(), MAX_PIXELS, TextureChange.NONE);
   }
 
   private SceneParser(
       boolean lenient,
       Optional<RenderSettings.Mode> mode,
       UnaryOperator<RenderSettings> change,
-      int maxPixels) {
+      int maxPixels,
+      TextureChange textures) {
     this.lenient = lenient;
     this.mode = mode;
     this.change = change;
     this.maxPixels = maxPixels;
+    this.textures = textures;
   }
 
   /** Returns a parser that takes references to missing assets as warnings. */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change, maxPixels);
+    return new SceneParser(true, mode, change, maxPixels, textures);
   }
 
   /** Returns a parser that renders in the given mode, whatever the file says. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
-    return new SceneParser(lenient, Optional.of(newMode), change, maxPixels);
+    return new SceneParser(lenient, Optional.of(newMode), change, maxPixels, textures);
   }
 
   /** Returns a parser that changes the settings that the file gives before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
     return new SceneParser(
-        lenient, mode, Objects.requireNonNull(newChange, "newChange"), maxPixels);
+        lenient, mode, Objects.requireNonNull(newChange, "newChange"), maxPixels, textures);
   }
 
   /**
@@ -77,7 +82,19 @@ public final class SceneParser {
     if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
       throw new IllegalArgumentException("pixels: expected 1 to 2^29, found " + newMaxPixels);
     }
-    return new SceneParser(lenient, mode, change, newMaxPixels);
+    return new SceneParser(lenient, mode, change, newMaxPixels, textures);
+  }
+
+  /** Returns a parser that filters all textures in one way, whatever the file says. */
+  public SceneParser filtering(ImageTexture.Filter filter) {
+    TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
+    return new SceneParser(lenient, mode, change, maxPixels, changed);
+  }
+
+  /** Returns a parser whose textures tell each time that they are asked for a value. */
+  public SceneParser countingTextures(LongAdder lookUps) {
+    TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
+    return new SceneParser(lenient, mode, change, maxPixels, changed);
   }
 
   /**
@@ -126,7 +143,8 @@ public final class SceneParser {
     MessageDigest digest = sha256();
     digest.update(text);
     AssetTable assets = new AssetTable(root, lenient);
-    SceneReader world = new SceneReader(root, assets, new AssetData(file, digest), settings.seed());
+    SceneReader world =
+        new SceneReader(root, assets, new AssetData(file, digest), settings.seed(), textures);
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene();

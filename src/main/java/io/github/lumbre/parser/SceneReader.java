@@ -38,12 +38,13 @@ final class SceneReader {
 
   /**
    * @param seed from which everything random in the world follows
+   * @param change of all textures
    */
-  SceneReader(JsonNode root, AssetTable assets, AssetData data, long seed) {
+  SceneReader(JsonNode root, AssetTable assets, AssetData data, long seed, TextureChange change) {
     this.root = root;
     this.assets = assets;
     tree = ObjectTree.of(root);
-    textures = new TextureReader(assets, data, seed);
+    textures = new TextureReader(assets, data, seed, change);
     meshes = new MeshReader(assets, data);
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE));

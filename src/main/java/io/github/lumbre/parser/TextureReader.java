@@ -52,6 +52,7 @@ final class TextureReader {
 
   private final AssetTable assets;
   private final AssetData data;
+  private final TextureChange change;
   private final ProceduralReader procedurals;
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
   private final List<TextureUse> uses = new ArrayList<>();
@@ -72,9 +73,10 @@ final class TextureReader {
   /**
    * @param seed from which everything random in textures follows, together with their ids
    */
-  TextureReader(AssetTable assets, AssetData data, long seed) {
+  TextureReader(AssetTable assets, AssetData data, long seed, TextureChange change) {
     this.assets = assets;
     this.data = data;
+    this.change = change;
     procedurals = new ProceduralReader(seed);
   }
 
@@ -148,8 +150,12 @@ final class TextureReader {
     return Optional.of(new Picture.Computed(texels, filter(texture)));
   }
 
-  private static Filter filter(JsonNode texture) {
-    return texture.choice("filter", FILTERS, Filter.NEAREST);
+  private Filter filter(JsonNode texture) {
+    return change.filter(texture.choice("filter", FILTERS, Filter.NEAREST));
+  }
+
+  private Texture<Rgb> watched(Picture picture, Role role) {
+    return change.watched(picture.as(role));
   }
 
   private static Optional<Pixels> decoded(AssetData.Content content) {
@@ -181,7 +187,7 @@ final class TextureReader {
   Texture<Rgb> colour(JsonNode material, String channel, Rgb constant) {
     UvMapping mapping = mapping(material, channel);
     return find(material, channel, mapping)
-        .map(picture -> mapping.over(TintedTexture.of(constant, picture.as(Role.COLOUR))))
+        .map(picture -> mapping.over(TintedTexture.of(constant, watched(picture, Role.COLOUR))))
         .orElse(Texture.constant(constant));
   }
 
@@ -206,14 +212,14 @@ final class TextureReader {
     if (picture.isEmpty()) {
       return ScalarTexture.constant(constant);
     }
-    return new RedChannel(mapping.over(picture.get().as(Role.DATA)), constant, low, high);
+    return new RedChannel(mapping.over(watched(picture.get(), Role.DATA)), constant, low, high);
   }
 
   /** Returns the normal map of a material, or empty if it has none. */
   Optional<NormalMap> normalMap(JsonNode material, double strength) {
     UvMapping mapping = mapping(material, "normal");
     return find(material, "normal", mapping)
-        .map(picture -> new NormalMap(picture.as(Role.NORMAL), mapping, strength));
+        .map(picture -> new NormalMap(watched(picture, Role.NORMAL), mapping, strength));
   }
 
   private static UvMapping mapping(JsonNode material, String channel) {
@@ -230,7 +236,7 @@ final class TextureReader {
     }
     return EnvironmentLight.image(
         axes,
-        TintedTexture.of(radiance, picture.get().as(Role.COLOUR)),
+        TintedTexture.of(radiance, watched(picture.get(), Role.COLOUR)),
         picture.get().domeColumns(),
         picture.get().domeRows());
   }

@@ -5,7 +5,6 @@ import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.Scratch;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
@@ -45,6 +44,7 @@ final class BucketWorker implements Runnable {
       RenderSettings settings,
       Scene scene,
       Integrator integrator,
+      Sampler sampler,
       Film film,
       SampleTarget target,
       RenderQueue queue) {
@@ -54,7 +54,7 @@ final class BucketWorker implements Runnable {
     this.film = film;
     this.target = target;
     this.queue = queue;
-    sampler = new SobolSampler(settings.seed());
+    this.sampler = sampler;
   }
 
   @Override

@@ -3,6 +3,8 @@ package io.github.lumbre.render;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.integrator.RayTracer;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
@@ -14,6 +16,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.LongFunction;
 
 /**
  * Adds samples of one scene to films, a pass at a time: between passes the caller may look at the
@@ -30,6 +33,7 @@ public final class FilmRenderer {
   private final RenderSettings settings;
   private final Scene scene;
   private final Integrator integrator;
+  private final LongFunction<Sampler> samplers;
   private final boolean hasAlpha;
 
   /**
@@ -40,6 +44,18 @@ public final class FilmRenderer {
   }
 
   FilmRenderer(RenderSettings settings, Scene scene, Integrator integrator) {
+    this(settings, scene, integrator, SobolSampler::new);
+  }
+
+  /**
+   * Renders in another way than the settings ask for. A film of it does not go together with those
+   * of other ways.
+   *
+   * @param samplers makes the random numbers of a seed, for each thread its own
+   */
+  public FilmRenderer(
+      RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
+    this.samplers = Objects.requireNonNull(samplers, "samplers");
     this.settings = Objects.requireNonNull(settings, "settings");
     this.scene = Objects.requireNonNull(scene, "scene");
     this.integrator = Objects.requireNonNull(integrator, "integrator");
@@ -100,10 +116,14 @@ public final class FilmRenderer {
     RenderQueue queue = new RenderQueue(buckets, progress);
     List<BucketWorker> workers = new ArrayList<>();
     for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {
-      workers.add(new BucketWorker(settings, scene, integrator, film, target, queue));
+      workers.add(new BucketWorker(settings, scene, integrator, sampler(), film, target, queue));
     }
     run(workers, queue, progress);
     return new PassResult(queue.isExhausted(), statistics(workers));
+  }
+
+  private Sampler sampler() {
+    return samplers.apply(settings.seed());
   }
 
   private void requireOwn(Film film) {

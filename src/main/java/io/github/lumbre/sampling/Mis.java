@@ -21,4 +21,20 @@ public final class Mis {
     double r = own / other;
     return r * r / (1 + r * r);
   }
+
+  /**
+   * Returns the balance heuristic's weight of a sample drawn with density {@code own}, when another
+   * technique could have drawn it with density {@code other}; 1 if the other is 0, ½ if both are
+   * infinite.
+   */
+  public static double balance(double own, double other) {
+    if (own > other) {
+      return 1 / (1 + other / own);
+    }
+    if (own == other) {
+      return .5;
+    }
+    double r = own / other;
+    return r / (1 + r);
+  }
 }

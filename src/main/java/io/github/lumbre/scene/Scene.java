@@ -2,7 +2,9 @@ package io.github.lumbre.scene;
 
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.geometry.Bvh;
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
@@ -14,6 +16,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.atomic.LongAdder;
 import java.util.stream.Collectors;
 
 /**
@@ -59,7 +62,7 @@ public final class Scene {
             .filter(Bounds3::isFinite)
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
-    bvh = Bvh.over(this.primitives.stream().map(Primitive::shape).toList());
+    bvh = Bvh.over(shapes());
     environments =
         this.emitters.stream()
             .filter(EnvironmentLight.class::isInstance)
@@ -73,10 +76,10 @@ public final class Scene {
     primitiveOfShape = primitivesOfShapes();
   }
 
-  private Scene(Scene other, Set<Shortcut> shortcuts) {
+  private Scene(Scene other, Bvh bvh, Set<Shortcut> shortcuts) {
     camera = other.camera;
     primitives = other.primitives;
-    bvh = other.bvh;
+    this.bvh = bvh;
     lights = other.lights;
     emitters = other.emitters;
     environments = other.environments;
@@ -111,9 +114,31 @@ public final class Scene {
   public Scene without(Shortcut shortcut) {
     return new Scene(
         this,
+        bvh,
         shortcuts.stream()
             .filter(taken -> taken != shortcut)
             .collect(Collectors.toUnmodifiableSet()));
+  }
+
+  /**
+   * Returns the same scene, whose hits are found by another kernel.
+   *
+   * @throws IllegalStateException if the kernel is not available
+   */
+  public Scene searchedBy(Kernel kernel) {
+    return new Scene(this, Bvh.over(shapes(), kernel), shortcuts);
+  }
+
+  /**
+   * Returns the same scene, slower to search, which counts the nodes of its hierarchy: see {@link
+   * Bvh#counting}.
+   */
+  public Scene counting(LongAdder visits) {
+    return new Scene(this, Bvh.counting(shapes(), visits), shortcuts);
+  }
+
+  private List<Shape> shapes() {
+    return primitives.stream().map(Primitive::shape).toList();
   }
 
   /** Tells whether the scene does not require some work. */

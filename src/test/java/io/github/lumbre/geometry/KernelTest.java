@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -23,6 +24,7 @@ class KernelTest {
 
   private final NearestHit byVectors = new NearestHit();
   private final NearestHit byPlainJava = new NearestHit();
+  private final NearestHit counted = new NearestHit();
 
   private static void assumeVectors() {
     assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
@@ -209,6 +211,33 @@ class KernelTest {
       hits += assertSameAround(pair, ray, random);
     }
     assertThat(hits).isGreaterThan(300);
+  }
+
+  /** The counting search finds the hits of plain Java, by a number of nodes that a tree has. */
+  @Test
+  void countingFindsTheSameHitsAndFewNodes() {
+    Random random = new Random(7);
+    List<Shape> shapes = new ArrayList<>(Shapes.zoo(random, 60));
+    shapes.add(ball(Transform.IDENTITY));
+    LongAdder visits = new LongAdder();
+    Bvh scalar = Bvh.over(shapes, Kernel.SCALAR);
+    Bvh counting = Bvh.counting(shapes, visits);
+    int hits = 0;
+    for (int i = 0; i < 5000; i++) {
+      Ray ray = Shapes.ray(random, AROUND);
+      boolean isHit = scalar.intersect(ray, byPlainJava);
+      assertThat(counting.intersect(ray, counted)).as("hit of %s", ray).isEqualTo(isHit);
+      assertThat(counted.shape).isEqualTo(byPlainJava.shape);
+      if (isHit) {
+        assertThat(counted.t).isEqualTo(byPlainJava.t);
+        assertThat(counted.element).isEqualTo(byPlainJava.element);
+        hits++;
+      }
+      assertThat(counting.isOccluded(ray, counted)).isEqualTo(isHit);
+    }
+    assertThat(hits).isGreaterThan(100);
+    // 2400 triangles and 60 shapes, of which a search meets a few dozen nodes.
+    assertThat(visits.sum() / 10_000.0).isBetween(3.0, 60.0);
   }
 
   private static Mesh ball(Transform place) {

@@ -65,6 +65,19 @@ class InterreflectionTest {
     assertThat(estimate.z(expected)).isLessThan(Estimate.CRITICAL);
   }
 
+  @ParameterizedTest
+  @CsvSource({"0", "1", "8", "50"})
+  void rouletteFromAnyVertexHasTheSameMean(int vertex) {
+    Scene scene = empty().add(sphere(0, 0, 0, 1), matte(.5)).add(point(Vec3.ZERO, Math.PI)).build();
+    double expected = .5 * (1 - Math.pow(.5, 20)) / (1 - .5);
+
+    PathOptions options = PathOptions.toDepth(20).rouletteFrom(vertex);
+    Estimate estimate = Estimate.of(new PathTracer(scene, options), FROM_THE_CENTRE, 512);
+
+    assertThat(estimate.error()).isLessThan(5e-3 * expected);
+    assertThat(estimate.z(expected)).isLessThan(Estimate.CRITICAL);
+  }
+
   /** ρ/π [E + ρΦ / (A(1−ρ))], E from a light half a radius off the centre. */
   @ParameterizedTest
   @CsvSource({"0, 1, 0, 2.5", "0, -1, 0, .7222222222", "1, 0, 0, .8577708764"})

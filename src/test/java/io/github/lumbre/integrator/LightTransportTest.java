@@ -18,7 +18,6 @@ import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathTracer.Strategy;
 import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
@@ -351,7 +350,9 @@ class LightTransportTest {
             .build();
     Estimate both = Estimate.of(new PathTracer(scene, 3), lookingDownAt(0), 1024, 1);
 
-    Estimate estimate = Estimate.of(new PathTracer(scene, 3, strategy), lookingDownAt(0), 4096, 2);
+    Estimate estimate =
+        Estimate.of(
+            new PathTracer(scene, PathOptions.toDepth(3).by(strategy)), lookingDownAt(0), 4096, 2);
 
     assertThat(both.error()).isLessThan(1e-3 * both.mean());
     assertThat(estimate.error()).isLessThan(2e-3 * both.mean());

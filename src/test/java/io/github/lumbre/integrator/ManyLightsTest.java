@@ -13,7 +13,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathTracer.Strategy;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.LightSelector;
 import io.github.lumbre.light.SpotLight;
@@ -93,7 +92,8 @@ class ManyLightsTest {
     Scene scene = lights(empty().add(floor(), matte(.5)), count).build();
     Ray ray = lookingDownAt(-.2);
 
-    Estimate even = Estimate.of(new PathTracer(scene, 1, Strategy.BOTH, even(scene)), ray, 64, 3);
+    Estimate even =
+        Estimate.of(new PathTracer(scene, PathOptions.toDepth(1), even(scene)), ray, 64, 3);
     Estimate chosen = Estimate.of(new PathTracer(scene, 1), ray, 64, 4);
 
     assertThat(chosen.z(even)).isLessThan(Estimate.CRITICAL);
@@ -125,13 +125,29 @@ class ManyLightsTest {
     }
     Scene scene = builder.build();
     Ray ray = lookingDownAt(.1);
-    Estimate even = Estimate.of(new PathTracer(scene, 2, Strategy.BOTH, even(scene)), ray, 256, 1);
+    Estimate even =
+        Estimate.of(new PathTracer(scene, PathOptions.toDepth(2), even(scene)), ray, 256, 1);
 
-    Estimate estimate = Estimate.of(new PathTracer(scene, 2, strategy), ray, 512, 2);
+    Estimate estimate =
+        Estimate.of(new PathTracer(scene, PathOptions.toDepth(2).by(strategy)), ray, 512, 2);
 
     assertThat(even.error()).isLessThan(4e-3 * even.mean());
     assertThat(estimate.error()).isLessThan(1e-2 * even.mean());
     assertThat(estimate.z(even)).isLessThan(Estimate.CRITICAL);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Selection.class)
+  void everySelectionHasTheSameMean(Selection selection) {
+    Scene scene = lights(empty().add(floor(), matte(.5)), 40).build();
+    Ray ray = lookingDownAt(-.2);
+    Estimate chosen = Estimate.of(new PathTracer(scene, 2), ray, 256, 3);
+
+    PathOptions options = PathOptions.toDepth(2).by(selection);
+    Estimate estimate = Estimate.of(new PathTracer(scene, options), ray, 512, 4);
+
+    assertThat(estimate.error()).isLessThan(1e-2 * chosen.mean());
+    assertThat(estimate.z(chosen)).isLessThan(Estimate.CRITICAL);
   }
 
   @Test
@@ -150,7 +166,8 @@ class ManyLightsTest {
             .add(point(new Vec3(.4, 2, .3), .2))
             .build();
     Ray ray = lookingDownAt(0);
-    Estimate even = Estimate.of(new PathTracer(scene, 1, Strategy.BOTH, even(scene)), ray, 512, 1);
+    Estimate even =
+        Estimate.of(new PathTracer(scene, PathOptions.toDepth(1), even(scene)), ray, 512, 1);
 
     Estimate chosen = Estimate.of(new PathTracer(scene, 1), ray, 512, 2);
 

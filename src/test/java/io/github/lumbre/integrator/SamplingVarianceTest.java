@@ -10,7 +10,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathTracer.Strategy;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.sampling.Sampler;
@@ -31,7 +30,7 @@ class SamplingVarianceTest {
   private static final double SCALE = ALBEDO / Math.PI;
 
   private static Moments moments(Scene scene, Strategy strategy, int samples) {
-    PathTracer tracer = new PathTracer(scene, 1, strategy);
+    PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(strategy));
     Sampler sampler = new SobolSampler(Effort.seed(1));
     Scratch scratch = new Scratch();
     Moments moments = new Moments();

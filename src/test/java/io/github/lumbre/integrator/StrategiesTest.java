@@ -16,7 +16,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathTracer.Strategy;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
@@ -138,7 +137,7 @@ class StrategiesTest {
     }
     List<Estimate> estimates = new ArrayList<>();
     for (Strategy strategy : strategies) {
-      PathTracer tracer = new PathTracer(scene, 3, strategy);
+      PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(3).by(strategy));
       long seed = Effort.seed(strategy.ordinal());
       estimates.add(Estimate.of(tracer, lookingDownAt(0), samples, seed));
     }

@@ -28,9 +28,11 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.TexturePoint;
 import java.nio.file.Path;
+import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,6 +50,10 @@ class MaterialReaderTest {
   }
 
   private SceneFile parse(String material) {
+    return fixture.parse(withMaterial(material));
+  }
+
+  private static String withMaterial(String material) {
     String assets =
         json("{'id': 2, 'assetType': 'Material', " + material + "},")
             + texture(3, png(0xff8000, 0x0080ff), "")
@@ -55,8 +61,7 @@ class MaterialReaderTest {
             + texture(4, png(0xff8000, 0x0080ff), json(", 'filter': 'bilinear'"))
             + ","
             + texture(5, png(0x808080, 0x334455), "");
-    return fixture.parse(
-        scene(json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}"), assets));
+    return scene(json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}"), json(assets));
   }
 
   private static Primitive only(SceneFile file) {
@@ -68,6 +73,20 @@ class MaterialReaderTest {
     assertThat(found.r()).isCloseTo(r, within(1e-12));
     assertThat(found.g()).isCloseTo(g, within(1e-12));
     assertThat(found.b()).isCloseTo(b, within(1e-12));
+  }
+
+  @Test
+  void texturesAreCountedAndFilteredAsTheCallerWants() {
+    LongAdder lookUps = new LongAdder();
+    SceneParser parser = new SceneParser().filtering(Filter.BILINEAR).countingTextures(lookUps);
+    String text = withMaterial("'materialType': 'Color', 'colorTextureId': 3");
+    Emission emission = only(fixture.parse(parser, text)).emission().orElseThrow();
+    long before = lookUps.sum();
+    // Halfway between two texels, the picture's own filter would take one of them.
+    assertNear(emission.radiance().at(new TexturePoint(.5, .5)), .5, .21586050011389926, .5);
+    assertThat(lookUps.sum()).isEqualTo(before + 1);
+    assertThat(fixture.parse(text).scene().primitives()).hasSize(1);
+    assertThat(lookUps.sum()).isEqualTo(before + 1);
   }
 
   @Test

@@ -231,7 +231,7 @@ class SceneSchemaTest {
     assertKeys("renderOptions", SettingsReader.KEYS);
     assertKeys("mesh", MeshReader.KEYS);
     assertKeys("group", ObjectTree.COMMON_KEYS);
-    TextureReader textures = new TextureReader(null, null, 0);
+    TextureReader textures = new TextureReader(null, null, 0, TextureChange.NONE);
     assertFamily("texture", "textureType", textures.family());
     assertFamily("material", "materialType", new MaterialReader(null, textures).family());
     assertFamily("shape", "shapeType", new ShapeReader(null, List.of()).family());

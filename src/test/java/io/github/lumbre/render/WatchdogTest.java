@@ -8,6 +8,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
@@ -65,7 +66,13 @@ class WatchdogTest {
     FilmRenderer renderer = new FilmRenderer(SETTINGS, SCENE, integrator);
     RenderQueue queue = new RenderQueue(List.of(new Bucket(0, 0, 8, 8)), Progress.NONE);
     return new BucketWorker(
-        SETTINGS, SCENE, integrator, renderer.newFilm(), (x, y) -> SETTINGS.samples(), queue);
+        SETTINGS,
+        SCENE,
+        integrator,
+        new SobolSampler(0),
+        renderer.newFilm(),
+        (x, y) -> SETTINGS.samples(),
+        queue);
   }
 
   private static Integrator blockingAt(int call, CountDownLatch blocked, CountDownLatch release) {

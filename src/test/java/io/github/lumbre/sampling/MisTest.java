@@ -26,6 +26,8 @@ class MisTest {
       for (double b : DENSITIES) {
         assertThat(Mis.power(a, b) + Mis.power(b, a)).isCloseTo(1, within(0x1p-51));
         assertThat(Mis.power(a, b)).isBetween(0.0, 1.0);
+        assertThat(Mis.balance(a, b) + Mis.balance(b, a)).isCloseTo(1, within(0x1p-51));
+        assertThat(Mis.balance(a, b)).isBetween(0.0, 1.0);
       }
     }
   }
@@ -37,6 +39,13 @@ class MisTest {
     assertThat(Mis.power(3, 3)).isEqualTo(.5);
     assertThat(Mis.power(3e-200, 1e-200)).isCloseTo(.9, within(0x1p-52));
     assertThat(Mis.power(3e200, 1e200)).isCloseTo(.9, within(0x1p-52));
+  }
+
+  @Test
+  void balancedWeightIsTheDensitysShare() {
+    assertThat(Mis.balance(3, 1)).isEqualTo(.75);
+    assertThat(Mis.balance(1, 3)).isCloseTo(.25, within(0x1p-52));
+    assertThat(Mis.balance(3e-300, 1e-300)).isCloseTo(.75, within(0x1p-52));
   }
 
   @Test

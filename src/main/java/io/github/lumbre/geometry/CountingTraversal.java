@@ -1,0 +1,112 @@
+package io.github.lumbre.geometry;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.LongAdder;
+
+/**
+ * The search of {@link BinaryTraversal} for those who want to know its work: it counts the nodes
+ * that it visits, leaves included, and is in no hurry.
+ */
+final class CountingTraversal implements Traversal {
+  private final Node root;
+  private final Triangles triangles;
+  private final LeafShapes shapes;
+  private final LongAdder visits;
+
+  /** A node of two children, or, without them, a leaf. */
+  private record Node(double[] box, Optional<Children> children, int leaf) {}
+
+  private record Children(Node left, Node right) {}
+
+  CountingTraversal(BvhNode tree, int[] order, BvhItems items, LongAdder visits) {
+    LeafOrder leaves = new LeafOrder(order, items.triangleCount());
+    root = copy(tree, leaves);
+    triangles = items.triangles(leaves.triangles(), true);
+    shapes = items.shapes(leaves.shapes());
+    this.visits = visits;
+  }
+
+  private static Node copy(BvhNode node, LeafOrder leaves) {
+    if (node instanceof BvhNode.Leaf leaf) {
+      return new Node(leaf.box(), Optional.empty(), leaves.add(leaf));
+    }
+    BvhNode.Inner inner = (BvhNode.Inner) node;
+    Children children = new Children(copy(inner.left(), leaves), copy(inner.right(), leaves));
+    return new Node(node.box(), Optional.of(children), 0);
+  }
+
+  @Override
+  public boolean traverse(
+      double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
+    return new Search(new double[] {ox, oy, oz}, new double[] {dx, dy, dz}, nearest).visit(root);
+  }
+
+  /** One ray on its way through the tree. */
+  private final class Search {
+    private final double[] origin;
+    private final double[] direction;
+    private final NearestHit nearest;
+    private final double margin;
+
+    Search(double[] origin, double[] direction, NearestHit nearest) {
+      this.origin = origin;
+      this.direction = direction;
+      this.nearest = nearest;
+      margin = BvhItems.MARGIN * Axes.largest(origin[0], origin[1], origin[2]);
+    }
+
+    /** Tells whether something below the node was hit and stored. */
+    boolean visit(Node node) {
+      visits.increment();
+      if (node.children.isEmpty()) {
+        return test(node.leaf);
+      }
+      Node near = node.children.get().left;
+      Node far = node.children.get().right;
+      if (!(entry(near.box) <= entry(far.box))) {
+        near = node.children.get().right;
+        far = node.children.get().left;
+      }
+      boolean found = entry(near.box) <= nearest.t && visit(near);
+      if (found && nearest.any) {
+        return true;
+      }
+      return entry(far.box) <= nearest.t && visit(far) || found;
+    }
+
+    /** Returns where the ray enters a box, at least 0; not a number if it does not. */
+    private double entry(double[] box) {
+      double in = 0;
+      double out = Double.POSITIVE_INFINITY;
+      for (int axis = 0; axis < 3; axis++) {
+        double low = (box[2 * axis] - margin - origin[axis]) / direction[axis];
+        double high = (box[2 * axis + 1] + margin - origin[axis]) / direction[axis];
+        // Neither is a number on the border of a slab along which the ray goes: it is inside.
+        in = low == low && high == high ? Math.max(in, Math.min(low, high)) : in;
+        out = low == low && high == high ? Math.min(out, Math.max(low, high)) : out;
+      }
+      return in <= out ? in : Double.NaN;
+    }
+
+    private boolean test(int leaf) {
+      if (LeafRef.isOfShapes(leaf)) {
+        return shapes.intersect(leaf, nearest);
+      }
+      int kz = Axes.longest(direction[0], direction[1], direction[2]);
+      int kx = Axes.next(kz);
+      int ky = Axes.next(kx);
+      return triangles.intersect(
+          leaf,
+          kx,
+          ky,
+          kz,
+          origin[kx],
+          origin[ky],
+          origin[kz],
+          direction[kx] / direction[kz],
+          direction[ky] / direction[kz],
+          1 / direction[kz],
+          nearest);
+    }
+  }
+}

@@ -1,0 +1,92 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.sampling.Mis;
+import java.util.List;
+
+/**
+ * Which of two ways to find an emitter counts how much: asking it for light, or meeting it with a
+ * scattered ray. All have the same mean and differ in variance (Veach 1997, ch. 9).
+ */
+public enum Strategy {
+  /** Both, by the power heuristic of multiple importance sampling. */
+  BOTH {
+    @Override
+    double lightWeight(double lightPdf, double bsdfPdf) {
+      return Mis.power(lightPdf, bsdfPdf);
+    }
+
+    @Override
+    double bsdfWeight(double bsdfPdf, double lightPdf) {
+      return Mis.power(bsdfPdf, lightPdf);
+    }
+  },
+  /** Both, by the balance heuristic. */
+  BALANCE {
+    @Override
+    double lightWeight(double lightPdf, double bsdfPdf) {
+      return Mis.balance(lightPdf, bsdfPdf);
+    }
+
+    @Override
+    double bsdfWeight(double bsdfPdf, double lightPdf) {
+      return Mis.balance(bsdfPdf, lightPdf);
+    }
+  },
+  /** Light sampling alone, where it is possible. */
+  LIGHT {
+    @Override
+    double lightWeight(double lightPdf, double bsdfPdf) {
+      return 1;
+    }
+
+    @Override
+    double bsdfWeight(double bsdfPdf, double lightPdf) {
+      return lightPdf > 0 ? 0 : 1;
+    }
+  },
+  /** Scattered rays that meet an emitter alone; lights of no size are sampled all the same. */
+  BSDF {
+    @Override
+    double lightWeight(double lightPdf, double bsdfPdf) {
+      return 0;
+    }
+
+    @Override
+    double bsdfWeight(double bsdfPdf, double lightPdf) {
+      return 1;
+    }
+
+    @Override
+    boolean asks(List<Light> emitters) {
+      return !emitters.stream().allMatch(Strategy::canBeMet);
+    }
+  };
+
+  /**
+   * Returns the weight of light that an emitter was asked for.
+   *
+   * @param lightPdf of asking for it, positive and finite
+   * @param bsdfPdf of meeting it
+   */
+  abstract double lightWeight(double lightPdf, double bsdfPdf);
+
+  /**
+   * Returns the weight of an emitter that a scattered ray has met.
+   *
+   * @param bsdfPdf of meeting it, positive and finite
+   * @param lightPdf of asking for it
+   */
+  abstract double bsdfWeight(double bsdfPdf, double lightPdf);
+
+  /** Tells whether asking any of the emitters for light can bring some. */
+  boolean asks(List<Light> emitters) {
+    return !emitters.isEmpty();
+  }
+
+  private static boolean canBeMet(Light emitter) {
+    return emitter instanceof AreaLight || emitter instanceof EnvironmentLight;
+  }
+}

@@ -1,0 +1,35 @@
+package io.github.lumbre.sampling;
+
+import io.github.lumbre.math.Point2;
+
+/**
+ * Numbers that are independent of each other, by a hash of where they stand: what a {@link
+ * SobolSampler} is to be measured against.
+ */
+public final class IndependentSampler implements Sampler {
+  private final long seedKey;
+  private long sampleKey;
+
+  /**
+   * @param seed whose numbers differ from those of any other
+   */
+  public IndependentSampler(long seed) {
+    seedKey = Hash.mix(seed + 0x9e3779b97f4a7c15L);
+  }
+
+  @Override
+  public void startSample(int x, int y, int sample) {
+    long pixelKey = Hash.mix(seedKey ^ ((long) y << 32 | x & 0xffffffffL));
+    sampleKey = Hash.of(pixelKey, sample);
+  }
+
+  @Override
+  public double get1d(int dimension) {
+    return Hash.unit(Hash.of(sampleKey, dimension));
+  }
+
+  @Override
+  public Point2 get2d(int dimension) {
+    return new Point2(get1d(dimension), get1d(dimension + 1));
+  }
+}
