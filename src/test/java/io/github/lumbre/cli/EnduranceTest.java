@@ -1,0 +1,192 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.management.MemoryType;
+import java.lang.management.MemoryUsage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.FutureTask;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Memory during a long render: a hundred passes in every build, half an hour under {@code
+ * -Pendurance}, or as many minutes as {@code -Dlumbre.endurance.minutes} says.
+ */
+class EnduranceTest {
+  private static final Path SCENE = Path.of("scenes", "glass-and-mirror.json");
+  private static final Duration INTERVAL = Duration.ofMinutes(1);
+  private static final int LOOKS = 4;
+  private static final int PASSES_PER_LOOK = 25;
+  private static final long MEBIBYTE = 1 << 20;
+
+  /** What of the heap may be in use at one moment and not at another. */
+  private static final long MOST_HEAP_GROWTH = MEBIBYTE;
+
+  /** What the virtual machine itself may still take: for compiled code above all. */
+  private static final long MOST_RESIDENT_GROWTH = 16 * MEBIBYTE;
+
+  @TempDir private Path directory;
+
+  /** What was in use at one moment. */
+  private record Memory(double seconds, long heap, long resident) {}
+
+  @Test
+  void manyPassesAndCheckpointsTakeNoMoreMemoryThanSome() throws Exception {
+    SceneFile scene = new SceneParser().overriding(EnduranceTest::small).parse(SCENE);
+    FilmRenderer renderer = new FilmRenderer(scene.settings(), scene.scene());
+    Film film = renderer.newFilm();
+    List<Memory> found = new ArrayList<>();
+    long start = System.nanoTime();
+    try (FilmKeeper keeper = keeper()) {
+      keeper.begin(Map.of(), Map.of(), scene.settings());
+      for (int pass = 1; pass <= LOOKS * PASSES_PER_LOOK; pass++) {
+        renderer.addSamples(film, pass, keeper.pausing(Progress.NONE));
+        keeper.saveIfDue(film);
+        if (pass % PASSES_PER_LOOK == 0) {
+          found.add(new Memory(seconds(start), heap(), resident()));
+        }
+      }
+      keeper.saveLast(film);
+      assertThat(keeper.failure()).isEmpty();
+    }
+    assertNoGrowth(found);
+  }
+
+  private static RenderSettings small(RenderSettings settings) {
+    return settings.toBuilder().size(160, 90).threads(2).build();
+  }
+
+  private FilmKeeper keeper() throws IOException {
+    return new FilmKeeper(
+        Optional.of(CheckpointFile.reserve(film())),
+        Duration.ZERO,
+        Fallback.TEMPORARY,
+        new Messages(new PrintWriter(Writer.nullWriter())));
+  }
+
+  private static void assertNoGrowth(List<Memory> found) {
+    long first = found.get(0).heap;
+    assertThat(found).allMatch(memory -> memory.heap <= first + MOST_HEAP_GROWTH);
+    assertThat(liveThreads()).isEmpty();
+  }
+
+  /** The first look comes after a minute, the last one before the picture is made. */
+  @Test
+  @Tag("endurance")
+  void memoryDoesNotGrow() throws Exception {
+    Duration whole = Duration.ofMinutes(Long.getLong("lumbre.endurance.minutes", 30));
+    FutureTask<Integer> render = new FutureTask<>(() -> render(whole));
+    Thread renderer = new Thread(render, "endurance");
+    long start = System.nanoTime();
+    renderer.start();
+    List<Memory> found = new ArrayList<>();
+    renderer.join(INTERVAL.toMillis());
+    while (seconds(start) < whole.minus(INTERVAL.dividedBy(2)).toSeconds()) {
+      found.add(new Memory(seconds(start), heap(), resident()));
+      renderer.join(INTERVAL.toMillis());
+    }
+    renderer.join();
+    assertThat(render.get()).isZero();
+    System.out.println(table(found));
+    assertThat(found).hasSizeGreaterThan(1);
+    assertNoGrowth(found);
+    long first = found.get(0).resident;
+    assertThat(found).allMatch(memory -> memory.resident <= first + MOST_RESIDENT_GROWTH);
+  }
+
+  private static double seconds(long start) {
+    return (System.nanoTime() - start) * 1e-9;
+  }
+
+  private Path film() {
+    return directory.resolve("a.film");
+  }
+
+  private int render(Duration time) throws IOException {
+    PrintWriter nowhere = new PrintWriter(Writer.nullWriter());
+    String[] args = {
+      "render",
+      SCENE.toString(),
+      "--size",
+      "320x180",
+      "--threads",
+      "1",
+      "--time",
+      time.toSeconds() + "s",
+      "--progress",
+      "json",
+      "--checkpoint",
+      film().toString(),
+      "--checkpoint-interval",
+      "5s",
+      "-o",
+      directory.resolve("a.exr").toString()
+    };
+    return Lumbre.run(args, nowhere, nowhere);
+  }
+
+  /** Returns what a collection of all garbage has left. */
+  private static long heap() {
+    System.gc();
+    return ManagementFactory.getMemoryPoolMXBeans().stream()
+        .filter(pool -> pool.getType() == MemoryType.HEAP)
+        .map(MemoryPoolMXBean::getCollectionUsage)
+        .filter(Objects::nonNull)
+        .mapToLong(MemoryUsage::getUsed)
+        .sum();
+  }
+
+  /** Returns what the process takes of the machine's memory; 0 where that cannot be read. */
+  private static long resident() throws IOException {
+    Path status = Path.of("/proc/self/status");
+    if (!Files.exists(status)) {
+      return 0;
+    }
+    try (Stream<String> lines = Files.lines(status)) {
+      return lines
+          .filter(line -> line.startsWith("VmRSS:"))
+          .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")) << 10)
+          .findAny()
+          .orElse(0);
+    }
+  }
+
+  private static String table(List<Memory> found) {
+    StringBuilder table = new StringBuilder("seconds  heap KiB  resident KiB\n");
+    for (Memory memory : found) {
+      table.append(
+          String.format(
+              "%7.0f  %8d  %12d%n", memory.seconds, memory.heap >> 10, memory.resident >> 10));
+    }
+    return table.toString();
+  }
+
+  private static List<String> liveThreads() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .map(Thread::getName)
+        .filter(name -> name.startsWith("lumbre-"))
+        .toList();
+  }
+}
