@@ -52,6 +52,14 @@ final class BudgetFlags {
   private Optional<Quality> quality = Optional.empty();
 
   @Option(
+      names = "--adaptive",
+      description = {
+        "Give more of the samples to pixels where they take off more noise;",
+        "--samples is the mean then. Not with --checkpoint."
+      })
+  private boolean adaptive;
+
+  @Option(
       names = "--confidence",
       paramLabel = "P",
       converter = FlagConverters.OfShare.class,
@@ -71,6 +79,11 @@ final class BudgetFlags {
                 spec.commandLine(), "--confidence: expected 50% to less than 100%");
           }
         });
+  }
+
+  /** Tells whether noisy pixels are to get more samples. */
+  boolean isAdaptive() {
+    return adaptive;
   }
 
   /** Returns when the time of this command began: when the program did, if it runs this alone. */

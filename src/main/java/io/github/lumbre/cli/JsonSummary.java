@@ -77,6 +77,7 @@ final class JsonSummary {
     settings.crop().ifPresent(crop -> values.put("crop", crop.toString()));
     values.put("mode", FlagConverters.lower(settings.mode()));
     values.put("samples_per_pixel", settings.samples());
+    values.put("adaptive", settings.adaptive());
     values.put("seed", settings.seed());
     values.put("warnings", file.warnings());
   }

@@ -17,6 +17,9 @@ record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapByte
   /** What a copy of the film takes, beside the film but not beside the picture. */
   private static final int BYTES_PER_COPIED_PIXEL = 64;
 
+  /** What tells which pixels are to get more samples. */
+  private static final int BYTES_PER_ADAPTIVE_PIXEL = 10;
+
   /** What a thread keeps, and the part of the heap that is set aside for it alone. */
   private static final long BYTES_PER_THREAD = 64 << 10;
 
@@ -72,7 +75,8 @@ record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapByte
 
   /** Returns what the sums of the samples and the picture made of them take. */
   long filmBytes() {
-    return BYTES_PER_PIXEL * pixels();
+    int more = settings.adaptive() ? BYTES_PER_ADAPTIVE_PIXEL : 0;
+    return (BYTES_PER_PIXEL + more) * pixels();
   }
 
   /** Returns what a second film takes, which checkpoints are saved from if there is room for it. */

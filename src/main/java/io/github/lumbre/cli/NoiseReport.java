@@ -21,22 +21,27 @@ record NoiseReport(
     OptionalDouble target,
     boolean reachedTarget,
     String end) {
-  /** Returns {@code 64}, or {@code 48 to 64 (median 64)} if pixels have different ones. */
+  /**
+   * Returns {@code 64}, or {@code 32 to 64 (median 64, mean 50.1)} if pixels have different ones.
+   */
   String samples() {
     int fewest = film.fewestSamples();
     int most = film.mostSamples();
     return fewest == most
         ? String.valueOf(most)
-        : fewest + " to " + most + " (median " + film.medianSamples() + ")";
+        : String.format(
+            Locale.ROOT,
+            "%d to %d (median %d, mean %.4g)",
+            fewest,
+            most,
+            film.medianSamples(),
+            film.meanSamples());
   }
 
   /** Returns {@code noise about 1.6 % (at most 1.8 %), }; nothing if it is not known. */
   String line() {
     return noise
-        .map(
-            n ->
-                "noise about %s (%s), "
-                    .formatted(percent(n.relativeRmse()), bound(n)))
+        .map(n -> "noise about %s (%s), ".formatted(percent(n.relativeRmse()), bound(n)))
         .orElse("");
   }
 
@@ -74,8 +79,7 @@ record NoiseReport(
     noise.ifPresent(
         n -> {
           metadata.put("Noise", percent(n.relativeRmse()));
-          metadata.put(
-              "NoiseBound", bound(n) + " with a confidence of " + percent(n.confidence()));
+          metadata.put("NoiseBound", bound(n) + " with a confidence of " + percent(n.confidence()));
         });
   }
 
@@ -84,6 +88,7 @@ record NoiseReport(
     Map<String, Object> samples = new LinkedHashMap<>();
     samples.put("min", film.fewestSamples());
     samples.put("median", film.medianSamples());
+    samples.put("mean", film.meanSamples());
     samples.put("max", film.mostSamples());
     report.put("pixel_samples", samples);
     report.put("ended_by", end);

@@ -149,6 +149,10 @@ final class RenderCommand implements Callable<Integer> {
     budgets.validate();
     checkpoints.validate();
     kernel.apply();
+    require(
+        !budgets.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
+        "--adaptive: not with --checkpoint, --samples-from or --samples-to, since a film does not"
+            + " tell which samples were to come next");
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Deadline deadline = Deadline.after(timeout);
     Instant start = BudgetFlags.start();
@@ -158,7 +162,10 @@ final class RenderCommand implements Callable<Integer> {
         FilmKeeper keeper = keeper(target, messages);
         Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
       SceneFile file =
-          options.load(flags.over(options.parser(), budgets.areGiven(), budgets.depth()), messages);
+          options.load(
+              flags.over(
+                  options.parser(), budgets.areGiven(), budgets.isAdaptive(), budgets.depth()),
+              messages);
       if (dryRun) {
         return estimate(file, report);
       }

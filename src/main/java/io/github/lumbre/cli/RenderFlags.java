@@ -131,6 +131,11 @@ final class RenderFlags {
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
   }
 
+  /** Tells whether only some of the pixels' samples are asked for, by their numbers. */
+  boolean hasSampleRange() {
+    return samplesFrom.isPresent() || samplesTo.isPresent();
+  }
+
   /** Returns the number of each pixel's first sample. */
   int firstSample() {
     return samplesFrom.orElse(0);
@@ -157,25 +162,26 @@ final class RenderFlags {
 
   /** Returns a parser that lets the flags win over the scene. */
   SceneParser over(SceneParser parser) {
-    return over(parser, false, OptionalInt.empty());
+    return over(parser, false, false, OptionalInt.empty());
   }
 
   /**
    * Returns a parser that lets the flags win over the scene.
    *
    * @param isOpen whether something else ends the render, so that the scene's samples do not
+   * @param adaptive whether noisy pixels get more samples
    * @param pathDepth that wins over the scene's in path mode
    */
-  SceneParser over(SceneParser parser, boolean isOpen, OptionalInt pathDepth) {
+  SceneParser over(SceneParser parser, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
     SceneParser limited = maxPixels.map(parser::limitedTo).orElse(parser);
     return mode.map(limited::inMode)
         .orElse(limited)
-        .overriding(inScene -> override(changed(inScene, isOpen, pathDepth)));
+        .overriding(inScene -> override(changed(inScene, isOpen, adaptive, pathDepth)));
   }
 
   private static RenderSettings changed(
-      RenderSettings inScene, boolean isOpen, OptionalInt pathDepth) {
-    RenderSettings.Builder builder = inScene.toBuilder();
+      RenderSettings inScene, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
+    RenderSettings.Builder builder = inScene.toBuilder().adaptive(adaptive);
     if (isOpen) {
       builder.samples(RenderSettings.MAX_SAMPLES);
     }

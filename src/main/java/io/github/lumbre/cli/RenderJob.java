@@ -7,10 +7,11 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassResult;
-import io.github.lumbre.render.Passes;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -56,9 +57,10 @@ record RenderJob(
 
   private int run(FilmRenderer renderer, Film film) throws CommandException {
     long start = System.nanoTime();
+    Schedule schedule = renderer.schedule();
     RenderStatistics statistics;
     try (monitor) {
-      statistics = addSamples(renderer, film);
+      statistics = addSamples(renderer, schedule, film);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
@@ -71,7 +73,7 @@ record RenderJob(
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);
     NoiseReport noise = budget.report(film);
-    boolean complete = budget.isMetBy(film);
+    boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
     finish(film, new RenderResult(film.develop(), complete, statistics), noise, seconds);
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
@@ -79,29 +81,32 @@ record RenderJob(
     return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
   }
 
-  private RenderStatistics addSamples(FilmRenderer renderer, Film film)
+  private RenderStatistics addSamples(FilmRenderer renderer, Schedule schedule, Film film)
       throws InterruptedException {
-    int goal = file.settings().samples();
-    RenderSettings.Crop window = film.window();
-    long all = (long) window.width() * window.height() * goal;
     if (!budget.isOpen()) {
+      long all = (long) film.window().width() * film.window().height() * file.settings().samples();
       monitor.started(Math.max(0, all - film.totalSamples()));
     }
     Progress progress = keeper.pausing(budget.within(monitor));
     RenderStatistics statistics = RenderStatistics.ZERO;
     long start = System.nanoTime();
     boolean isForecast = false;
-    int done = film.fewestSamples();
-    while (done < goal && !monitor.isCancelled() && !budget.isUsedUp(film)) {
-      PassResult pass = renderer.addSamples(film, Passes.next(done, goal), progress);
+    while (!monitor.isCancelled() && !budget.isUsedUp()) {
+      Optional<SampleTarget> target = schedule.next(film);
+      if (target.isEmpty()) {
+        break;
+      }
+      PassResult pass = renderer.addSamples(film, target.get(), progress);
       statistics = statistics.plus(pass.statistics());
       keeper.saveIfDue(film);
       monitor.estimable(() -> budget.noise(film));
-      if (!isForecast && budget.forecast().isPresent()) {
-        isForecast = true;
-        tell(budget.forecast().get(), done, (System.nanoTime() - start) * 1e-9, film);
+      if (pass.complete()) {
+        budget.look(film);
       }
-      done = film.fewestSamples();
+      if (!isForecast && !budget.isUsedUp() && budget.forecast().isPresent()) {
+        isForecast = true;
+        tell(budget.forecast().get(), (System.nanoTime() - start) * 1e-9, film);
+      }
     }
     return statistics;
   }
@@ -109,9 +114,9 @@ record RenderJob(
   /**
    * Tells how long the render will take, after its first look at the error.
    *
-   * @param done samples per pixel that took so many seconds
+   * @param seconds that the film has taken
    */
-  private void tell(Forecast forecast, int done, double seconds, Film film) {
+  private void tell(Forecast forecast, double seconds, Film film) {
     double likely = Math.min(forecast.likely(), file.settings().samples());
     if (budget.isOpen()) {
       RenderSettings.Crop window = film.window();
@@ -119,7 +124,7 @@ record RenderJob(
       monitor.started(Math.max(1, (long) all - film.totalSamples()));
     }
     if (!how.quiet()) {
-      double each = seconds / done;
+      double each = seconds / film.meanSamples();
       messages.line(
           String.format(
               Locale.ROOT,

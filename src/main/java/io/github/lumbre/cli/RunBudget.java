@@ -60,9 +60,13 @@ final class RunBudget {
     return watch.forecast();
   }
 
-  /** Tells, between passes, whether time or error end the run. */
-  boolean isUsedUp(Film film) {
+  /** Looks at the error of a film after a complete pass. */
+  void look(Film film) {
     reachedTarget |= watch.isReachedBy(film);
+  }
+
+  /** Tells whether time or error end the run. */
+  boolean isUsedUp() {
     return reachedTarget || time.hasPassed();
   }
 
@@ -74,11 +78,6 @@ final class RunBudget {
   /** Tells whether the time is over. */
   boolean isOutOfTime() {
     return time.hasPassed();
-  }
-
-  /** Tells whether the film has what this run was to give it. */
-  boolean isMetBy(Film film) {
-    return film.fewestSamples() >= budget.samples() || reachedTarget || time.hasPassed();
   }
 
   /** Returns about how noisy the film is now; empty as long as that cannot be told. */

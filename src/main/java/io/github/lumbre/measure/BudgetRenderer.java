@@ -3,9 +3,10 @@ package io.github.lumbre.measure;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassResult;
-import io.github.lumbre.render.Passes;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.render.Schedule;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -26,7 +27,7 @@ public final class BudgetRenderer {
   /**
    * Renders into a film, from what it has.
    *
-   * @param film whose pixels have as many samples each, or none
+   * @param film without samples, or one whose last pass by the same budget was completed
    * @param progress hears of samples and buckets, not of the start
    * @throws InterruptedException if the calling thread is interrupted
    */
@@ -34,9 +35,11 @@ public final class BudgetRenderer {
     RenderStatistics statistics = RenderStatistics.ZERO;
     BudgetWatch watch = new BudgetWatch(budget);
     boolean complete = true;
-    for (int done = film.fewestSamples(); complete && done < budget.samples(); ) {
-      done = Passes.next(done, budget.samples());
-      PassResult pass = renderer.addSamples(film, done, progress);
+    Schedule schedule = renderer.schedule(budget.samples());
+    for (Optional<SampleTarget> target = schedule.next(film);
+        complete && target.isPresent();
+        target = schedule.next(film)) {
+      PassResult pass = renderer.addSamples(film, target.get(), progress);
       statistics = statistics.plus(pass.statistics());
       complete = pass.complete();
       if (complete && watch.isReachedBy(film)) {

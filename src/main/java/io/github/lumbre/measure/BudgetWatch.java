@@ -13,7 +13,8 @@ import java.util.Optional;
 public final class BudgetWatch {
   private final Budget budget;
   private int looks;
-  private int lastLook;
+  private int lastDue;
+  private long samplesAtLook;
   private Optional<Forecast> forecast = Optional.empty();
 
   public BudgetWatch(Budget budget) {
@@ -23,17 +24,17 @@ public final class BudgetWatch {
   /**
    * Tells whether the film has reached the error; false between looks.
    *
-   * @param film that may have had a pass cut short
+   * @param film after a complete pass: others end where the machine was slow, which the picture
+   *     must not depend on
    */
   public boolean isReachedBy(Film film) {
-    if (budget.targetError().isEmpty()) {
+    double samples = film.meanSamples();
+    int due = Looks.due(samples);
+    if (budget.targetError().isEmpty() || due == lastDue) {
       return false;
     }
-    int samples = film.fewestSamples();
-    if (samples == lastLook || samples != film.mostSamples() || !Looks.isDueAfter(samples)) {
-      return false;
-    }
-    lastLook = samples;
+    lastDue = due;
+    samplesAtLook = film.totalSamples();
     looks++;
     Optional<NoiseEstimate> noise = estimate(film, looks);
     double target = budget.targetError().getAsDouble();
@@ -54,7 +55,8 @@ public final class BudgetWatch {
    * than two samples or came from a file that does not tell.
    */
   public Optional<NoiseEstimate> estimate(Film film) {
-    return estimate(film, lastLook == film.fewestSamples() ? Math.max(1, looks) : looks + 1);
+    boolean isSeen = looks > 0 && samplesAtLook == film.totalSamples();
+    return estimate(film, isSeen ? looks : looks + 1);
   }
 
   /** Looks at the noise; without a target there is one look. */

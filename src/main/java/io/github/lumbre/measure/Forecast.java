@@ -21,7 +21,7 @@ public record Forecast(double least, double most) {
    * @param samples per pixel so far
    * @param targetError a relative root mean squared error
    */
-  static Forecast of(NoiseEstimate noise, int samples, double targetError) {
+  static Forecast of(NoiseEstimate noise, double samples, double targetError) {
     double excess = Math.max(1, noise.upperRelativeMse() / (targetError * targetError));
     return new Forecast(samples * Elementary.pow(excess, 1 / SMOOTH), samples * excess);
   }

@@ -14,10 +14,18 @@ final class Looks {
 
   private Looks() {}
 
-  /** Tells whether a look is due after so many samples per pixel: 32, 48, 64, 96, 128, ... */
-  static boolean isDueAfter(int samples) {
-    int power = Integer.highestOneBit(samples);
-    return samples >= FIRST && (samples == power || samples == power + power / 2);
+  /**
+   * Returns a number that grows whenever a look is due: after 32, 48, 64, 96, 128, ... samples per
+   * pixel; 0 before the first.
+   *
+   * @param samples per pixel, in the mean
+   */
+  static int due(double samples) {
+    if (samples < FIRST) {
+      return 0;
+    }
+    int octave = Math.getExponent(samples / FIRST);
+    return 1 + 2 * octave + (samples >= 1.5 * Math.scalb((double) FIRST, octave) ? 1 : 0);
   }
 
   /**

@@ -1,6 +1,5 @@
 package io.github.lumbre.measure;
 
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.PixelHalves;
@@ -9,16 +8,6 @@ import java.util.Optional;
 /**
  * Tells a picture's noise from the difference between the halves of each pixel's samples. Mutable;
  * collects pixels, then estimates.
- *
- * <p>For halves of n1 and n2 samples with means m1 and m2, (m1 − m2)² n1 n2 / (n1 + n2)² estimates
- * the variance of the mean of all. It is unbiased for independent samples, and too high for those
- * of a scrambled net, whose halves make up for each other's errors (their covariance is negative:
- * Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature"): by (1 − ρ)/(1 + ρ), ρ being their
- * correlation, whatever the number of samples. Fixed batches would be off by a factor that grows
- * with it.
- *
- * <p>The reference's square, for the relative error, is m1 m2 without noise on average, whereas m²
- * would hide the error of bright spots in their own brightness.
  *
  * <p>Pixels are random independently of each other, so their mean is off by no more than their
  * spread over the root of their number; the same holds for the picture's own error about its
@@ -56,23 +45,10 @@ final class NoiseEstimator {
         if (halves.isEmpty()) {
           return Optional.empty();
         }
-        estimator.add(relativeError(halves.get()));
+        estimator.add(halves.get().relativeSquaredError());
       }
     }
     return Optional.of(estimator.estimate(confidence));
-  }
-
-  /** Returns the estimate of a pixel's relative squared error, the mean over its channels. */
-  static double relativeError(PixelHalves halves) {
-    double all = (double) halves.firstCount() + halves.secondCount();
-    double factor = halves.firstCount() / all * (halves.secondCount() / all);
-    Rgb a = halves.first();
-    Rgb b = halves.second();
-    return factor * (relative(a.r(), b.r()) + relative(a.g(), b.g()) + relative(a.b(), b.b())) / 3;
-  }
-
-  private static double relative(double a, double b) {
-    return (a - b) * (a - b) / (Math.max(0, a * b) + PictureError.FLOOR);
   }
 
   void add(double relativeError) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.measure;
 
 import io.github.lumbre.image.Image;
+import io.github.lumbre.render.PixelHalves;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -26,7 +27,7 @@ public record PictureError(
     double ssim,
     double flip) {
   /** Keeps dark pixels from counting for all; in units of squared linear light. */
-  static final double FLOOR = .01;
+  static final double FLOOR = PixelHalves.FLOOR;
 
   /**
    * Compares a picture with a reference.

@@ -4,13 +4,15 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassResult;
-import io.github.lumbre.render.Passes;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 
@@ -119,9 +121,11 @@ public final class TradeStudy {
   private static RenderStatistics climb(FilmRenderer renderer, Film film, int goal)
       throws InterruptedException {
     RenderStatistics statistics = RenderStatistics.ZERO;
-    for (int done = film.fewestSamples(); done < goal; ) {
-      done = Passes.next(done, goal);
-      PassResult pass = renderer.addSamples(film, done, Progress.NONE);
+    Schedule schedule = renderer.schedule(goal);
+    for (Optional<SampleTarget> target = schedule.next(film);
+        target.isPresent();
+        target = schedule.next(film)) {
+      PassResult pass = renderer.addSamples(film, target.get(), Progress.NONE);
       statistics = statistics.plus(pass.statistics());
     }
     return statistics;

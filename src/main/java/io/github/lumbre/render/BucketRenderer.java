@@ -5,6 +5,7 @@ import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Renders scenes to pictures, in passes that grow (see {@link Passes}); {@link FilmRenderer} is for
@@ -46,9 +47,11 @@ public final class BucketRenderer {
     progress.started((long) window.width() * window.height() * settings.samples());
     RenderStatistics statistics = RenderStatistics.ZERO;
     boolean complete = true;
-    for (int done = 0; complete && done < settings.samples(); ) {
-      done = Passes.next(done, settings.samples());
-      PassResult pass = renderer.addSamples(film, done, progress);
+    Schedule schedule = renderer.schedule();
+    for (Optional<SampleTarget> target = schedule.next(film);
+        complete && target.isPresent();
+        target = schedule.next(film)) {
+      PassResult pass = renderer.addSamples(film, target.get(), progress);
       statistics = statistics.plus(pass.statistics());
       complete = pass.complete();
     }

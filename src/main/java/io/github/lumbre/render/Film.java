@@ -104,6 +104,11 @@ public final class Film {
     return sorted[sorted.length / 2];
   }
 
+  /** Returns how many samples a pixel has in the mean. */
+  public double meanSamples() {
+    return (double) totalSamples() / counts.length;
+  }
+
   /** Returns how many samples all pixels have together. */
   public long totalSamples() {
     return Arrays.stream(counts).asLongStream().sum();

@@ -88,6 +88,21 @@ public final class FilmRenderer {
     return new Film(settings.window(), hasAlpha, firstSample);
   }
 
+  /** Returns what decides on the passes over a new film, or one whose passes it went on with. */
+  public Schedule schedule() {
+    return schedule(settings.samples());
+  }
+
+  /**
+   * Returns what decides on the passes over a film, with a number of samples instead of the
+   * settings'.
+   *
+   * @param goal samples per pixel, in the mean if the settings are adaptive
+   */
+  public Schedule schedule(int goal) {
+    return settings.adaptive() ? new AdaptiveSchedule(goal) : new EvenSchedule(goal);
+  }
+
   /**
    * Adds samples until each pixel has so many; see {@link #addSamples(Film, SampleTarget,
    * Progress)}.

@@ -12,4 +12,34 @@ import io.github.lumbre.image.Rgb;
  * @param secondCount samples in the second part, 1 to {@code firstCount}
  * @param second their mean; rounding of the first may make it slightly negative
  */
-public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second) {}
+public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second) {
+  /** Keeps dark pixels from counting for all; in units of squared linear light. */
+  public static final double FLOOR = .01;
+
+  /**
+   * Returns an estimate of the relative squared error of the mean of all, the mean over channels.
+   *
+   * <p>For halves of n1 and n2 samples with means m1 and m2, (m1 − m2)² n1 n2 / (n1 + n2)²
+   * estimates the variance of the mean of all. It is unbiased for independent samples, and too high
+   * for those of a scrambled net, whose halves make up for each other's errors (their covariance is
+   * negative: Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature"): by (1 − ρ)/(1 + ρ), ρ
+   * being their correlation, whatever the number of samples. Fixed batches would be off by a factor
+   * that grows with it.
+   *
+   * <p>The reference's square, for the relative error, is m1 m2 without noise on average, whereas
+   * m² would hide the error of bright spots in their own brightness.
+   */
+  public double relativeSquaredError() {
+    double all = (double) firstCount + secondCount;
+    double factor = firstCount / all * (secondCount / all);
+    double sum =
+        relative(first.r(), second.r())
+            + relative(first.g(), second.g())
+            + relative(first.b(), second.b());
+    return factor * sum / 3;
+  }
+
+  private static double relative(double a, double b) {
+    return (a - b) * (a - b) / (Math.max(0, a * b) + FLOOR);
+  }
+}

@@ -23,6 +23,7 @@ import java.util.Optional;
  * @param toneCurve applied when the picture is written with few bits
  * @param crop the part of the full frame to render; empty means all of it
  * @param transparent whether the share of samples that met something becomes the picture's alpha
+ * @param adaptive whether the number of samples is the pixels' mean, and noisy pixels get more
  */
 public record RenderSettings(
     int width,
@@ -38,7 +39,8 @@ public record RenderSettings(
     Exposure exposure,
     ToneCurve toneCurve,
     Optional<Crop> crop,
-    boolean transparent) {
+    boolean transparent,
+    boolean adaptive) {
 
   /** The largest allowed width and height. */
   public static final int MAX_SIDE = 65535;
@@ -140,6 +142,7 @@ public record RenderSettings(
     private ToneCurve toneCurve = ToneCurve.SRGB;
     private Optional<Crop> crop = Optional.empty();
     private boolean transparent = false;
+    private boolean adaptive = false;
 
     public Builder() {}
 
@@ -158,6 +161,7 @@ public record RenderSettings(
       toneCurve = from.toneCurve;
       crop = from.crop;
       transparent = from.transparent;
+      adaptive = from.adaptive;
     }
 
     public Builder size(int newWidth, int newHeight) {
@@ -223,6 +227,11 @@ public record RenderSettings(
       return this;
     }
 
+    public Builder adaptive(boolean value) {
+      adaptive = value;
+      return this;
+    }
+
     /**
      * @throws IllegalArgumentException naming the first setting that is out of range
      */
@@ -241,7 +250,8 @@ public record RenderSettings(
           exposure,
           toneCurve,
           crop,
-          transparent);
+          transparent,
+          adaptive);
     }
   }
 }

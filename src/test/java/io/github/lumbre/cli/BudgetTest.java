@@ -74,6 +74,26 @@ class BudgetTest {
   }
 
   @Test
+  void adaptiveRendersTellTheSamplesOfTheirPixels() {
+    Outcome outcome = render("a.exr", "-s", "128", "--adaptive", "--json");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    JsonObject summary = json(outcome);
+    assertThat(summary.get("adaptive").getAsBoolean()).isTrue();
+    JsonObject samples = summary.getAsJsonObject("pixel_samples");
+    assertThat(samples.get("min").getAsInt()).isLessThan(128);
+    assertThat(samples.get("max").getAsInt()).isGreaterThan(128);
+    double mean = samples.get("mean").getAsDouble();
+    assertThat(mean).isBetween(100.0, 128.0);
+    assertThat(summary.get("samples").getAsDouble()).isEqualTo(mean * 16 * 12);
+    assertThat(outcome.err()).containsPattern("\\d+ to \\d+ \\(median \\d+, mean \\S+\\) samples");
+
+    Outcome target = render("b.exr", "--target-error", "5%", "--adaptive", "--json");
+    assertThat(target.exitCode()).as(target.err()).isZero();
+    assertThat(json(target).getAsJsonObject("noise").get("at_most").getAsDouble())
+        .isLessThanOrEqualTo(.05);
+  }
+
+  @Test
   void everyRenderTellsItsNoise() {
     assertThat(render("a.png", "-s", "16").err()).containsPattern("noise about \\S+ % \\(at most ");
     assertThat(render("a.png", "-s", "1").err()).doesNotContain("noise");
@@ -107,6 +127,10 @@ class BudgetTest {
         .assertFailed(ExitCodes.USAGE, "--target-error", "expected a percentage above 0");
     render("a.png", "--target-error", "2%", "--confidence", "100%")
         .assertFailed(ExitCodes.USAGE, "--confidence: expected 50% to less than 100%");
+    render("a.png", "--adaptive", "--checkpoint", directory.resolve("a.film").toString())
+        .assertFailed(ExitCodes.USAGE, "--adaptive: not with --checkpoint");
+    render("a.png", "--adaptive", "--samples-from", "5")
+        .assertFailed(ExitCodes.USAGE, "--adaptive: not with --checkpoint");
     render("a.png", "--time", "0s").assertFailed(ExitCodes.USAGE, "--time");
   }
 }

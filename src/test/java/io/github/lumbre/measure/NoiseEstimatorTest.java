@@ -29,7 +29,7 @@ class NoiseEstimatorTest {
       for (int i = 0; i < pixels; i++) {
         Rgb a = Rgb.grey(10 + random.nextGaussian() / Math.sqrt(n[0]));
         Rgb b = Rgb.grey(10 + random.nextGaussian() / Math.sqrt(n[1]));
-        sum += NoiseEstimator.relativeError(new PixelHalves(n[0], a, n[1], b));
+        sum += new PixelHalves(n[0], a, n[1], b).relativeSquaredError();
       }
       double expected = 1.0 / (n[0] + n[1]) / 100.01;
       // Standard error .3 %; at one sample of a tenth, 1/r² is another 3 % off.
@@ -41,7 +41,7 @@ class NoiseEstimatorTest {
   @Test
   void brightSpotsDoNotHideInTheirOwnBrightness() {
     Rgb bright = Rgb.grey(1000);
-    double error = NoiseEstimator.relativeError(new PixelHalves(32, bright, 32, Rgb.BLACK));
+    double error = new PixelHalves(32, bright, 32, Rgb.BLACK).relativeSquaredError();
     assertThat(error).isCloseTo(1000 * 1000 / 4.0 / .01, within(1.0));
   }
 
@@ -96,7 +96,7 @@ class NoiseEstimatorTest {
       spent += 1 - Looks.confidence(.95, look);
     }
     assertThat(spent).isBetween(.0499, .05);
-    assertThat(IntStream.range(1, 200).filter(Looks::isDueAfter))
+    assertThat(IntStream.range(1, 200).filter(n -> Looks.due(n) > Looks.due(n - 1)))
         .containsExactly(32, 48, 64, 96, 128, 192);
   }
 }
