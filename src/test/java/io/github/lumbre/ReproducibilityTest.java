@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** The same scene, seed and samples give the same bits, however the work is divided. */
 class ReproducibilityTest {
-  private static final int[] THREADS = {1, 2, 3, 8};
+  private static final int[] THREADS = {1, 2, 3, 8, 64};
   private static final int[] BUCKETS = {1, 7, 32, 10_000};
 
   static List<Path> scenes() throws IOException {

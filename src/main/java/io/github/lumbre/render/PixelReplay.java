@@ -108,7 +108,7 @@ public final class PixelReplay {
    */
   public Pixel pixel(int x, int y, int shown) {
     Film film = new Film(new RenderSettings.Crop(0, 0, 1, 1), false, 0);
-    Rgb[] welford = {Rgb.BLACK, Rgb.BLACK};
+    RgbMoments moments = new RgbMoments();
     List<Sample> rejected = new ArrayList<>();
     List<Sample> brightest = new ArrayList<>();
     Comparator<Sample> byBrightness = Comparator.comparingDouble(s -> -s.film().max());
@@ -116,7 +116,7 @@ public final class PixelReplay {
     for (int number = 0; number < settings.samples(); number++) {
       Sample sample = sample(x, y, number);
       film.add(0, sample.film(), true);
-      addToMoments(welford, sample.film(), number + 1);
+      moments.add(sample.film());
       if (sample.rejected() && rejects++ < shown) {
         rejected.add(sample);
       }
@@ -127,15 +127,12 @@ public final class PixelReplay {
         brightest.subList(Math.min(shown, brightest.size()), brightest.size()).clear();
       }
     }
-    Rgb variance = welford[1].times(1.0 / Math.max(1, settings.samples() - 1));
     return new Pixel(
-        settings.samples(), film.develop().pixel(0, 0), variance, rejects, rejected, brightest);
-  }
-
-  /** Updates mean and sum of squared deviations (Welford 1962). */
-  private static void addToMoments(Rgb[] moments, Rgb value, int count) {
-    Rgb before = value.plus(moments[0].times(-1));
-    moments[0] = moments[0].plus(before.times(1.0 / count));
-    moments[1] = moments[1].plus(before.times(value.plus(moments[0].times(-1))));
+        settings.samples(),
+        film.develop().pixel(0, 0),
+        moments.variance(),
+        rejects,
+        rejected,
+        brightest);
   }
 }

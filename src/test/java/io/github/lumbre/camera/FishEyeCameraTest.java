@@ -121,7 +121,7 @@ class FishEyeCameraTest {
         Statistics.moments(
             Statistics.samplesToDetect(.003, .411),
             () -> direction(camera, random.nextDouble(), random.nextDouble()).isPresent() ? 1 : 0);
-    assertThat(Math.abs(imaged.z(Math.PI / 4))).isLessThan(Statistics.CRITICAL_Z);
+    assertThat(Statistics.deviation(imaged.z(Math.PI / 4))).isLessThan(Statistics.CRITICAL_Z);
   }
 
   @Test

@@ -128,7 +128,7 @@ class ThinLensCameraTest {
         }
         moments.add(r * r);
       }
-      assertThat(Math.abs(moments.z(.5))).isLessThan(Statistics.CRITICAL_Z);
+      assertThat(Statistics.deviation(moments.z(.5))).isLessThan(Statistics.CRITICAL_Z);
     }
   }
 

@@ -11,21 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class PixelCommandTest {
-  /** So bright that one light in sixteen, over the probability of its choice, overflows. */
-  private static final String BLINDING =
-      "{\"type\": \"Light\", \"lightType\": \"Directional\", \"intensity\": 1.7e308,"
-          + " \"localRotation\": {\"x\": 60, \"y\": 0, \"z\": 0}}, ";
-
   @TempDir private Path directory;
 
   private Outcome pixel(String json, String... flags) {
     Path scene = TinyScene.write(directory, json);
     Stream<String> first = Stream.of("pixel", scene.toString());
     return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
-  }
-
-  private static String blinding() {
-    return TinyScene.with("{\"id\": 5", BLINDING.repeat(16) + "{\"id\": 5");
   }
 
   @Test
@@ -75,7 +66,7 @@ class PixelCommandTest {
   /** The warning of a render says what to type; typed, it tells of the same sample. */
   @Test
   void rejectedSamplesAreReplayedByTheCommandOfTheWarning() {
-    Path scene = TinyScene.write(directory, blinding());
+    Path scene = TinyScene.write(directory, TinyScene.blinding());
     Path picture = directory.resolve("tiny.png");
     Outcome render =
         Outcome.of("render", "" + scene, "-o", "" + picture, "--quiet", "--seed", "3", "-s", "4");

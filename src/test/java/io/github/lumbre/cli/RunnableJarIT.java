@@ -9,7 +9,9 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Base64;
+import java.util.List;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
@@ -140,6 +142,46 @@ class RunnableJarIT {
     lumbre("render", "none.json", "-o", "p.gif").assertFailed(ExitCodes.USAGE, "p.gif");
     lumbre("render", "none.json", "-o", "no/p.png").assertFailed(ExitCodes.OUTPUT, "no");
     lumbre("render", ".", "-o", "p.png").assertFailed(ExitCodes.SCENE, "directory");
+  }
+
+  /** They are counted, and named so that they can be repeated; the picture is written anyway. */
+  @Test
+  void samplesThatAreNoNumbersFailUnderStrictnessOnly() throws IOException, InterruptedException {
+    TinyScene.write(directory, TinyScene.blinding());
+    String[] render = {"render", "tiny.json", "-o", "tiny.pfm", "--json", "--seed", "3", "-s", "4"};
+    Outcome lax = lumbre(render);
+    assertThat(lax.exitCode()).isZero();
+    byte[] picture = Files.readAllBytes(directory.resolve("tiny.pfm"));
+    Files.delete(directory.resolve("tiny.pfm"));
+    List<String> strictly = new ArrayList<>(List.of(render));
+    strictly.add("--strict");
+    Outcome strict = lumbre(strictly.toArray(new String[0]));
+    assertThat(strict.exitCode()).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(directory.resolve("tiny.pfm")).hasBinaryContent(picture);
+    assertThat(strict.out()).contains("\"exit_code\":7").containsPattern("\"rejected\":[1-9]");
+    assertThat(strict.err().lines().filter(line -> line.contains("lumbre pixel "))).hasSize(10);
+  }
+
+  /** Interpreted, or compiled by either compiler: + - * / and sqrt are exact everywhere. */
+  @Test
+  void interpreterAndCompilersGiveTheSameBits() throws IOException, InterruptedException {
+    Path scene = Path.of("scenes", "glass-and-mirror.json").toAbsolutePath();
+    List<String> modes =
+        List.of(
+            "-Xint",
+            "-XX:TieredStopAtLevel=1",
+            "-XX:-TieredCompilation -XX:CompileThreshold=1000 -Xbatch");
+    byte[] expected = {};
+    for (String mode : modes) {
+      List<String> command = new ArrayList<>(List.of(Program.java("java")));
+      command.addAll(List.of(mode.split(" ")));
+      command.addAll(List.of("-jar", "" + Program.JAR, "render", "" + scene));
+      command.addAll(List.of("--size", "24x16", "-s", "32", "-o", "p.pfm"));
+      assertThat(Program.run(directory, command).exitCode()).isZero();
+      byte[] picture = Files.readAllBytes(directory.resolve("p.pfm"));
+      assertThat(picture).as(mode).isEqualTo(expected.length == 0 ? picture : expected);
+      expected = picture;
+    }
   }
 
   @Test

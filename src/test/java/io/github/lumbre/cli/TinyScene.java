@@ -41,6 +41,15 @@ final class TinyScene {
     return with("\"assets\": [", "\"assets\": [\n  " + asset + ",");
   }
 
+  /** Returns the scene with lights so bright that some samples are infinite. */
+  static String blinding() {
+    // One of sixteen, over the probability of its choice, overflows.
+    String light =
+        "{\"type\": \"Light\", \"lightType\": \"Directional\", \"intensity\": 1.7e308,"
+            + " \"localRotation\": {\"x\": 60, \"y\": 0, \"z\": 0}}, ";
+    return with("{\"id\": 5", light.repeat(16) + "{\"id\": 5");
+  }
+
   /** Writes a scene into a directory and returns its file. */
   static Path write(Path directory, String json) {
     try {

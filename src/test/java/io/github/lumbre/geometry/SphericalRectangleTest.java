@@ -148,7 +148,8 @@ class SphericalRectangleTest {
     }
     // Where the two are the same, the deviation of the nearer one is that of the cosine alone.
     assertThat(irradiances[0].variance()).isLessThan(.05 * irradiances[1].variance());
-    assertThat(Math.abs(irradiances[0].z(irradiances[1]))).isLessThan(Statistics.CRITICAL_Z);
+    assertThat(Statistics.deviation(irradiances[0].z(irradiances[1])))
+        .isLessThan(Statistics.CRITICAL_Z);
   }
 
   /** A slanted image is no rectangle: its points are drawn by area, and its density is of area. */

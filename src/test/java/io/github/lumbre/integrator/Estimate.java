@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.testing.Statistics;
 import java.util.Arrays;
 
 /**
@@ -15,7 +16,7 @@ import java.util.Arrays;
  */
 record Estimate(double mean, double error) {
   /** Two-sided 1e-6, as for every statistical test. */
-  static final double CRITICAL = 4.8916;
+  static final double CRITICAL = Statistics.CRITICAL_Z;
 
   static final int REPLICATES = 256;
 
@@ -49,7 +50,7 @@ record Estimate(double mean, double error) {
    */
   double z(double reference) {
     double distance = Math.abs(mean - reference);
-    return distance <= 1e-11 * Math.abs(reference) ? 0 : distance / error;
+    return distance <= 1e-11 * Math.abs(reference) ? 0 : Statistics.deviation(distance / error);
   }
 
   /** Returns the distance to another, independent estimate in standard errors. */
@@ -57,6 +58,6 @@ record Estimate(double mean, double error) {
     double distance = Math.abs(mean - other.mean);
     return distance <= 1e-12 * Math.abs(mean)
         ? 0
-        : distance / Math.sqrt(error * error + other.error * other.error);
+        : Statistics.deviation(distance / Math.hypot(error, other.error));
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.material.MicrofacetDistribution.Kind;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 
@@ -15,7 +16,7 @@ import java.util.function.ToDoubleFunction;
  * roughness is, and at the steep end, s = 0, too.
  */
 record FacetMap(Kind kind, double alpha) {
-  private static final int CELLS = 16;
+  private static final int CELLS = Effort.count(16, 64);
   private static final int POINTS = 10;
 
   /** By how much the sum of the cells may be wrong. */

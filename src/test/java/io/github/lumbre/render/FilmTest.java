@@ -8,12 +8,16 @@ import static org.assertj.core.api.Assertions.withinPercentage;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.testing.Effort;
 import java.math.BigDecimal;
+import java.math.BigInteger;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 class FilmTest {
@@ -128,6 +132,50 @@ class FilmTest {
     }
     assertThat(film.develop().rgb())
         .containsExactly((float) ties[0], (float) ties[1], (float) ties[2]);
+  }
+
+  /** Running sums of doubles are off by 1e-11 after so many, those of floats by nearly all. */
+  @Test
+  @Tag(Effort.EXHAUSTIVE)
+  void aBillionSamplesOfOnePixelLoseNothing() {
+    SplittableRandom random = new SplittableRandom(Effort.seed(34));
+    Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
+    int n = 1_000_000_000;
+    // The sum in units of 2^-53, apart in two so that neither overflows.
+    long high = 0;
+    long low = 0;
+    for (int i = 0; i < n; i++) {
+      double value = random.nextDouble();
+      long units = (long) (value * 0x1p53);
+      high += units >>> 32;
+      low += units & 0xffff_ffffL;
+      film.add(0, Rgb.grey(value), true);
+    }
+    ByteBuffer bytes = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
+    film.encode(0, bytes);
+    bytes.flip();
+    assertThat(number(bytes)).isEqualTo(n);
+    BigInteger sum = BigInteger.valueOf(high).shiftLeft(32).add(BigInteger.valueOf(low));
+    for (int channel = 0; channel < 3; channel++) {
+      BigInteger whole = BigInteger.valueOf(number(bytes));
+      String fraction = Long.toUnsignedString(Long.reverseBytes(bytes.getLong()));
+      assertThat(whole.shiftLeft(64).add(new BigInteger(fraction))).isEqualTo(sum.shiftLeft(11));
+    }
+    float mean = new BigDecimal(sum).divide(new BigDecimal(n)).floatValue();
+    assertThat(film.develop().rgb()[0]).isCloseTo(mean * 0x1p-53f, within(0x1p-24f));
+  }
+
+  /** Reads seven bits a byte, the lowest first. */
+  private static long number(ByteBuffer bytes) {
+    long number = 0;
+    int shift = 0;
+    byte bits;
+    do {
+      bits = bytes.get();
+      number |= (bits & 0x7fL) << shift;
+      shift += 7;
+    } while (bits < 0);
+    return number;
   }
 
   @Test

@@ -119,7 +119,7 @@ class PictureLawsTest {
         differences.add((one[i] - other[i]) / (one[i] + other[i]));
       }
       assertThat(other).isNotEqualTo(one);
-      assertThat(Math.abs(differences.z(0))).isLessThan(Statistics.CRITICAL_Z);
+      assertThat(Statistics.deviation(differences.z(0))).isLessThan(Statistics.CRITICAL_Z);
     }
   }
 

@@ -30,7 +30,18 @@ public record ChiSquare(double statistic, int degrees, long impossible) {
 
   /** Tells whether the counts follow the expectation, at {@link Statistics#ALPHA}. */
   public boolean passes() {
-    return impossible == 0 && statistic <= critical(degrees);
+    boolean passes = impossible == 0 && statistic <= critical(degrees);
+    if (passes) {
+      // Planted defects do not pass, and are no figure of the run.
+      Figures.worst("chi-square as z", deviate());
+    }
+    return passes;
+  }
+
+  /** Returns the statistic as a normal deviate, the inverse of {@link #critical}. */
+  private double deviate() {
+    double v = 2.0 / (9.0 * degrees);
+    return (Math.cbrt(statistic / degrees) - 1 + v) / Math.sqrt(v);
   }
 
   /**

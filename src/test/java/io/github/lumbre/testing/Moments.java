@@ -12,14 +12,18 @@ public final class Moments {
   public static final int FEWEST = 100;
 
   private long count;
+  private double first;
   private double mean;
   private double squares;
 
   public void add(double value) {
+    first = count == 0 ? value : first;
     count++;
-    double difference = value - mean;
+    // Far from zero the rounding of the mean would be the variance's error.
+    double shifted = value - first;
+    double difference = shifted - mean;
     mean += difference / count;
-    squares += difference * (value - mean);
+    squares += difference * (shifted - mean);
   }
 
   public long count() {
@@ -27,7 +31,7 @@ public final class Moments {
   }
 
   public double mean() {
-    return mean;
+    return first + mean;
   }
 
   /** Returns the unbiased estimate of the variance; 0 for fewer than two samples. */
@@ -43,7 +47,7 @@ public final class Moments {
    */
   public double z(double reference) {
     requireEnough(count);
-    return ratio(mean - reference, variance() / count);
+    return ratio(mean() - reference, variance() / count);
   }
 
   /**
@@ -55,7 +59,7 @@ public final class Moments {
   public double z(Moments other) {
     requireEnough(count);
     requireEnough(other.count);
-    return ratio(mean - other.mean, variance() / count + other.variance() / other.count);
+    return ratio(mean() - other.mean(), variance() / count + other.variance() / other.count);
   }
 
   private static double ratio(double difference, double variance) {

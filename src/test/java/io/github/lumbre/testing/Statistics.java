@@ -15,6 +15,15 @@ public final class Statistics {
 
   private Statistics() {}
 
+  /**
+   * Returns the size of a z that a test is going to compare with {@link #CRITICAL_Z}, and notes it
+   * as one of the run's.
+   */
+  public static double deviation(double z) {
+    Figures.worst("z", Math.abs(z));
+    return Math.abs(z);
+  }
+
   /** Returns the moments of n numbers. */
   public static Moments moments(int n, DoubleSupplier numbers) {
     Moments moments = new Moments();
