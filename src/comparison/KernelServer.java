@@ -3,7 +3,6 @@ import io.github.lumbre.geometry.Bvh;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.TriangleMesh;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.io.BufferedReader;
@@ -111,15 +110,16 @@ final class KernelServer {
     return rays.length / FLOATS_PER_RAY;
   }
 
-  private Ray ray(int at, double length) {
-    Vec3 origin = new Vec3(rays[at], rays[at + 1], rays[at + 2]);
-    return new Ray(origin, new Vec3(rays[at + 3], rays[at + 4], rays[at + 5]), length);
+  private void aim(int at, double length) {
+    float[] r = rays;
+    nearest.aim(r[at], r[at + 1], r[at + 2], r[at + 3], r[at + 4], r[at + 5], length);
   }
 
   private int closest() {
     int hits = 0;
     for (int at = 0; at < rays.length; at += FLOATS_PER_RAY) {
-      if (bvh.intersect(ray(at, Double.POSITIVE_INFINITY), nearest)) {
+      aim(at, Double.POSITIVE_INFINITY);
+      if (bvh.intersect(nearest)) {
         hits++;
       }
     }
@@ -129,7 +129,8 @@ final class KernelServer {
   private int any() {
     int hits = 0;
     for (int at = 0; at < rays.length; at += FLOATS_PER_RAY) {
-      if (bvh.isOccluded(ray(at, rays[at + 6]), nearest)) {
+      aim(at, rays[at + 6]);
+      if (bvh.isOccluded(nearest)) {
         hits++;
       }
     }
@@ -140,8 +141,8 @@ final class KernelServer {
     int count = rays.length / FLOATS_PER_RAY;
     ByteBuffer bytes = ByteBuffer.allocate(4 * Float.BYTES * count).order(ByteOrder.LITTLE_ENDIAN);
     for (int at = 0; at < rays.length; at += FLOATS_PER_RAY) {
-      Ray ray = ray(at, Double.POSITIVE_INFINITY);
-      if (bvh.intersect(ray, nearest)) {
+      aim(at, Double.POSITIVE_INFINITY);
+      if (bvh.intersect(nearest)) {
         Vec3 normal = mesh.surfaceAt(nearest).geometricNormal();
         bytes.putFloat((float) nearest.t()).putFloat((float) normal.x());
         bytes.putFloat((float) normal.y()).putFloat((float) normal.z());

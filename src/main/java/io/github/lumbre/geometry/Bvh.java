@@ -104,7 +104,9 @@ public final class Bvh {
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
     int outer = nearest.shape;
     nearest.shape = -1;
+    nearest.inPart = true;
     boolean found = bounded.traverse(ox, oy, oz, dx, dy, dz, nearest);
+    nearest.inPart = false;
     nearest.shape = outer;
     return found;
   }

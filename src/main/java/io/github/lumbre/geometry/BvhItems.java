@@ -161,7 +161,9 @@ final class BvhItems {
       shape[i] = triangleShape[order[i]];
       element[i] = triangleElement[order[i]];
     }
-    return new Triangles(meshes, shape, element, copied);
+    return copied
+        ? Triangles.copied(meshes, shape, element)
+        : Triangles.indexed(meshes, shape, element);
   }
 
   /** Returns the bounded shapes in a given order of their item numbers. */

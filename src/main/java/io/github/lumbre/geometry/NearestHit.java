@@ -10,7 +10,7 @@ import io.github.lumbre.math.Vec3;
  */
 public final class NearestHit {
   /** The most nodes that one search puts aside: seven for each level of nodes of eight. */
-  private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 1;
+  private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 2;
 
   /** Where the ray begins, excluded, and its direction: not zero, and t is in units of it. */
   double originX;
@@ -49,10 +49,18 @@ public final class NearestHit {
   /** What the shape says of its surface at the hit, once it is asked. */
   final SurfaceHit surface = new SurfaceHit();
 
-  /** Coordinates of a ray, to be chosen from by an axis' number without a branch. */
-  final double[] axes = new double[9];
+  /** Whether the search is in a hierarchy that is a shape of another. */
+  boolean inPart;
 
-  /** The same for the children of one node. */
+  /** Coordinates of a ray, to be chosen from by an axis' number without a branch. */
+  final double[] axes = new double[6];
+
+  /** The ray in a hierarchy of floats, and in one that is a shape of another. */
+  private final WideRay wideRay = new WideRay();
+
+  private final WideRay widePartRay = new WideRay();
+
+  /** Where the ray enters the children of one node. */
   final int[] lanes = new int[WideTree.WIDTH];
 
   /** Makes the memory of a search; there is no ray and no hit yet. */
@@ -77,6 +85,12 @@ public final class NearestHit {
     shape = -1;
     stackTop = 0;
     any = false;
+    inPart = false;
+  }
+
+  /** Returns the memory for a search in a hierarchy of floats. */
+  WideRay wideRay() {
+    return inPart ? widePartRay : wideRay;
   }
 
   /** Returns where the ray begins. */

@@ -1,5 +1,9 @@
 package io.github.lumbre.geometry;
 
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+
 /**
  * Triangles in the order of a hierarchy's leaves, in flat arrays: the innermost loop of the
  * renderer, made of local variables on purpose. Immutable.
@@ -10,31 +14,68 @@ package io.github.lumbre.geometry;
  * vertices, and so with the same size and opposite signs.
  */
 final class Triangles {
-  /** Nine coordinates a triangle; empty if they are left where they are. */
-  private final double[] vertices;
+  /** Coordinates of vertices: the triangles' own, nine each, or all those of the meshes. */
+  private final double[] positions;
 
-  /** The mesh of each shape that is one. */
-  private final TriangleMesh[] meshes;
+  /** Where each triangle's three vertices are among the positions; empty if they are its own. */
+  private final int[] corners;
 
   /** Which shape, and which element of it, a triangle is. */
   private final int[] shape;
 
   private final int[] element;
 
-  /**
-   * @param meshes by the number of their shape
-   * @param shape the triangles' shapes, as element are their numbers in them
-   * @param copied whether to keep a copy of the vertices, which is faster to read and takes 72
-   *     bytes a triangle
-   */
-  Triangles(TriangleMesh[] meshes, int[] shape, int[] element, boolean copied) {
-    this.meshes = meshes;
+  private Triangles(double[] positions, int[] corners, int[] shape, int[] element) {
+    this.positions = positions;
+    this.corners = corners;
     this.shape = shape;
     this.element = element;
-    vertices = new double[copied ? Math.multiplyExact(9, shape.length) : 0];
-    for (int i = 0; 9 * i < vertices.length; i++) {
+  }
+
+  /**
+   * Returns triangles with vertices of their own, which is faster to read and takes 72 bytes each.
+   *
+   * @param meshes by the number of their shape
+   * @param shape the triangles' shapes, as element are their numbers in them
+   */
+  static Triangles copied(TriangleMesh[] meshes, int[] shape, int[] element) {
+    double[] vertices = new double[Math.multiplyExact(9, shape.length)];
+    for (int i = 0; i < shape.length; i++) {
       meshes[shape[i]].copyVertices(element[i], vertices, 9 * i);
     }
+    return new Triangles(vertices, new int[0], shape, element);
+  }
+
+  /** Returns triangles that share their vertices: 12 bytes each, and what joining meshes takes. */
+  static Triangles indexed(TriangleMesh[] meshes, int[] shape, int[] element) {
+    int[] start = new int[meshes.length];
+    int end = 0;
+    for (int i = 0; i < meshes.length; i++) {
+      start[i] = end;
+      end = Math.addExact(end, meshes[i] == null ? 0 : meshes[i].positions().length);
+    }
+    int[] corners = new int[Math.multiplyExact(3, shape.length)];
+    for (int k = 0; k < corners.length; k++) {
+      int i = k / 3;
+      corners[k] = start[shape[i]] + 3 * meshes[shape[i]].vertex(element[i], k % 3);
+    }
+    return new Triangles(joined(meshes, end), corners, shape, element);
+  }
+
+  /** Returns the positions of all meshes, which are so many; of a single one, its own array. */
+  private static double[] joined(TriangleMesh[] meshes, int length) {
+    List<double[]> parts =
+        Arrays.stream(meshes).filter(Objects::nonNull).map(TriangleMesh::positions).toList();
+    if (parts.size() == 1) {
+      return parts.get(0);
+    }
+    double[] all = new double[length];
+    int end = 0;
+    for (double[] part : parts) {
+      System.arraycopy(part, 0, all, end, part.length);
+      end += part.length;
+    }
+    return all;
   }
 
   /**
@@ -64,39 +105,24 @@ final class Triangles {
     boolean found = false;
     for (int i = first; i < end; i++) {
       found |=
-          intersectOne(
-              i, vertices, 9 * i, 9 * i + 3, 9 * i + 6, kx, ky, kz, ox, oy, oz, sx, sy, sz,
-              nearest);
+          intersectOne(i, 9 * i, 9 * i + 3, 9 * i + 6, kx, ky, kz, ox, oy, oz, sx, sy, sz, nearest);
     }
     return found;
   }
 
-  /**
-   * The same for one triangle, given by its place in the order, where its mesh has its vertices.
-   */
-  boolean intersectInMesh(
-      int i,
-      int kx,
-      int ky,
-      int kz,
-      double ox,
-      double oy,
-      double oz,
-      double sx,
-      double sy,
-      double sz,
-      NearestHit nearest) {
-    TriangleMesh mesh = meshes[shape[i]];
-    int a = 3 * mesh.vertex(element[i], 0);
-    int b = 3 * mesh.vertex(element[i], 1);
-    int c = 3 * mesh.vertex(element[i], 2);
-    return intersectOne(i, mesh.positions(), a, b, c, kx, ky, kz, ox, oy, oz, sx, sy, sz, nearest);
+  /** The same for one triangle, given by its place in the order, of those that share vertices. */
+  boolean intersectIndexed(int i, WideRay ray, NearestHit nearest) {
+    int a = corners[3 * i];
+    int b = corners[3 * i + 1];
+    int c = corners[3 * i + 2];
+    return intersectOne(
+        i, a, b, c, ray.kx, ray.ky, ray.kz, ray.ox, ray.oy, ray.oz, ray.sx, ray.sy, ray.sz,
+        nearest);
   }
 
-  /** The same for vertices that begin at a, b and c of an array. */
+  /** The same for vertices that begin at a, b and c of the positions. */
   private boolean intersectOne(
       int i,
-      double[] p,
       int a,
       int b,
       int c,
@@ -110,6 +136,7 @@ final class Triangles {
       double sy,
       double sz,
       NearestHit nearest) {
+    double[] p = positions;
     // Move the origin to zero and shear the ray onto the axis kz.
     double az = p[a + kz] - oz;
     double bz = p[b + kz] - oz;

@@ -10,10 +10,11 @@ final class UnitSpace {
   final double centreY;
   final double centreZ;
 
-  /** Binary exponent of the scale. */
-  final int exponent;
-
+  /** A power of two. */
   final double scale;
+
+  /** The largest coordinate of the centre, in units of this space. */
+  final double centreReach;
 
   /**
    * @param box minimum and maximum on x, y, z of all there is
@@ -23,8 +24,8 @@ final class UnitSpace {
     centreY = .5 * box[2] + .5 * box[3];
     centreZ = .5 * box[4] + .5 * box[5];
     double half = Math.max(box[1] - centreX, Math.max(box[3] - centreY, box[5] - centreZ));
-    exponent = -1 - Math.getExponent(half);
-    scale = Math.scalb(1.0, exponent);
+    scale = Math.scalb(1.0, -1 - Math.getExponent(half));
+    centreReach = scale * Axes.largest(centreX, centreY, centreZ);
   }
 
   double centre(int axis) {

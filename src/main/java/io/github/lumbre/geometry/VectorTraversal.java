@@ -10,32 +10,24 @@ import jdk.incubator.vector.VectorSpecies;
  * time. Floats only choose what may be hit; each of these triangles is then tested in double
  * precision as everywhere. The only class that needs the module jdk.incubator.vector.
  *
- * <p>The bounds of all errors are derived in docs/design.md. No method takes or returns vectors,
- * since where one is not inlined they are allocated; neither are masks used, for the same reason.
+ * <p>Its shape is what the compiler turns into good machine code, as docs/design.md tells: no
+ * method takes or returns vectors, no masks are used, and no loop over nodes calls anything.
  */
 final class VectorTraversal implements Traversal {
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
+  private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
 
   /** A bit for each lane. */
   private static final IntVector LANES =
-      IntVector.fromArray(IntVector.SPECIES_256, new int[] {1, 2, 4, 8, 16, 32, 64, 128}, 0);
+      IntVector.fromArray(INTS, new int[] {1, 2, 4, 8, 16, 32, 64, 128}, 0);
 
-  private static final int ALL_LANES = 0xff;
   private static final int WIDTH = WideTree.WIDTH;
 
-  /** Makes up for the rounding of slabs, some seven halves of an ulp at each end. */
-  private static final float GROWTH = 1 + 0x1p-20f;
+  /** Floats a node, over the step from one node's number to the next's. */
+  private static final int NODE_STEP = WideTree.NODE_SIZE / WIDTH;
 
-  /** The least component of a direction, relative to the largest. */
-  private static final double LEAST = 0x1p-60;
-
-  /** Beyond this distance an origin is moved nearer. */
-  private static final double NEAR = 4;
-
-  /** Beyond this distance all boxes and triangles are looked at. */
-  private static final double REACH = 0x1p40;
-
-  private static final int MAX_EXPONENT = 960;
+  /** Below the stack: no node and no leaf. */
+  private static final int NONE = Integer.MIN_VALUE;
 
   private final float[] nodes;
   private final int[] children;
@@ -43,7 +35,6 @@ final class VectorTraversal implements Traversal {
   private final Triangles triangles;
   private final LeafShapes shapes;
   private final UnitSpace space;
-  private final double centreReach;
 
   VectorTraversal(WideTree tree) {
     nodes = tree.nodes();
@@ -52,7 +43,6 @@ final class VectorTraversal implements Traversal {
     triangles = tree.triangles();
     shapes = tree.shapes();
     space = tree.space();
-    centreReach = space.scale * Axes.largest(space.centreX, space.centreY, space.centreZ);
   }
 
   /** Returns how many floats a vector of this processor holds. */
@@ -60,237 +50,295 @@ final class VectorTraversal implements Traversal {
     return FloatVector.SPECIES_PREFERRED.length();
   }
 
-  /** {@inheritDoc} All state is in local variables on purpose. */
   @Override
   public boolean traverse(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
-    // Move the ray to the hierarchy's space; its t is measured there in units of the longest axis.
-    double x = (ox - space.centreX) * space.scale;
-    double y = (oy - space.centreY) * space.scale;
-    double z = (oz - space.centreZ) * space.scale;
-    int exponent = Math.getExponent(Axes.largest(dx, dy, dz));
-    double unit = power(-exponent);
-    double ux = atLeast(dx * unit);
-    double uy = atLeast(dy * unit);
-    double uz = atLeast(dz * unit);
-    double tScale = power(exponent + space.exponent);
-    double reach = Axes.largest(x, y, z);
-    double worldReach = Axes.largest(ox, oy, oz) * space.scale + centreReach;
-    double start = 0;
-    if (reach > NEAR && Math.abs(exponent) <= MAX_EXPONENT) {
-      start = entry(x, y, z, ux, uy, uz, 2 + 0x1p-46 * worldReach);
-      if (start < 0) {
-        return false;
-      }
-      x += start * ux;
-      y += start * uy;
-      z += start * uz;
-      reach = Axes.largest(x, y, z);
+    WideRay ray = nearest.wideRay();
+    if (!ray.aim(space, ox, oy, oz, dx, dy, dz)) {
+      return false;
     }
-    // What positions, edge functions of triangles of size 1, and those of size 0 may be wrong by.
-    double size = 1 + reach + 0x1p-24 * worldReach;
-    float slack = (float) (0x1p-22 * (1 + reach) + 0x1p-46 * worldReach);
-    float tolerance = (float) (0x1p-17 * size);
-    float floor = (float) (0x1p-37 * size * size);
-    if (!(worldReach <= REACH && Math.abs(exponent) <= MAX_EXPONENT)) {
-      // Out of the reach of floats: look at everything.
-      ux = 1;
-      uy = 1;
-      uz = 1;
-      x = 0;
-      y = 0;
-      z = 0;
-      start = 0;
-      tScale = Double.POSITIVE_INFINITY;
-      slack = 0x1p60f;
-      tolerance = 0;
-      floor = Float.POSITIVE_INFINITY;
-    }
-    float ix = (float) (1 / ux);
-    float iy = (float) (1 / uy);
-    float iz = (float) (1 / uz);
-    int nearX = WIDTH * Axes.sign(ux);
-    int nearY = WIDTH * (2 + Axes.sign(uy));
-    int nearZ = WIDTH * (4 + Axes.sign(uz));
-    int farX = nearX ^ WIDTH;
-    int farY = nearY ^ WIDTH;
-    int farZ = nearZ ^ WIDTH;
-    // Exits lie later by more than entries and exits are wrong.
-    float jx = ix * GROWTH;
-    float jy = iy * GROWTH;
-    float jz = iz * GROWTH;
-    float inX = -ix * (float) x - slack * Math.abs(ix);
-    float inY = -iy * (float) y - slack * Math.abs(iy);
-    float inZ = -iz * (float) z - slack * Math.abs(iz);
-    float outX = slack * Math.abs(jx) - jx * (float) x;
-    float outY = slack * Math.abs(jy) - jy * (float) y;
-    float outZ = slack * Math.abs(jz) - jz * (float) z;
-    // Shear the longest axis onto the ray; a branch for each choice would be mispredicted.
-    double[] axes = nearest.axes;
-    axes[0] = dx;
-    axes[1] = dy;
-    axes[2] = dz;
-    axes[3] = ox;
-    axes[4] = oy;
-    axes[5] = oz;
-    axes[6] = x;
-    axes[7] = y;
-    axes[8] = z;
-    int kz = Axes.longest(dx, dy, dz);
-    int kx = Axes.next(kz);
-    int ky = Axes.next(kx);
-    double sz = 1 / axes[kz];
-    double sx = axes[kx] / axes[kz];
-    double sy = axes[ky] / axes[kz];
-    double okx = axes[3 + kx];
-    double oky = axes[3 + ky];
-    double okz = axes[3 + kz];
-    float ukx = (float) axes[6 + kx];
-    float uky = (float) axes[6 + ky];
-    float ukz = (float) axes[6 + kz];
-    float fsx = (float) sx;
-    float fsy = (float) sy;
-    boolean any = nearest.any;
-    float[] boxes = nodes;
-    int[] stack = nearest.stack;
-    int[] stackNear = nearest.stackNear;
-    int[] lanes = nearest.lanes;
+    ray.endAt(nearest.t);
     int bottom = nearest.stackTop;
-    int top = bottom;
-    boolean found = false;
-    int bestBits = last(nearest.t * tScale, start);
-    int node = 0;
-    while (true) {
-      if (node >= 0) {
-        int at = node * WideTree.NODE_SIZE;
-        IntVector near =
-            FloatVector.fromArray(FLOATS, boxes, at + nearX)
-                .lanewise(VectorOperators.FMA, ix, inX)
-                .reinterpretAsInts()
-                .max(
-                    FloatVector.fromArray(FLOATS, boxes, at + nearY)
-                        .lanewise(VectorOperators.FMA, iy, inY)
-                        .reinterpretAsInts())
-                .max(
-                    FloatVector.fromArray(FLOATS, boxes, at + nearZ)
-                        .lanewise(VectorOperators.FMA, iz, inZ)
-                        .reinterpretAsInts()
-                        .max(0));
-        IntVector far =
-            FloatVector.fromArray(FLOATS, boxes, at + farX)
-                .lanewise(VectorOperators.FMA, jx, outX)
-                .reinterpretAsInts()
-                .min(
-                    FloatVector.fromArray(FLOATS, boxes, at + farY)
-                        .lanewise(VectorOperators.FMA, jy, outY)
-                        .reinterpretAsInts())
-                .min(
-                    FloatVector.fromArray(FLOATS, boxes, at + farZ)
-                        .lanewise(VectorOperators.FMA, jz, outZ)
-                        .reinterpretAsInts()
-                        .min(bestBits));
-        int hits =
-            ALL_LANES
-                & ~far.sub(near)
-                    .or(far)
-                    .lanewise(VectorOperators.ASHR, 31)
-                    .and(LANES)
-                    .reduceLanes(VectorOperators.OR);
-        int child = node * WIDTH;
-        if (hits != 0) {
-          if (any) {
-            while ((hits & hits - 1) != 0) {
-              stack[top++] = children[child + Integer.numberOfTrailingZeros(hits)];
-              hits &= hits - 1;
-            }
-            node = children[child + Integer.numberOfTrailingZeros(hits)];
-            continue;
-          }
-          if ((hits & hits - 1) == 0) {
-            node = children[child + Integer.numberOfTrailingZeros(hits)];
-            continue;
-          }
-          near.intoArray(lanes, 0);
-          int first = top;
-          do {
-            int lane = Integer.numberOfTrailingZeros(hits);
-            int distance = lanes[lane];
-            int place = top++;
-            while (place > first && stackNear[place - 1] < distance) {
-              stackNear[place] = stackNear[place - 1];
-              stack[place] = stack[place - 1];
-              place--;
-            }
-            stackNear[place] = distance;
-            stack[place] = children[child + lane];
-            hits &= hits - 1;
-          } while (hits != 0);
-          node = stack[--top];
-          continue;
-        }
-      } else if (LeafRef.isOfShapes(node)) {
-        nearest.stackTop = top;
-        if (shapes.intersect(node, nearest)) {
-          found = true;
-          bestBits = last(nearest.t * tScale, start);
-          if (any) {
-            break;
-          }
-        }
-      } else {
-        int first = LeafRef.first(node);
-        int count = LeafRef.count(node);
-        int candidates =
-            candidates(first, count, kx, ky, kz, ukx, uky, ukz, fsx, fsy, tolerance, floor);
-        while (candidates != 0) {
-          int i = first + Integer.numberOfTrailingZeros(candidates);
-          candidates &= candidates - 1;
-          if (triangles.intersectInMesh(i, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest)) {
-            found = true;
-            bestBits = last(nearest.t * tScale, start);
-          }
-        }
-        if (found && any) {
-          break;
-        }
-      }
-      // Take up the last node put aside that does not begin beyond the best hit.
-      if (any) {
-        top--;
-      } else {
-        do {
-          top--;
-        } while (top >= bottom && stackNear[top] > bestBits);
-      }
-      if (top < bottom) {
-        break;
-      }
-      node = stack[top];
-    }
+    nearest.stack[bottom] = NONE;
+    nearest.stackNear[bottom] = Integer.MIN_VALUE;
+    nearest.stackTop = bottom + 1;
+    boolean found = nearest.any ? findAny(ray, nearest) : findNearest(ray, nearest);
     nearest.stackTop = bottom;
     return found;
   }
 
-  /** Returns a bit for each triangle of a leaf that may be hit, whatever its t. */
-  private int candidates(
-      int first,
-      int count,
-      int kx,
-      int ky,
-      int kz,
-      float ox,
-      float oy,
-      float oz,
-      float sx,
-      float sy,
-      float tolerance,
-      float floor) {
+  private boolean findNearest(WideRay ray, NearestHit nearest) {
+    boolean found = false;
+    int node = 0;
+    while (true) {
+      if (node >= 0) {
+        node = nearestLeaf(node, ray, nearest);
+      }
+      if (node == NONE) {
+        return found;
+      }
+      if (intersect(node, ray, nearest)) {
+        found = true;
+        ray.endAt(nearest.t);
+      }
+      // Take up the last node put aside that does not begin beyond the best hit.
+      int top = nearest.stackTop;
+      do {
+        top--;
+      } while (nearest.stackNear[top] > ray.last);
+      nearest.stackTop = top;
+      node = nearest.stack[top];
+    }
+  }
+
+  private boolean findAny(WideRay ray, NearestHit nearest) {
+    int node = 0;
+    while (true) {
+      if (node >= 0) {
+        node = anyLeaf(node, ray, nearest);
+      }
+      if (node == NONE) {
+        return false;
+      }
+      if (intersect(node, ray, nearest)) {
+        return true;
+      }
+      node = nearest.stack[--nearest.stackTop];
+    }
+  }
+
+  /**
+   * Goes down from a node to the nearest leaf and puts aside, the farthest first, what it passes.
+   */
+  private int nearestLeaf(int root, WideRay ray, NearestHit nearest) {
+    float[] boxes = nodes;
+    int[] links = children;
+    int[] stack = nearest.stack;
+    int[] stackNear = nearest.stackNear;
+    int[] lanes = nearest.lanes;
+    int top = nearest.stackTop;
+    IntVector signX = IntVector.broadcast(INTS, ray.signX);
+    IntVector signY = IntVector.broadcast(INTS, ray.signY);
+    IntVector signZ = IntVector.broadcast(INTS, ray.signZ);
+    FloatVector ix = FloatVector.broadcast(FLOATS, ray.ix);
+    FloatVector iy = FloatVector.broadcast(FLOATS, ray.iy);
+    FloatVector iz = FloatVector.broadcast(FLOATS, ray.iz);
+    FloatVector inX = FloatVector.broadcast(FLOATS, ray.inX);
+    FloatVector inY = FloatVector.broadcast(FLOATS, ray.inY);
+    FloatVector inZ = FloatVector.broadcast(FLOATS, ray.inZ);
+    FloatVector jx = FloatVector.broadcast(FLOATS, ray.jx);
+    FloatVector jy = FloatVector.broadcast(FLOATS, ray.jy);
+    FloatVector jz = FloatVector.broadcast(FLOATS, ray.jz);
+    FloatVector outX = FloatVector.broadcast(FLOATS, ray.outX);
+    FloatVector outY = FloatVector.broadcast(FLOATS, ray.outY);
+    FloatVector outZ = FloatVector.broadcast(FLOATS, ray.outZ);
+    int last = ray.last;
+    int node = root;
+    while (node >= 0) {
+      int at = NODE_STEP * node;
+      IntVector minX = FloatVector.fromArray(FLOATS, boxes, at).reinterpretAsInts();
+      IntVector maxX = FloatVector.fromArray(FLOATS, boxes, at + WIDTH).reinterpretAsInts();
+      IntVector minY = FloatVector.fromArray(FLOATS, boxes, at + 2 * WIDTH).reinterpretAsInts();
+      IntVector maxY = FloatVector.fromArray(FLOATS, boxes, at + 3 * WIDTH).reinterpretAsInts();
+      IntVector minZ = FloatVector.fromArray(FLOATS, boxes, at + 4 * WIDTH).reinterpretAsInts();
+      IntVector maxZ = FloatVector.fromArray(FLOATS, boxes, at + 5 * WIDTH).reinterpretAsInts();
+      IntVector near =
+          minX.lanewise(VectorOperators.BITWISE_BLEND, maxX, signX)
+              .reinterpretAsFloats()
+              .fma(ix, inX)
+              .reinterpretAsInts()
+              .max(
+                  minY.lanewise(VectorOperators.BITWISE_BLEND, maxY, signY)
+                      .reinterpretAsFloats()
+                      .fma(iy, inY)
+                      .reinterpretAsInts())
+              .max(
+                  minZ.lanewise(VectorOperators.BITWISE_BLEND, maxZ, signZ)
+                      .reinterpretAsFloats()
+                      .fma(iz, inZ)
+                      .reinterpretAsInts()
+                      .max(0));
+      IntVector far =
+          maxX.lanewise(VectorOperators.BITWISE_BLEND, minX, signX)
+              .reinterpretAsFloats()
+              .fma(jx, outX)
+              .reinterpretAsInts()
+              .min(
+                  maxY.lanewise(VectorOperators.BITWISE_BLEND, minY, signY)
+                      .reinterpretAsFloats()
+                      .fma(jy, outY)
+                      .reinterpretAsInts())
+              .min(
+                  maxZ.lanewise(VectorOperators.BITWISE_BLEND, minZ, signZ)
+                      .reinterpretAsFloats()
+                      .fma(jz, outZ)
+                      .reinterpretAsInts()
+                      .min(last));
+      int hits =
+          LANES
+              .lanewise(
+                  VectorOperators.AND_NOT, far.sub(near).or(far).lanewise(VectorOperators.ASHR, 31))
+              .reduceLanes(VectorOperators.OR);
+      if (hits == 0) {
+        do {
+          top--;
+        } while (stackNear[top] > last);
+        node = stack[top];
+        continue;
+      }
+      int lane = Integer.numberOfTrailingZeros(hits);
+      int child = links[node + lane];
+      hits &= hits - 1;
+      if (hits == 0) {
+        node = child;
+        continue;
+      }
+      near.intoArray(lanes, 0);
+      int distance = lanes[lane];
+      int other = Integer.numberOfTrailingZeros(hits);
+      int otherChild = links[node + other];
+      int otherDistance = lanes[other];
+      hits &= hits - 1;
+      boolean ordered = distance <= otherDistance;
+      int first = top;
+      stack[top] = ordered ? otherChild : child;
+      stackNear[top++] = Math.max(distance, otherDistance);
+      if (hits == 0) {
+        node = ordered ? child : otherChild;
+        continue;
+      }
+      stack[top] = ordered ? child : otherChild;
+      stackNear[top++] = Math.min(distance, otherDistance);
+      do {
+        lane = Integer.numberOfTrailingZeros(hits);
+        distance = lanes[lane];
+        int place = top++;
+        while (place > first && stackNear[place - 1] < distance) {
+          stackNear[place] = stackNear[place - 1];
+          stack[place] = stack[place - 1];
+          place--;
+        }
+        stackNear[place] = distance;
+        stack[place] = links[node + lane];
+        hits &= hits - 1;
+      } while (hits != 0);
+      node = stack[--top];
+    }
+    nearest.stackTop = top;
+    return node;
+  }
+
+  /** Goes down from a node to any leaf and puts aside what it passes. */
+  private int anyLeaf(int root, WideRay ray, NearestHit nearest) {
+    float[] boxes = nodes;
+    int[] links = children;
+    int[] stack = nearest.stack;
+    int top = nearest.stackTop;
+    IntVector signX = IntVector.broadcast(INTS, ray.signX);
+    IntVector signY = IntVector.broadcast(INTS, ray.signY);
+    IntVector signZ = IntVector.broadcast(INTS, ray.signZ);
+    FloatVector ix = FloatVector.broadcast(FLOATS, ray.ix);
+    FloatVector iy = FloatVector.broadcast(FLOATS, ray.iy);
+    FloatVector iz = FloatVector.broadcast(FLOATS, ray.iz);
+    FloatVector inX = FloatVector.broadcast(FLOATS, ray.inX);
+    FloatVector inY = FloatVector.broadcast(FLOATS, ray.inY);
+    FloatVector inZ = FloatVector.broadcast(FLOATS, ray.inZ);
+    FloatVector jx = FloatVector.broadcast(FLOATS, ray.jx);
+    FloatVector jy = FloatVector.broadcast(FLOATS, ray.jy);
+    FloatVector jz = FloatVector.broadcast(FLOATS, ray.jz);
+    FloatVector outX = FloatVector.broadcast(FLOATS, ray.outX);
+    FloatVector outY = FloatVector.broadcast(FLOATS, ray.outY);
+    FloatVector outZ = FloatVector.broadcast(FLOATS, ray.outZ);
+    int last = ray.last;
+    int node = root;
+    while (node >= 0) {
+      int at = NODE_STEP * node;
+      IntVector minX = FloatVector.fromArray(FLOATS, boxes, at).reinterpretAsInts();
+      IntVector maxX = FloatVector.fromArray(FLOATS, boxes, at + WIDTH).reinterpretAsInts();
+      IntVector minY = FloatVector.fromArray(FLOATS, boxes, at + 2 * WIDTH).reinterpretAsInts();
+      IntVector maxY = FloatVector.fromArray(FLOATS, boxes, at + 3 * WIDTH).reinterpretAsInts();
+      IntVector minZ = FloatVector.fromArray(FLOATS, boxes, at + 4 * WIDTH).reinterpretAsInts();
+      IntVector maxZ = FloatVector.fromArray(FLOATS, boxes, at + 5 * WIDTH).reinterpretAsInts();
+      IntVector near =
+          minX.lanewise(VectorOperators.BITWISE_BLEND, maxX, signX)
+              .reinterpretAsFloats()
+              .fma(ix, inX)
+              .reinterpretAsInts()
+              .max(
+                  minY.lanewise(VectorOperators.BITWISE_BLEND, maxY, signY)
+                      .reinterpretAsFloats()
+                      .fma(iy, inY)
+                      .reinterpretAsInts())
+              .max(
+                  minZ.lanewise(VectorOperators.BITWISE_BLEND, maxZ, signZ)
+                      .reinterpretAsFloats()
+                      .fma(iz, inZ)
+                      .reinterpretAsInts()
+                      .max(0));
+      IntVector far =
+          maxX.lanewise(VectorOperators.BITWISE_BLEND, minX, signX)
+              .reinterpretAsFloats()
+              .fma(jx, outX)
+              .reinterpretAsInts()
+              .min(
+                  maxY.lanewise(VectorOperators.BITWISE_BLEND, minY, signY)
+                      .reinterpretAsFloats()
+                      .fma(jy, outY)
+                      .reinterpretAsInts())
+              .min(
+                  maxZ.lanewise(VectorOperators.BITWISE_BLEND, minZ, signZ)
+                      .reinterpretAsFloats()
+                      .fma(jz, outZ)
+                      .reinterpretAsInts()
+                      .min(last));
+      int hits =
+          LANES
+              .lanewise(
+                  VectorOperators.AND_NOT, far.sub(near).or(far).lanewise(VectorOperators.ASHR, 31))
+              .reduceLanes(VectorOperators.OR);
+      if (hits == 0) {
+        node = stack[--top];
+        continue;
+      }
+      while ((hits & hits - 1) != 0) {
+        stack[top++] = links[node + Integer.numberOfTrailingZeros(hits)];
+        hits &= hits - 1;
+      }
+      node = links[node + Integer.numberOfTrailingZeros(hits)];
+    }
+    nearest.stackTop = top;
+    return node;
+  }
+
+  /** Tests the items of a leaf; tells whether one had a hit, which is stored. */
+  private boolean intersect(int leaf, WideRay ray, NearestHit nearest) {
+    if (LeafRef.isOfShapes(leaf)) {
+      return shapes.intersect(leaf, nearest);
+    }
+    int first = LeafRef.first(leaf);
+    int candidates = candidates(first, LeafRef.count(leaf), ray);
+    boolean found = false;
+    while (candidates != 0) {
+      int i = first + Integer.numberOfTrailingZeros(candidates);
+      candidates &= candidates - 1;
+      found |= triangles.intersectIndexed(i, ray, nearest);
+    }
+    return found;
+  }
+
+  /** Returns a bit for each triangle of a leaf that may be hit before the ray's end. */
+  private int candidates(int first, int count, WideRay ray) {
     float[] p = leaves;
     int base = first * WideTree.TRIANGLE_SIZE;
-    int x = base + kx * count;
-    int y = base + ky * count;
-    int z = base + kz * count;
+    int x = base + ray.kx * count;
+    int y = base + ray.ky * count;
+    int z = base + ray.kz * count;
     int next = 3 * count;
+    float ox = ray.x;
+    float oy = ray.y;
+    float oz = ray.z;
+    float sx = (float) ray.sx;
+    float sy = (float) ray.sy;
     FloatVector az = FloatVector.fromArray(FLOATS, p, z).sub(oz);
     FloatVector bz = FloatVector.fromArray(FLOATS, p, z + next).sub(oz);
     FloatVector cz = FloatVector.fromArray(FLOATS, p, z + 2 * next).sub(oz);
@@ -300,50 +348,40 @@ final class VectorTraversal implements Traversal {
     FloatVector by = FloatVector.fromArray(FLOATS, p, y + next).sub(oy).sub(bz.mul(sy));
     FloatVector cx = FloatVector.fromArray(FLOATS, p, x + 2 * next).sub(ox).sub(cz.mul(sx));
     FloatVector cy = FloatVector.fromArray(FLOATS, p, y + 2 * next).sub(oy).sub(cz.mul(sy));
+    // The edge functions do not differ in sign by more than they are wrong by.
     FloatVector u = cx.mul(by).sub(cy.mul(bx));
     FloatVector v = ax.mul(cy).sub(ay.mul(cx));
     FloatVector w = bx.mul(ay).sub(by.mul(ax));
-    FloatVector room = FloatVector.fromArray(FLOATS, p, base + 9 * count).mul(tolerance).add(floor);
+    FloatVector room =
+        FloatVector.fromArray(FLOATS, p, base + 9 * count).mul(ray.tolerance).add(ray.floor);
     IntVector below = u.add(room).reinterpretAsInts().or(v.add(room).reinterpretAsInts());
     IntVector above = room.sub(u).reinterpretAsInts().or(room.sub(v).reinterpretAsInts());
     below = below.or(w.add(room).reinterpretAsInts());
     above = above.or(room.sub(w).reinterpretAsInts());
+    // The hit lies neither behind the origin nor beyond the end, with depths times the determinant.
+    IntVector determinant = u.add(v).add(w).reinterpretAsInts();
+    IntVector size = determinant.and(Integer.MAX_VALUE);
+    FloatVector along =
+        cz.fma(w, bz.fma(v, az.mul(u)))
+            .reinterpretAsInts()
+            .lanewise(VectorOperators.XOR, determinant.sub(size))
+            .lanewise(VectorOperators.XOR, ray.depthSign)
+            .reinterpretAsFloats();
+    FloatVector end = FloatVector.broadcast(FLOATS, ray.lastDepth);
+    FloatVector slack = FloatVector.broadcast(FLOATS, ray.depthSlack);
+    FloatVector depthRoom = room.mul(ray.depthRoom);
+    IntVector behind =
+        size.reinterpretAsFloats().fma(slack, depthRoom).add(along).reinterpretAsInts();
+    IntVector beyond =
+        size.reinterpretAsFloats().fma(end, depthRoom).sub(along).reinterpretAsInts();
     int misses =
         below
             .and(above)
+            .or(behind)
+            .or(beyond)
             .lanewise(VectorOperators.ASHR, 31)
             .and(LANES)
             .reduceLanes(VectorOperators.OR);
     return (1 << count) - 1 & ~misses;
-  }
-
-  /** Returns where a ray from afar enters the space [-room, room]³; negative if it never does. */
-  private static double entry(
-      double x, double y, double z, double dx, double dy, double dz, double room) {
-    double nearX = (-Math.copySign(room, dx) - x) / dx;
-    double nearY = (-Math.copySign(room, dy) - y) / dy;
-    double nearZ = (-Math.copySign(room, dz) - z) / dz;
-    double farX = (Math.copySign(room, dx) - x) / dx;
-    double farY = (Math.copySign(room, dy) - y) / dy;
-    double farZ = (Math.copySign(room, dz) - z) / dz;
-    double near = Math.max(Math.max(nearX, nearY), Math.max(nearZ, 0));
-    return near <= Math.min(farX, Math.min(farY, farZ)) ? near : -1;
-  }
-
-  /** Returns the bits of a t that no hit before the given one exceeds, even after rounding. */
-  private static int last(double t, double start) {
-    double rounded = (t - start) * GROWTH + 0x1p-48 * start;
-    return Float.floatToRawIntBits(rounded < Float.MAX_VALUE ? (float) rounded : Float.MAX_VALUE);
-  }
-
-  /** Returns a power of two; infinity where double precision has none. */
-  private static double power(int exponent) {
-    return Math.abs(exponent) < 1023
-        ? Double.longBitsToDouble(exponent + 1023L << 52)
-        : Double.POSITIVE_INFINITY;
-  }
-
-  private static double atLeast(double d) {
-    return Math.abs(d) < LEAST ? Math.copySign(LEAST, d) : d;
   }
 }

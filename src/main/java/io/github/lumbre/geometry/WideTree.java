@@ -47,7 +47,7 @@ final class WideTree {
     return nodes;
   }
 
-  /** Returns eight children a node: a node's number, or a {@link LeafRef}. */
+  /** Returns eight children a node: a node's number times eight, or a {@link LeafRef}. */
   int[] children() {
     return children;
   }
@@ -83,7 +83,7 @@ final class WideTree {
       int child =
           lanes[lane] instanceof BvhNode.Leaf leaf
               ? storeLeaf(leaf, leafOrder, items)
-              : store(lanes[lane], leafOrder, items);
+              : WIDTH * store(lanes[lane], leafOrder, items);
       children[number * WIDTH + lane] = child;
     }
     return number;

@@ -1,0 +1,252 @@
+package io.github.lumbre.geometry;
+
+/**
+ * A ray as the floats of a {@link WideTree} are compared with it: in the tree's space, where t is
+ * measured along the longest axis of the direction. Mutable scratch memory, aimed anew for every
+ * search.
+ *
+ * <p>The bounds of all errors are derived in docs/design.md.
+ */
+final class WideRay {
+  /** Makes up for the rounding of slabs, some seven halves of an ulp at each end. */
+  private static final float GROWTH = 1 + 0x1p-20f;
+
+  /** The least component of a direction, relative to the largest. */
+  private static final double LEAST = 0x1p-60;
+
+  /** Beyond this distance an origin is moved nearer. */
+  private static final double NEAR = 4;
+
+  /** A t beyond all; its depth times the size of a triangle is finite. */
+  private static final float FAR = 0x1p100f;
+
+  /** Beyond this distance all boxes and triangles are looked at. */
+  private static final double REACH = 0x1p40;
+
+  private static final int MAX_EXPONENT = 960;
+
+  /** All bits set for an axis along which the direction is negative, otherwise none. */
+  int signX;
+
+  int signY;
+  int signZ;
+
+  /** What a coordinate of a box's near side is multiplied by, for its t, and what is then added. */
+  float ix;
+
+  float iy;
+  float iz;
+  float inX;
+  float inY;
+  float inZ;
+
+  /** The same for far sides. */
+  float jx;
+
+  float jy;
+  float jz;
+  float outX;
+  float outY;
+  float outZ;
+
+  /** The axis along which the direction is longest, and before it the two that are sheared. */
+  int kx;
+
+  int ky;
+  int kz;
+
+  /** The origin in the world, along these axes. */
+  double ox;
+
+  double oy;
+  double oz;
+
+  /** Direction along kx, and ky, over that along kz; and the reciprocal of that along kz. */
+  double sx;
+
+  double sy;
+  double sz;
+
+  /** The origin in the tree's space, along the same axes. */
+  float x;
+
+  float y;
+  float z;
+
+  /** What edge functions may be wrong by: relative to the triangle's size, and at least. */
+  float tolerance;
+
+  float floor;
+
+  /** The sign bit of the direction along kz, and how far t = 1 reaches along it. */
+  int depthSign;
+
+  float depth;
+
+  /** What depths may be wrong by: absolutely, and in units of what edge functions may be. */
+  float depthSlack;
+
+  float depthRoom;
+
+  /** The bits of a t beyond which nothing is looked for any more, and its depth. */
+  int last;
+
+  float lastDepth;
+
+  /** A t's way to the tree's space. */
+  private double tScale;
+
+  private double tOffset;
+
+  /** Coordinates, to be chosen from by an axis' number without a branch. */
+  private final double[] axes = new double[9];
+
+  /**
+   * Takes a ray.
+   *
+   * @return whether it can meet anything
+   */
+  boolean aim(UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
+    double px = (ox - space.centreX) * space.scale;
+    double py = (oy - space.centreY) * space.scale;
+    double pz = (oz - space.centreZ) * space.scale;
+    double longest = Axes.largest(dx, dy, dz);
+    int exponent = Math.getExponent(longest);
+    double unit = power(-exponent);
+    double ux = atLeast(dx * unit);
+    double uy = atLeast(dy * unit);
+    double uz = atLeast(dz * unit);
+    double reach = Axes.largest(px, py, pz);
+    double worldReach = Axes.largest(ox, oy, oz) * space.scale + space.centreReach;
+    double start = 0;
+    if (reach > NEAR && Math.abs(exponent) <= MAX_EXPONENT) {
+      start = entry(px, py, pz, ux, uy, uz, 2 + 0x1p-46 * worldReach);
+      if (start < 0) {
+        return false;
+      }
+      px += start * ux;
+      py += start * uy;
+      pz += start * uz;
+      reach = Axes.largest(px, py, pz);
+    }
+    // A product, since the compiler keeps a number made of bits in a copy for each of its uses.
+    tScale = power(exponent) * space.scale * GROWTH;
+    tOffset = start * (0x1p-48 - GROWTH);
+    double size = 1 + reach + 0x1p-24 * worldReach;
+    float slack = (float) (0x1p-22 * (1 + reach) + 0x1p-46 * worldReach);
+    tolerance = (float) (0x1p-17 * size);
+    floor = (float) (0x1p-37 * size * size);
+    depth = (float) (longest * unit) * GROWTH;
+    depthSlack = 4 * slack;
+    depthRoom = (float) (8 * size);
+    if (!(worldReach <= REACH && Math.abs(exponent) <= MAX_EXPONENT)) {
+      slack = lookAtAll();
+      px = 0;
+      py = 0;
+      pz = 0;
+      ux = 1;
+      uy = 1;
+      uz = 1;
+    }
+    setSlabs(px, py, pz, ux, uy, uz, slack);
+    shear(ox, oy, oz, dx, dy, dz, px, py, pz);
+    return true;
+  }
+
+  /** Takes a ray that is out of the reach of floats: returns the slack that makes up for all. */
+  private float lookAtAll() {
+    tScale = Double.POSITIVE_INFINITY;
+    tOffset = 0;
+    tolerance = 0;
+    floor = Float.POSITIVE_INFINITY;
+    depth = 1;
+    return 0x1p60f;
+  }
+
+  private void setSlabs(
+      double px, double py, double pz, double ux, double uy, double uz, float slack) {
+    signX = -Axes.sign(ux);
+    signY = -Axes.sign(uy);
+    signZ = -Axes.sign(uz);
+    ix = (float) (1 / ux);
+    iy = (float) (1 / uy);
+    iz = (float) (1 / uz);
+    inX = -ix * (float) px - slack * Math.abs(ix);
+    inY = -iy * (float) py - slack * Math.abs(iy);
+    inZ = -iz * (float) pz - slack * Math.abs(iz);
+    // Exits lie later by more than entries and exits are wrong.
+    jx = ix * GROWTH;
+    jy = iy * GROWTH;
+    jz = iz * GROWTH;
+    outX = slack * Math.abs(jx) - jx * (float) px;
+    outY = slack * Math.abs(jy) - jy * (float) py;
+    outZ = slack * Math.abs(jz) - jz * (float) pz;
+  }
+
+  /** Shears the longest axis onto the ray; a branch for each choice would be mispredicted. */
+  private void shear(
+      double wx,
+      double wy,
+      double wz,
+      double dx,
+      double dy,
+      double dz,
+      double px,
+      double py,
+      double pz) {
+    axes[0] = dx;
+    axes[1] = dy;
+    axes[2] = dz;
+    axes[3] = wx;
+    axes[4] = wy;
+    axes[5] = wz;
+    axes[6] = px;
+    axes[7] = py;
+    axes[8] = pz;
+    kz = Axes.longest(dx, dy, dz);
+    kx = Axes.next(kz);
+    ky = Axes.next(kx);
+    sz = 1 / axes[kz];
+    sx = axes[kx] / axes[kz];
+    sy = axes[ky] / axes[kz];
+    ox = axes[3 + kx];
+    oy = axes[3 + ky];
+    oz = axes[3 + kz];
+    x = (float) axes[6 + kx];
+    y = (float) axes[6 + ky];
+    z = (float) axes[6 + kz];
+    depthSign = Axes.sign(sz) << 31;
+  }
+
+  /** Looks no farther than for hits at a t; one that rounding has moved is not missed. */
+  void endAt(double t) {
+    double end = Math.fma(t, tScale, tOffset);
+    float nearer = end < FAR ? (float) end : FAR;
+    last = Float.floatToRawIntBits(nearer);
+    lastDepth = nearer * depth + depthSlack;
+  }
+
+  /** Returns where a ray from afar enters the space [-room, room]³; negative if it never does. */
+  private static double entry(
+      double x, double y, double z, double dx, double dy, double dz, double room) {
+    double nearX = (-Math.copySign(room, dx) - x) / dx;
+    double nearY = (-Math.copySign(room, dy) - y) / dy;
+    double nearZ = (-Math.copySign(room, dz) - z) / dz;
+    double farX = (Math.copySign(room, dx) - x) / dx;
+    double farY = (Math.copySign(room, dy) - y) / dy;
+    double farZ = (Math.copySign(room, dz) - z) / dz;
+    double near = Math.max(Math.max(nearX, nearY), Math.max(nearZ, 0));
+    return near <= Math.min(farX, Math.min(farY, farZ)) ? near : -1;
+  }
+
+  /** Returns a power of two; infinity where double precision has none. */
+  private static double power(int exponent) {
+    return Math.abs(exponent) < 1023
+        ? Double.longBitsToDouble(exponent + 1023L << 52)
+        : Double.POSITIVE_INFINITY;
+  }
+
+  private static double atLeast(double d) {
+    return Math.abs(d) < LEAST ? Math.copySign(LEAST, d) : d;
+  }
+}
