@@ -133,7 +133,7 @@ class AdaptiveScheduleTest {
    */
   @Test
   void rareBrightSamplesLoseNothing() throws InterruptedException {
-    int renders = Effort.count(300, 20_000);
+    int renders = Effort.count(300, 6_000);
     double sum = 0;
     double squares = 0;
     for (int i = 0; i < renders; i++) {
