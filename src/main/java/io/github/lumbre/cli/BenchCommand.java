@@ -37,6 +37,7 @@ import picocli.CommandLine.Spec;
       "Examples:",
       "  lumbre bench scenes/cornell-box.json",
       "  lumbre bench scenes/cornell-box.json scenes/torus-knot.json -s 4 --json before.json",
+      "  lumbre bench scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16",
       "  lumbre bench --compare before.json after.json"
     },
     exitCodeListHeading = "%nExit codes:%n",
@@ -118,9 +119,22 @@ final class BenchCommand implements Callable<Integer> {
       split = ",",
       description = {
         "Do the work that a scene does not require: ${COMPLETION-CANDIDATES}.",
-        "Against a run with them, --compare tells what a shortcut saves."
+        "With --paired, tells what a shortcut saves."
       })
   private Set<Shortcut> without = Set.of();
+
+  @Option(
+      names = "--adaptive",
+      description = "Give more of the samples to noisy pixels, as 'render --adaptive' does.")
+  private boolean adaptive;
+
+  @Option(
+      names = "--paired",
+      description = {
+        "Instead: render each scene in turn as it is and as --without or --adaptive say, so many",
+        "times as --repeat says, and print the ratios of CPU time, memory and squared error."
+      })
+  private boolean paired;
 
   @Option(
       names = "--json",
@@ -151,8 +165,11 @@ final class BenchCommand implements Callable<Integer> {
     try (TextOutput output = TextOutput.reserve(json);
         Interruption interruption = Interruption.listen(() -> {});
         RenderMonitor monitor = new RenderMonitor(interruption, false)) {
-      BenchRunner runner = new BenchRunner(plan, monitor);
-      boolean complete = interruption.beginRender() && run(runner, plan, out, output);
+      boolean complete =
+          interruption.beginRender()
+              && (paired
+                  ? runPairs(new PairedBench(plan, monitor), out)
+                  : run(new BenchRunner(plan, monitor), plan, out, output));
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
     }
   }
@@ -165,9 +182,14 @@ final class BenchCommand implements Callable<Integer> {
     checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
     checks.requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
     checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
+    checks.require(
+        !paired || repeat >= PairedBench.FEWEST_PAIRS && json.isEmpty(),
+        "--paired: expected no --json, and --repeat of at least " + PairedBench.FEWEST_PAIRS);
+    checks.require(
+        !paired || adaptive || !without.isEmpty(), "--paired: expected --without or --adaptive");
     int processors = Runtime.getRuntime().availableProcessors();
     List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
-    return new BenchPlan(size, samples, used, warmup, repeat, pairs, without);
+    return new BenchPlan(size, samples, used, warmup, repeat, pairs, without, adaptive);
   }
 
   /** Results bear their scene's name, so no two may have the same. */
@@ -177,6 +199,26 @@ final class BenchCommand implements Callable<Integer> {
       checks.require(Files.isRegularFile(scene), "there is no scene " + scene);
       String name = SceneFolder.name(scene);
       checks.require(names.add(name), "expected scenes of different names, found two " + name);
+    }
+  }
+
+  /** Measures scenes in two ways and prints the ratios; returns false if that was stopped. */
+  private boolean runPairs(PairedBench bench, Messages out)
+      throws SceneFormatException, CommandException {
+    Messages errors = new Messages(spec.commandLine().getErr());
+    bench.head().forEach(out::line);
+    try {
+      for (Path scene : scenes) {
+        Optional<String> row = bench.row(scene, errors);
+        if (row.isEmpty()) {
+          return false;
+        }
+        out.line(row.get());
+      }
+      return true;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
     }
   }
 

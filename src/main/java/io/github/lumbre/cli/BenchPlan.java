@@ -20,6 +20,7 @@ import java.util.stream.Collectors;
  * @param repeat how many renders are timed, at least 1
  * @param pairs of renders with seeds of their own that tell the noise, at least 1
  * @param without what the renderer is not to leave out though the scenes do not require it
+ * @param adaptive whether noisy pixels get more of the samples
  */
 record BenchPlan(
     Optional<FlagConverters.Size> size,
@@ -28,7 +29,8 @@ record BenchPlan(
     int warmup,
     int repeat,
     int pairs,
-    Set<Shortcut> without) {
+    Set<Shortcut> without,
+    boolean adaptive) {
   /** The longer side, in pixels, that frames are shrunk to. */
   static final int SIDE = 320;
 
@@ -45,7 +47,12 @@ record BenchPlan(
     RenderSettings sized =
         size.map(s -> inScene.toBuilder().size(s.width(), s.height()).build())
             .orElseGet(() -> SampleBudget.shrunk(inScene, SIDE));
-    return sized.toBuilder().samples(samples).build();
+    return sized.toBuilder().samples(samples).adaptive(adaptive).build();
+  }
+
+  /** Returns the same plan with all shortcuts and even samples. */
+  BenchPlan plain() {
+    return new BenchPlan(size, samples, threads, warmup, repeat, pairs, Set.of(), false);
   }
 
   /** Returns a scene that takes no shortcut which the plan does without. */
@@ -69,6 +76,7 @@ record BenchPlan(
         + ", of which the median counts. Pairs of seeds for the noise: "
         + pairs
         + "."
-        + (without.isEmpty() ? "" : " Without the shortcuts " + new TreeSet<>(without) + ".");
+        + (without.isEmpty() ? "" : " Without the shortcuts " + new TreeSet<>(without) + ".")
+        + (adaptive ? " Adaptive." : "");
   }
 }

@@ -11,6 +11,9 @@ import java.util.List;
 public record Interval(double value, double low, double high) {
   private static final double CONFIDENCE = .95;
 
+  /** All values are on one side of the true median with a probability of 2^(1-n). */
+  private static final int FEWEST_FOR_MEDIAN = 6;
+
   /** Returns the mean of independent values, at least one, by Student's t; of one, itself. */
   public static Interval ofMean(List<Double> values) {
     int count = values.size();
@@ -22,5 +25,31 @@ public record Interval(double value, double low, double high) {
     double half =
         StudentT.critical(CONFIDENCE, count - 1) * Math.sqrt(squares / (count - 1) / count);
     return new Interval(mean, mean - half, mean + half);
+  }
+
+  /**
+   * Returns the median of independent values and the order statistics around it that hold the true
+   * one, whatever the values' distribution (as in the sign test).
+   *
+   * @param values at least 6
+   */
+  public static Interval ofMedian(List<Double> values) {
+    double[] sorted = values.stream().mapToDouble(v -> v).sorted().toArray();
+    int count = sorted.length;
+    if (count < FEWEST_FOR_MEDIAN) {
+      throw new IllegalArgumentException(
+          "values: expected at least " + FEWEST_FOR_MEDIAN + ", found " + count);
+    }
+    // The true median lies outside if fewer than so many of the values are on one side of it.
+    double outside = Math.scalb(1.0, -count);
+    double term = outside;
+    int cut = 0;
+    while (2 * (outside + term * (count - cut) / (cut + 1)) <= 1 - CONFIDENCE) {
+      term *= (double) (count - cut) / (cut + 1);
+      outside += term;
+      cut++;
+    }
+    double middle = .5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
+    return new Interval(middle, sorted[cut], sorted[count - 1 - cut]);
   }
 }

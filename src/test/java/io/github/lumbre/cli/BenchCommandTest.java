@@ -149,4 +149,23 @@ class BenchCommandTest {
   void scenesOfOneNameAreRefused() {
     bench(scene.toString()).assertFailed(ExitCodes.USAGE, "different names, found two tiny");
   }
+
+  @Test
+  void pairsTellWhatAShortcutSaves() {
+    Outcome outcome =
+        bench("--paired", "--without", "NO_AMBIENT", "--repeat", "12", "-s", "1", "--threads", "1");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(rows(outcome)).hasSize(1);
+    assertThat(rows(outcome).get(0)).startsWith("| tiny | 16x12 | 1 | ").endsWith("| same |");
+  }
+
+  @Test
+  void pairsTellWhatAdaptiveSamplingBrings() {
+    Outcome outcome = bench("--paired", "--adaptive", "--repeat", "12", "-s", "128");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(rows(outcome).get(0)).contains("| 16x12 | 128 | ").endsWith("| other |");
+    bench("--paired", "--adaptive").assertFailed(ExitCodes.USAGE, "--paired: expected no --json");
+    bench("--paired", "--repeat", "12")
+        .assertFailed(ExitCodes.USAGE, "--paired: expected --without or --adaptive");
+  }
 }
