@@ -115,10 +115,22 @@ public final class SurfaceHit {
     double dx = local.x();
     double dy = local.y();
     double dz = local.z();
-    return new Vec3(
-        tangentX * dx + bitangentX * dy + normalX * dz,
-        tangentY * dx + bitangentY * dy + normalY * dz,
-        tangentZ * dx + bitangentZ * dy + normalZ * dz);
+    return new Vec3(worldX(dx, dy, dz), worldY(dx, dy, dz), worldZ(dx, dy, dz));
+  }
+
+  /** Returns the x of {@link #toWorld}. */
+  public double worldX(double dx, double dy, double dz) {
+    return tangentX * dx + bitangentX * dy + normalX * dz;
+  }
+
+  /** Returns the y of {@link #toWorld}. */
+  public double worldY(double dx, double dy, double dz) {
+    return tangentY * dx + bitangentY * dy + normalY * dz;
+  }
+
+  /** Returns the z of {@link #toWorld}. */
+  public double worldZ(double dx, double dy, double dz) {
+    return tangentZ * dx + bitangentZ * dy + normalZ * dz;
   }
 
   /** Returns the texture coordinates. */
@@ -142,11 +154,8 @@ public final class SurfaceHit {
     return new Ray(position().plus(side, geometricNormal()), direction);
   }
 
-  /** Aims a search by the ray that leaves in a unit direction. */
-  public void spawn(Vec3 direction, NearestHit next) {
-    double dx = direction.x();
-    double dy = direction.y();
-    double dz = direction.z();
+  /** Aims a search by the ray that leaves in a unit direction, given by its coordinates. */
+  public void spawn(double dx, double dy, double dz, NearestHit next) {
     double side = side(dx, dy, dz);
     double ox = x + side * geometricX;
     double oy = y + side * geometricY;

@@ -151,7 +151,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
       }
       path.weigh(1 / survival, 1 / survival, 1 / survival);
     }
-    surface.spawn(scattered.wi(), scratch.hit);
+    surface.spawn(scattered.x(), scattered.y(), scattered.z(), scratch.hit);
     return true;
   }
 

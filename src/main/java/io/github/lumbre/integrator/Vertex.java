@@ -86,17 +86,27 @@ final class Vertex {
     if (drawn.isAbsorbed()) {
       return;
     }
-    Vec3 local = drawn.wi();
-    Vec3 wi = toWorld(local);
-    if (isConsistent(wi, local)) {
-      drawn.setDirection(wi);
+    double x = drawn.x();
+    double y = drawn.y();
+    double z = drawn.z();
+    double wx = surface.worldX(x, y, z);
+    double wy = surface.worldY(x, y, z);
+    double wz = surface.worldZ(x, y, z);
+    if (isConsistent(wx, wy, wz, z)) {
+      drawn.setDirection(wx, wy, wz);
     } else {
       drawn.absorb();
     }
   }
 
   private boolean isConsistent(Vec3 wi, Vec3 local) {
+    return isConsistent(wi.x(), wi.y(), wi.z(), local.z());
+  }
+
+  /** Tells whether a world direction, of which the local z is given, may see the viewer. */
+  private boolean isConsistent(double wx, double wy, double wz, double localZ) {
     Vec3 normal = surface.geometricNormal();
-    return wi.dot(normal) * (local.z() * wo.z()) * surface.wo().dot(normal) > 0;
+    double cosine = wx * normal.x() + wy * normal.y() + wz * normal.z();
+    return cosine * (localZ * wo.z()) * surface.wo().dot(normal) > 0;
   }
 }

@@ -150,7 +150,7 @@ public final class LightSample {
     switch (target) {
       case SURFACE -> from.spawnTowards(surface, shadow);
       case POINT -> from.spawnTowards(end(), shadow);
-      case INFINITY -> from.spawn(wi(), shadow);
+      case INFINITY -> from.spawn(x, y, z, shadow);
     }
   }
 }

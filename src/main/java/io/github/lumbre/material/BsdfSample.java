@@ -52,14 +52,34 @@ public final class BsdfSample {
 
   /** Sets the direction alone. */
   public void setDirection(Vec3 wi) {
-    x = wi.x();
-    y = wi.y();
-    z = wi.z();
+    setDirection(wi.x(), wi.y(), wi.z());
+  }
+
+  /** Sets the direction alone, by its coordinates. */
+  public void setDirection(double newX, double newY, double newZ) {
+    x = newX;
+    y = newY;
+    z = newZ;
   }
 
   /** Returns the unit direction; of an absorbed sample, any. */
   public Vec3 wi() {
     return new Vec3(x, y, z);
+  }
+
+  /** Returns the x of {@link #wi}. */
+  public double x() {
+    return x;
+  }
+
+  /** Returns the y of {@link #wi}. */
+  public double y() {
+    return y;
+  }
+
+  /** Returns the z of {@link #wi}. */
+  public double z() {
+    return z;
   }
 
   /** Returns the red component of {@link #weight}. */
