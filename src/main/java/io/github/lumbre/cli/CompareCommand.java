@@ -52,6 +52,7 @@ import picocli.CommandLine.Spec;
       "1:Something is beyond the tolerance",
       "2:The command line is wrong, a picture does not exist, or sizes differ",
       "4:A picture cannot be decoded, or has values that are not finite",
+      "5:A picture is larger than a limit or than memory",
       "6:The map cannot be written",
       "7:A fault of the program"
     })
@@ -162,7 +163,9 @@ final class CompareCommand implements Callable<Integer> {
       }
       return image;
     } catch (ImageFormatException e) {
-      throw new CommandException(ExitCodes.ASSET, file + ": " + e.getMessage(), e);
+      boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
+      throw new CommandException(
+          tooLarge ? ExitCodes.LIMIT : ExitCodes.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
       throw new CommandException(ExitCodes.USAGE, file + ": cannot be read: " + e.getMessage(), e);
     }

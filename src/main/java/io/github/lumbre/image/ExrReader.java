@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -73,10 +74,18 @@ final class ExrReader {
       in.position(in.position() + length);
     }
     ByteBuffer window = attribute("dataWindow");
-    width = Math.subtractExact(window.getInt(8), window.getInt(0)) + 1;
-    height = Math.subtractExact(window.getInt(12), window.getInt(4)) + 1;
+    width = side(window.getInt(0), window.getInt(8));
+    height = side(window.getInt(4), window.getInt(12));
     ImageReader.checkSize(width, height);
     readChannels(attribute("channels"));
+  }
+
+  /** Returns the number of pixels from the first to the last; the largest int if it is larger. */
+  private static int side(int first, int last) throws ImageFormatException {
+    if (last < first) {
+      throw malformed("OpenEXR: its window ends before it begins");
+    }
+    return (int) Math.min((long) last - first + 1, Integer.MAX_VALUE);
   }
 
   private void readChannels(ByteBuffer list) throws ImageFormatException {
@@ -116,16 +125,24 @@ final class ExrReader {
     if (in.remaining() < (long) Long.BYTES * blocks || bytes > MAX_INFLATION * in.remaining()) {
       throw malformed("OpenEXR ends too early");
     }
-    float[] rgb = new float[Math.multiplyExact(3, width * height)];
-    float[] alpha = new float[channels.contains(3) ? width * height : 0];
+    float[] rgb = LinearReader.raster(width, height, 3);
+    float[] alpha = channels.contains(3) ? LinearReader.raster(width, height, 1) : new float[0];
+    BitSet found = new BitSet(blocks);
     int top = attribute("dataWindow").getInt(4);
     // The table of offsets is not needed: each block says which lines it holds.
     in.position(in.position() + Long.BYTES * blocks);
     for (int i = 0; i < blocks; i++) {
       int first = Objects.checkIndex(in.getInt() - top, height);
+      if (first % lines != 0 || found.get(first / lines)) {
+        throw malformed("OpenEXR is damaged: its blocks are not one for each " + lines + " lines");
+      }
+      found.set(first / lines);
       byte[] data = new byte[Math.max(0, Math.min(in.getInt(), in.remaining()))];
       in.get(data);
       int rows = Math.min(lines, height - first);
+      if (!packed && data.length != bytes(rows)) {
+        throw malformed("OpenEXR is damaged: a block is too short or too long");
+      }
       byte[] raw = packed ? unpacked(data, bytes(rows)) : data;
       put(little(raw), first, rows, rgb, alpha);
     }
@@ -151,9 +168,12 @@ final class ExrReader {
     }
   }
 
-  private static void divide(float[] rgb, float[] alpha) {
+  private static void divide(float[] rgb, float[] alpha) throws ImageFormatException {
     for (int i = 0; i < 3 * alpha.length; i++) {
       float opacity = alpha[i / 3];
+      if (!(opacity >= 0 && opacity <= 1)) {
+        throw malformed("OpenEXR: expected alpha of 0 to 1, found " + opacity);
+      }
       rgb[i] = opacity > 0 ? rgb[i] / opacity : 0;
     }
   }
@@ -168,8 +188,9 @@ final class ExrReader {
     Inflater inflater = new Inflater();
     try {
       inflater.setInput(packed);
-      if (inflater.inflate(split) != size) {
-        throw malformed("OpenEXR is damaged: a block is too short");
+      boolean isAll = inflater.inflate(split) == size;
+      if (!isAll || inflater.inflate(new byte[1]) != 0 || !inflater.finished()) {
+        throw malformed("OpenEXR is damaged: a block is too short or too long");
       }
     } finally {
       inflater.end();

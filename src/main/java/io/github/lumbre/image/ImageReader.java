@@ -38,12 +38,12 @@ public final class ImageReader {
     Objects.requireNonNull(file, "file");
     if (PngFile.startsIn(file)) {
       PngFile png = PngFile.read(file);
-      checkMemory(png.width(), png.height(), Runtime.getRuntime().maxMemory());
+      checkMemory(png.width(), png.height(), 1, Runtime.getRuntime().maxMemory());
       return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0)));
     }
     if (JpegFile.startsIn(file)) {
       JpegFile jpeg = JpegFile.read(file);
-      checkMemory(jpeg.width(), jpeg.height(), Runtime.getRuntime().maxMemory());
+      checkMemory(jpeg.width(), jpeg.height(), 1, Runtime.getRuntime().maxMemory());
       return decode(
           "JPEG",
           jpeg.content(),
@@ -70,9 +70,10 @@ public final class ImageReader {
     }
   }
 
-  /** Checks that a picture of so many pixels, a byte each at least, fits into a heap. */
-  static void checkMemory(int width, int height, long maxHeapBytes) throws ImageFormatException {
-    long bytes = (long) width * height;
+  /** Checks that a picture of so many pixels fits into a heap. */
+  static void checkMemory(int width, int height, int bytesPerPixel, long maxHeapBytes)
+      throws ImageFormatException {
+    long bytes = (long) bytesPerPixel * width * height;
     if (bytes > maxHeapBytes) {
       throw new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE,

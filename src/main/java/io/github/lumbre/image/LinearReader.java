@@ -14,6 +14,9 @@ import java.util.Objects;
  * is not read.
  */
 public final class LinearReader {
+  /** What an array holds. */
+  private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
+
   private LinearReader() {}
 
   /**
@@ -23,6 +26,12 @@ public final class LinearReader {
    * @throws IOException if the file cannot be read
    */
   public static Image read(Path file) throws IOException {
+    long bytes = Files.size(file);
+    if (bytes > MAX_BYTES) {
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE,
+          "the file has " + bytes + " bytes, expected at most " + MAX_BYTES);
+    }
     return decode(Files.readAllBytes(file));
   }
 
@@ -45,13 +54,24 @@ public final class LinearReader {
     throw malformed("expected a PNG, JPEG, PFM or OpenEXR picture, found none of them");
   }
 
-  private static Image decoded(Pixels pixels) {
+  private static Image decoded(Pixels pixels) throws ImageFormatException {
     int width = pixels.width();
-    float[] rgb = new float[Math.multiplyExact(3, width * pixels.height())];
+    float[] rgb = raster(width, pixels.height(), 3);
     for (int i = 0; i < rgb.length; i++) {
       int pixel = i / 3;
       rgb[i] = (float) Srgb.decode(pixels.value(pixel % width, pixel / width, i % 3));
     }
     return new Image(width, pixels.height(), rgb, new float[0]);
+  }
+
+  /**
+   * Returns memory for a picture whose size is within the limits.
+   *
+   * @throws ImageFormatException if the heap has none, before it is asked
+   */
+  static float[] raster(int width, int height, int channels) throws ImageFormatException {
+    long maxHeapBytes = Runtime.getRuntime().maxMemory();
+    ImageReader.checkMemory(width, height, channels * Float.BYTES, maxHeapBytes);
+    return new float[Math.multiplyExact(channels, width * height)];
   }
 }

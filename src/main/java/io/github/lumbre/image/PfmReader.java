@@ -38,9 +38,12 @@ final class PfmReader {
       int width = Integer.parseInt(token());
       int height = Integer.parseInt(token());
       double scale = Double.parseDouble(token());
+      if (width < 0 || height < 0 || scale == 0 || !Double.isFinite(scale)) {
+        throw malformed("PFM: its header is damaged");
+      }
       ImageReader.checkSize(width, height);
       // One white-space character ends the header.
-      position++;
+      position = Math.min(position + 1, file.length);
       if (file.length - position != 4L * channels * width * height) {
         throw malformed(
             "PFM: expected %d bytes of pixels, found %d"
@@ -59,7 +62,7 @@ final class PfmReader {
 
   private static Image pixels(int width, int height, int channels, ByteBuffer in)
       throws ImageFormatException {
-    float[] rgb = new float[Math.multiplyExact(3, width * height)];
+    float[] rgb = LinearReader.raster(width, height, 3);
     for (int y = height - 1; y >= 0; y--) {
       for (int i = 3 * y * width; i < 3 * (y + 1) * width; i++) {
         rgb[i] = channels == 1 && i % 3 != 0 ? rgb[i - 1] : in.getFloat();

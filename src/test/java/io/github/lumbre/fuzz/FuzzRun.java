@@ -14,12 +14,14 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.LongFunction;
 
 /**
- * Very many hostile scenes, on several threads, of which each has half a minute of processor time,
- * and ten minutes of the clock, as other programs may be busy. System properties say how many:
- * {@code lumbre.fuzz.scenes} (a million), {@code lumbre.fuzz.threads} (one a processor) and {@code
- * lumbre.fuzz.seed} (a new one). Mutable, for one run.
+ * Very many hostile scenes or pictures, on several threads, of which each has half a minute of
+ * processor time, and ten minutes of the clock, as other programs may be busy. System properties
+ * say how many: {@code lumbre.fuzz.scenes} (a million), {@code lumbre.fuzz.pictures} (a million),
+ * {@code lumbre.fuzz.threads} (one a processor) and {@code lumbre.fuzz.seed} (a new one). Mutable,
+ * for one run.
  */
 final class FuzzRun {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
@@ -33,7 +35,8 @@ final class FuzzRun {
   /** A scene that is being tried, and when that began by the thread's time and by the clock. */
   private record Started(long seed, long processorNanos, long nanos) {}
 
-  private final HostileScenes scenes;
+  private final String what;
+  private final LongFunction<Ending> trial;
   private final long count;
   private final int threads;
   private final long firstSeed;
@@ -42,26 +45,34 @@ final class FuzzRun {
   private final Map<String, LongAdder> endings = new ConcurrentSkipListMap<>();
   private final Queue<String> failures = new ConcurrentLinkedQueue<>();
 
-  private FuzzRun(HostileScenes scenes, long count, int threads, long firstSeed) {
-    this.scenes = scenes;
+  private FuzzRun(
+      String what, LongFunction<Ending> trial, long count, int threads, long firstSeed) {
+    this.what = what;
+    this.trial = trial;
     this.count = count;
     this.threads = threads;
     this.firstSeed = firstSeed;
   }
 
-  static FuzzRun fromProperties(HostileScenes scenes) {
+  /**
+   * @param what is tried, for messages and the name of a property
+   * @param trial tries that of a seed, and throws an {@link AssertionError} if that fails
+   */
+  static FuzzRun fromProperties(String what, LongFunction<Ending> trial) {
     int processors = Runtime.getRuntime().availableProcessors();
     Long seed = Long.getLong("lumbre.fuzz.seed");
     return new FuzzRun(
-        scenes,
-        Long.getLong("lumbre.fuzz.scenes", 1_000_000),
+        what,
+        trial,
+        Long.getLong("lumbre.fuzz." + what, 1_000_000),
         Integer.getInteger("lumbre.fuzz.threads", processors),
         seed == null ? new SecureRandom().nextLong() >>> 1 : seed);
   }
 
-  /** Runs until all scenes are done, or too many have failed. */
+  /** Runs until all are done, or too many have failed. */
   void start() throws InterruptedException {
-    System.out.println(count + " hostile scenes; to repeat them: -Dlumbre.fuzz.seed=" + firstSeed);
+    System.out.println(
+        count + " hostile " + what + "; to repeat them: -Dlumbre.fuzz.seed=" + firstSeed);
     List<Thread> workers = new ArrayList<>();
     for (int i = 0; i < threads; i++) {
       Thread worker = new Thread(this::work, "fuzz-" + i);
@@ -77,7 +88,7 @@ final class FuzzRun {
     System.out.println("ended: " + endings);
   }
 
-  /** Returns what went wrong, a text for each scene. */
+  /** Returns what went wrong, a text for each. */
   List<String> failures() {
     return List.copyOf(failures);
   }
@@ -109,7 +120,7 @@ final class FuzzRun {
         count("slow: " + seed);
       }
       if (i > 0 && i % REPORT_EVERY == 0) {
-        System.out.println(i + " scenes: " + endings);
+        System.out.println(i + " " + what + ": " + endings);
       }
     }
     running.remove(Thread.currentThread());
@@ -117,7 +128,7 @@ final class FuzzRun {
 
   private void tryOne(long seed) {
     try {
-      Ending ending = scenes.run(seed);
+      Ending ending = trial.apply(seed);
       count("exit code " + ending.exitCode());
       if (ending.rejected() > 0) {
         count("with rejected samples");

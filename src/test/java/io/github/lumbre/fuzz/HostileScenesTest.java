@@ -41,7 +41,7 @@ class HostileScenesTest {
   @Test
   @Tag("fuzz")
   void aMillionScenes() throws InterruptedException {
-    FuzzRun run = FuzzRun.fromProperties(new HostileScenes(folder));
+    FuzzRun run = FuzzRun.fromProperties("scenes", new HostileScenes(folder)::run);
     run.start();
     assertThat(run.failures()).isEmpty();
   }

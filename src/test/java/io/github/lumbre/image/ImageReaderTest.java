@@ -243,8 +243,8 @@ class ImageReaderTest {
 
   @Test
   void aPictureLargerThanTheHeapIsRefusedBeforeItIsDecoded() {
-    assertThatCode(() -> ImageReader.checkMemory(1024, 1024, 1 << 20)).doesNotThrowAnyException();
-    assertThatThrownBy(() -> ImageReader.checkMemory(2048, 1024, 1 << 20))
+    assertThatCode(() -> ImageReader.checkMemory(1024, 512, 2, 1 << 20)).doesNotThrowAnyException();
+    assertThatThrownBy(() -> ImageReader.checkMemory(2048, 1024, 1, 1 << 20))
         .hasMessage(
             "the picture has 2048x1024 pixels, which need 2 MiB, but the heap is limited to 1 MiB");
   }

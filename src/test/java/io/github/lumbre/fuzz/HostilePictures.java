@@ -1,0 +1,94 @@
+package io.github.lumbre.fuzz;
+
+import io.github.lumbre.fuzz.HostileScenes.Ending;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.measure.PictureError;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.Random;
+
+/**
+ * Picture files that somebody made to break whoever reads or compares them, each a function of a
+ * seed: OpenEXR, portable float maps, PNG and JPEG. Usable by several threads.
+ */
+final class HostilePictures {
+  private static final int MOST_PIXELS = 512;
+  private static final int LONGEST_LINE = 300;
+
+  private final LinearPictureMutator linear;
+
+  /**
+   * @param folder for sound files
+   */
+  HostilePictures(Path folder) {
+    linear = LinearPictureMutator.in(folder);
+  }
+
+  /** Returns the file of a seed. */
+  byte[] file(long seed) {
+    Random random = new Random(seed);
+    return random.nextInt(4) == 0
+        ? new PictureMutator(random).next()
+        : linear.drawingFrom(random).next();
+  }
+
+  /**
+   * Reads the picture of a seed and compares it with a grey one.
+   *
+   * @return the exit code that {@code lumbre compare} would end with
+   * @throws AssertionError if it ended in another way than it may
+   */
+  Ending run(long seed) {
+    byte[] file = file(seed);
+    try {
+      return new Ending(exitCode(file), 0);
+    } catch (RuntimeException | Error e) {
+      throw new AssertionError("seed " + seed + ": " + HexFormat.of().formatHex(file), e);
+    }
+  }
+
+  private static int exitCode(byte[] file) {
+    Image image;
+    try {
+      image = LinearReader.decode(file);
+    } catch (ImageFormatException e) {
+      requireTellable(e.getMessage());
+      return e.kind() == ImageFormatException.Kind.TOO_LARGE ? 5 : 4;
+    }
+    for (float value : image.rgb()) {
+      if (!Float.isFinite(value)) {
+        return 4;
+      }
+    }
+    if (image.rgb().length <= 3 * MOST_PIXELS) {
+      requireFinite(PictureError.of(image, grey(image.width(), image.height())));
+      requireFinite(PictureError.of(grey(image.width(), image.height()), image));
+    }
+    return 0;
+  }
+
+  private static Image grey(int width, int height) {
+    Image grey = Image.black(width, height);
+    Arrays.fill(grey.rgb(), .5f);
+    return grey;
+  }
+
+  private static void requireFinite(PictureError error) {
+    error.byName().forEach((name, value) -> require(Double.isFinite(value), name + " is " + value));
+  }
+
+  private static void requireTellable(String line) {
+    require(line.length() <= LONGEST_LINE, "too long: " + line);
+    require(!line.contains("Exception") && !line.contains("java."), "not for people: " + line);
+    require(line.codePoints().noneMatch(Character::isISOControl), "controls terminals: " + line);
+  }
+
+  private static void require(boolean condition, String otherwise) {
+    if (!condition) {
+      throw new AssertionError(otherwise);
+    }
+  }
+}
