@@ -13,6 +13,7 @@ import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.texture.UnreadablePoints;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
@@ -40,7 +41,7 @@ record RenderJob(
    * What is written and told at the end.
    *
    * @param bits per channel of a PNG
-   * @param strict whether samples that are no numbers make an error
+   * @param strict whether samples and texture points that are no numbers make an error
    */
   record How(int bits, boolean quiet, boolean stats, boolean strict) {}
 
@@ -57,6 +58,7 @@ record RenderJob(
 
   private int run(FilmRenderer renderer, Film film) throws CommandException {
     long start = System.nanoTime();
+    long unreadableBefore = UnreadablePoints.total();
     Schedule schedule = renderer.schedule();
     RenderStatistics statistics;
     try (monitor) {
@@ -72,11 +74,16 @@ record RenderJob(
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);
+    long unreadable = UnreadablePoints.total() - unreadableBefore;
+    warnOfUnreadable(unreadable);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
     finish(film, new RenderResult(film.develop(), complete, statistics), noise, seconds);
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
+    }
+    if (how.strict() && unreadable != 0) {
+      return ExitCodes.WARNINGS;
     }
     return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
   }
@@ -136,6 +143,16 @@ record RenderJob(
               each * likely,
               each * forecast.least(),
               each * forecast.most()));
+    }
+  }
+
+  private void warnOfUnreadable(long points) {
+    if (points != 0) {
+      messages.line(
+          "warning: textures were read at "
+              + points
+              + " points that are not finite, and taken as (0, 0): a scale or offset of a texture"
+              + " is near the largest number");
     }
   }
 

@@ -51,13 +51,13 @@ final class LightLaws {
             "rectangle-light",
             "relative difference of the irradiance from the closed form",
             "sides 1e-6 to 1e6 of the height, over the middle",
-            1e-3,
+            1e-6,
             effort -> rectangles()),
         new Law(
             "sphere-light",
             "relative difference of the irradiance from π (R/d)² cos θ",
             "radii 1e-6 to .999999 of the distance",
-            1e-3,
+            1e-6,
             effort -> spheres()),
         new Law(
             "point-light",
@@ -69,7 +69,7 @@ final class LightLaws {
             "dome-light",
             "relative difference of the irradiance from π",
             "uniform dome over a plane",
-            1e-3,
+            1e-6,
             effort -> dome()));
   }
 

@@ -11,12 +11,17 @@ package io.github.lumbre.texture;
  * @param t share of the upper two, in [0,1]
  */
 record Bilinear(int x0, int x1, int y0, int y1, double s, double t) {
-  /** Returns what surrounds a point; one that is not finite counts as (0, 0). */
+  private static final TexturePoint ORIGIN = new TexturePoint(0, 0);
+
+  /** Returns what surrounds a point; one that is not finite is counted, and taken as (0, 0). */
   static Bilinear around(TexturePoint p, int width, int height) {
-    boolean finite = Texel.isFinite(p);
+    if (!Texel.isFinite(p)) {
+      UnreadablePoints.count();
+      return around(ORIGIN, width, height);
+    }
     // Count from the centres of the left column and the bottom row.
-    double column = width * (finite ? Texel.fraction(p.u()) : 0) - .5;
-    double row = height * (finite ? Texel.fraction(p.v()) : 0) - .5;
+    double column = width * Texel.fraction(p.u()) - .5;
+    double row = height * Texel.fraction(p.v()) - .5;
     double left = Math.floor(column);
     double bottom = Math.floor(row);
     int x0 = left < 0 ? width - 1 : (int) left;

@@ -6,9 +6,13 @@ package io.github.lumbre.texture;
 final class Texel {
   private Texel() {}
 
-  /** Returns the column, counted from the left. */
+  /** Returns the column, counted from the left; counts points that are not finite. */
   static int column(TexturePoint p, int width) {
-    return isFinite(p) ? index(p.u(), width) : 0;
+    if (!isFinite(p)) {
+      UnreadablePoints.count();
+      return 0;
+    }
+    return index(p.u(), width);
   }
 
   /** Returns the row, counted from the <b>top</b>. */

@@ -136,6 +136,21 @@ class RenderCommandTest {
   }
 
   @Test
+  void texturePointsThatAreNotFiniteAreCounted() throws IOException {
+    String marble = "{\"id\": 9, \"assetType\": \"Texture\", \"textureType\": \"Marble\"}";
+    String endless =
+        TinyScene.withAsset(marble)
+            .replace("\"Diffuse\",", "\"Diffuse\", \"colorTextureId\": 9, \"colorScale\": SCALE,");
+    String huge = "{\"x\": 1e308, \"y\": 1}";
+    assertThat(render(endless.replace("SCALE", huge)).err())
+        .containsPattern("warning: textures were read at [1-9][0-9]* points that are not finite");
+    Outcome strict = render(endless.replace("SCALE", huge), "--strict");
+    assertThat(strict.exitCode()).isEqualTo(ExitCodes.WARNINGS);
+    assertThat(render(endless.replace("SCALE", "{\"x\": 1e3, \"y\": 1}")).err())
+        .doesNotContain("not finite");
+  }
+
+  @Test
   void warningsAreToldAndStrictnessStopsBeforeRendering() throws IOException {
     String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"colour\": 2");
     Outcome told = render(odd, "--quiet");

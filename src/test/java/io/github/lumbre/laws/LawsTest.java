@@ -2,6 +2,7 @@ package io.github.lumbre.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.testing.Effort;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -17,7 +18,7 @@ class LawsTest {
   @ParameterizedTest
   @MethodSource("laws")
   void lawHolds(Law law) {
-    assertThat(law.measure(1).worst()).as(law.name()).isBetween(0.0, law.limit());
+    assertThat(law.measure(Effort.count(1, 10)).worst()).as(law.name()).isBetween(0.0, law.limit());
   }
 
   @Test

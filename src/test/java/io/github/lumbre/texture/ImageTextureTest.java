@@ -140,14 +140,16 @@ class ImageTextureTest {
 
   @ParameterizedTest
   @EnumSource
-  void whatIsNotFiniteIsReadAtTheOrigin(Filter filter) {
+  void whatIsNotFiniteIsReadAtTheOriginAndCounted(Filter filter) {
     ImageTexture texture = new ImageTexture(random(3, 5, 3), Role.COLOUR, filter);
     Rgb origin = texture.at(new TexturePoint(0, 0));
+    long before = UnreadablePoints.total();
     double[] odd = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
     for (double value : odd) {
       assertThat(texture.at(new TexturePoint(value, .7))).isEqualTo(origin);
       assertThat(texture.at(new TexturePoint(.7, value))).isEqualTo(origin);
     }
+    assertThat(UnreadablePoints.total() - before).isEqualTo(2L * odd.length);
   }
 
   @Test
