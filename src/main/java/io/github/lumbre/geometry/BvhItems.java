@@ -13,7 +13,7 @@ final class BvhItems {
   /** How much wider than their contents the boxes are, relative to the largest coordinate. */
   static final double MARGIN = 16 * 0x1p-52;
 
-  /** The size of a triangle beside the whole at which a float filter lets in twice as much. */
+  /** The size of an item beside the whole at which a float filter lets in twice as much. */
   private static final double MIN_SIZE = 0x1p-18;
 
   private final List<Shape> all;
@@ -83,7 +83,12 @@ final class BvhItems {
   }
 
   boolean isEmpty() {
-    return boxes.length == 0;
+    return count() == 0;
+  }
+
+  /** Returns how many items there are. */
+  int count() {
+    return boxes.length / 6;
   }
 
   /** Tells whether the box of all items has a finite size. */
@@ -92,18 +97,18 @@ final class BvhItems {
   }
 
   /**
-   * Tells whether most triangles are much larger than the error of a float in a hierarchy's {@link
+   * Tells whether most items are much larger than the error of a float in a hierarchy's {@link
    * UnitSpace}.
    */
   boolean suitFloats() {
     double least = MIN_SIZE * extent();
     int large = 0;
-    for (int item = 0; item < triangleCount(); item++) {
+    for (int item = 0; item < count(); item++) {
       if (size(6 * item) >= least) {
         large++;
       }
     }
-    return large > triangleCount() / 2;
+    return large > count() / 2;
   }
 
   private double extent() {

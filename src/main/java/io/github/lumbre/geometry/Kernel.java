@@ -15,8 +15,8 @@ import java.util.concurrent.atomic.LongAdder;
  */
 public enum Kernel {
   /**
-   * Vectors where they are available and pay: in hierarchies of some dozens of triangles or more,
-   * unless most triangles are so small beside the whole that floats hardly tell them apart.
+   * Vectors where they are available and pay: in hierarchies of six items or more, unless most are
+   * so small beside the whole that floats hardly tell them apart.
    */
   AUTO,
 
@@ -29,8 +29,8 @@ public enum Kernel {
   /** The system property that chooses: a kernel's name in any case. Without it, {@link #AUTO}. */
   public static final String PROPERTY = "lumbre.kernel";
 
-  /** Fewer triangles are searched as fast without vectors. */
-  private static final int MIN_TRIANGLES = 32;
+  /** Fewer items are searched as fast without vectors. */
+  private static final int MIN_ITEMS = 6;
 
   /**
    * Returns what the system property asks for.
@@ -93,7 +93,7 @@ public enum Kernel {
       case VECTOR -> items.hasFiniteExtent();
       case AUTO ->
           obstacle.isEmpty()
-              && items.triangleCount() >= MIN_TRIANGLES
+              && items.count() >= MIN_ITEMS
               && items.hasFiniteExtent()
               && items.suitFloats();
     };
