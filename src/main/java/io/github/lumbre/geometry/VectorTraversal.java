@@ -35,6 +35,7 @@ final class VectorTraversal implements Traversal {
   private final Triangles triangles;
   private final LeafShapes shapes;
   private final UnitSpace space;
+  private final boolean hasTriangles;
 
   VectorTraversal(WideTree tree) {
     nodes = tree.nodes();
@@ -43,6 +44,7 @@ final class VectorTraversal implements Traversal {
     triangles = tree.triangles();
     shapes = tree.shapes();
     space = tree.space();
+    hasTriangles = leaves.length > WIDTH;
   }
 
   /** Returns how many floats a vector of this processor holds. */
@@ -54,7 +56,7 @@ final class VectorTraversal implements Traversal {
   public boolean traverse(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
     WideRay ray = nearest.wideRay();
-    if (!ray.aim(space, ox, oy, oz, dx, dy, dz)) {
+    if (!ray.aim(space, hasTriangles, ox, oy, oz, dx, dy, dz)) {
       return false;
     }
     ray.endAt(nearest.t);

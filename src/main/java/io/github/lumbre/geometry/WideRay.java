@@ -8,7 +8,7 @@ package io.github.lumbre.geometry;
  * <p>The bounds of all errors are derived in docs/design.md.
  */
 final class WideRay {
-  /** Makes up for the rounding of slabs, some seven halves of an ulp at each end. */
+  /** Makes up for the rounding of slabs, less than 2^-21 of a t at each end. */
   private static final float GROWTH = 1 + 0x1p-20f;
 
   /** The least component of a direction, relative to the largest. */
@@ -104,9 +104,18 @@ final class WideRay {
   /**
    * Takes a ray.
    *
+   * @param hasTriangles whether it is to be compared with triangles, not with boxes alone
    * @return whether it can meet anything
    */
-  boolean aim(UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
+  boolean aim(
+      UnitSpace space,
+      boolean hasTriangles,
+      double ox,
+      double oy,
+      double oz,
+      double dx,
+      double dy,
+      double dz) {
     double px = (ox - space.centreX) * space.scale;
     double py = (oy - space.centreY) * space.scale;
     double pz = (oz - space.centreZ) * space.scale;
@@ -149,7 +158,9 @@ final class WideRay {
       uz = 1;
     }
     setSlabs(px, py, pz, ux, uy, uz, slack);
-    shear(ox, oy, oz, dx, dy, dz, px, py, pz);
+    if (hasTriangles) {
+      shear(ox, oy, oz, dx, dy, dz, px, py, pz);
+    }
     return true;
   }
 
@@ -168,9 +179,9 @@ final class WideRay {
     signX = -Axes.sign(ux);
     signY = -Axes.sign(uy);
     signZ = -Axes.sign(uz);
-    ix = (float) (1 / ux);
-    iy = (float) (1 / uy);
-    iz = (float) (1 / uz);
+    ix = 1 / (float) ux;
+    iy = 1 / (float) uy;
+    iz = 1 / (float) uz;
     inX = -ix * (float) px - slack * Math.abs(ix);
     inY = -iy * (float) py - slack * Math.abs(iy);
     inZ = -iz * (float) pz - slack * Math.abs(iz);
