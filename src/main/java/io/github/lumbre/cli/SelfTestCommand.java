@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.laws.Law;
 import io.github.lumbre.laws.Laws;
+import io.github.lumbre.laws.Tries;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -37,7 +38,7 @@ import picocli.CommandLine.Spec;
     })
 final class SelfTestCommand implements Callable<Integer> {
   /** Four times what the tests of a build try. */
-  private static final int EFFORT = 4;
+  private static final Tries TRIES = new Tries(4, 0);
 
   @Option(names = "--markdown", description = "Print the table of docs/stability.md instead.")
   private boolean markdown;
@@ -59,7 +60,7 @@ final class SelfTestCommand implements Callable<Integer> {
       StabilityPage.HEAD.lines().forEach(out::line);
     }
     for (Law law : laws) {
-      Law.Outcome outcome = law.measure(EFFORT);
+      Law.Outcome outcome = law.measure(TRIES);
       outcomes.add(outcome);
       out.line(markdown ? StabilityPage.row(outcome) : line(outcome));
     }

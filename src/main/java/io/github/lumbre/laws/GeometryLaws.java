@@ -76,25 +76,25 @@ final class GeometryLaws {
         .times(Transform.scale(new Vec3(scale, scale, scale)));
   }
 
-  private static double leaks(int effort) {
+  private static double leaks(Tries tries) {
     Ball ball = Ball.of(16, .2);
     long leaks = 0;
     long rays = 0;
     for (Kernel kernel : kernels()) {
       for (double[] place : PLACES) {
-        leaks += leaks(ball, place(place[0], place[1]), kernel, effort * RAYS);
-        rays += effort * RAYS;
+        leaks += leaks(ball, place(place[0], place[1]), kernel, tries);
+        rays += tries.times() * RAYS;
       }
     }
     return leaks * MILLION / rays;
   }
 
-  private static long leaks(Ball ball, Transform place, Kernel kernel, int rays) {
+  private static long leaks(Ball ball, Transform place, Kernel kernel, Tries tries) {
     Bvh bvh = Bvh.over(List.of(Mesh.baked(ball.mesh(), place)), kernel);
     NearestHit hit = new NearestHit();
-    Draws draws = new Draws(1);
+    Draws draws = tries.draws(1);
     long leaks = 0;
-    for (int i = 0; i < rays; i++) {
+    for (int i = 0; i < tries.times() * RAYS; i++) {
       Vec3 inside = place.point(draws.direction().times(.5 * draws.unit()));
       Vec3[] corners = ball.triangle(draws);
       Vec3 a = place.point(corners[0]);
@@ -106,13 +106,13 @@ final class GeometryLaws {
     return leaks;
   }
 
-  private static double rehits(int effort) {
+  private static double rehits(Tries tries) {
     long rehits = 0;
     long rays = 0;
     for (double[] placed : PLACES) {
       Transform place = place(placed[0], placed[1]);
       for (Shape shape : convexShapes(place)) {
-        long[] counted = rehits(shape, place, effort * HITS);
+        long[] counted = rehits(shape, place, tries);
         rehits += counted[0];
         rays += counted[1];
       }
@@ -129,13 +129,13 @@ final class GeometryLaws {
         Mesh.baked(octahedron.mesh(), place));
   }
 
-  private static long[] rehits(Shape shape, Transform place, int hits) {
+  private static long[] rehits(Shape shape, Transform place, Tries tries) {
     Bvh bvh = Bvh.over(List.of(shape), Kernel.SCALAR);
     NearestHit hit = new NearestHit();
     NearestHit again = new NearestHit();
-    Draws draws = new Draws(2);
+    Draws draws = tries.draws(2);
     long[] counted = new long[2];
-    for (int i = 0; i < hits; i++) {
+    for (int i = 0; i < tries.times() * HITS; i++) {
       Vec3 from = place.point(draws.direction().times(draws.between(3, 50)));
       Vec3 to = place.point(draws.direction().times(.3 * draws.unit()));
       Ray ray = new Ray(from, to.minus(from).normalized());
@@ -169,17 +169,19 @@ final class GeometryLaws {
     return impact * distance / Math.sqrt(Math.max(distance * distance - impact * impact, 1e-300));
   }
 
-  private static double outlines(int effort) {
+  private static double outlines(Tries tries) {
     Bvh sphere = Bvh.over(List.of(new Sphere(Transform.IDENTITY, 1)), Kernel.SCALAR);
     NearestHit hit = new NearestHit();
-    Draws draws = new Draws(3);
+    Draws draws = tries.draws(3);
     long wrong = 0;
     long rays = 0;
     for (double distance = 10; distance <= 1e12; distance *= 10) {
-      for (int i = 0; i < effort * (RAYS / 4); i++) {
+      for (int i = 0; i < tries.times() * (RAYS / 4); i++) {
         double inside = offset(.999 * Math.sqrt(draws.unit()), distance);
         double outside = offset(draws.between(1.001, 1.1), distance);
-        wrong += sphere.intersect(passing(draws, distance, inside), hit) ? 0 : 1;
+        // What lies beyond the centre is the far side, another miss.
+        boolean isMet = sphere.intersect(passing(draws, distance, inside), hit);
+        wrong += isMet && hit.t() < distance ? 0 : 1;
         wrong += sphere.intersect(passing(draws, distance, outside), hit) ? 1 : 0;
         rays += 2;
       }
@@ -187,14 +189,14 @@ final class GeometryLaws {
     return wrong * MILLION / rays;
   }
 
-  private static double residuals(int effort) {
+  private static double residuals(Tries tries) {
     Sphere sphere = new Sphere(Transform.IDENTITY, 1);
     Bvh bvh = Bvh.over(List.of(sphere), Kernel.SCALAR);
     NearestHit hit = new NearestHit();
-    Draws draws = new Draws(4);
+    Draws draws = tries.draws(4);
     double worst = 0;
     for (double distance = 10; distance <= 1e12; distance *= 10) {
-      for (int i = 0; i < effort * (RAYS / 4); i++) {
+      for (int i = 0; i < tries.times() * (RAYS / 4); i++) {
         Ray ray = passing(draws, distance, offset(.999 * draws.unit(), distance));
         if (bvh.intersect(ray, hit)) {
           double unit = Laws.EPSILON * (distance + 1);
@@ -207,7 +209,7 @@ final class GeometryLaws {
     return worst;
   }
 
-  private static double kernelDifferences(int effort) {
+  private static double kernelDifferences(Tries tries) {
     if (Kernel.vectorObstacle().isPresent()) {
       return 0;
     }
@@ -216,8 +218,8 @@ final class GeometryLaws {
     Bvh vector = Bvh.over(shapes, Kernel.VECTOR);
     NearestHit one = new NearestHit();
     NearestHit other = new NearestHit();
-    Draws draws = new Draws(5);
-    int rays = 4 * effort * RAYS;
+    Draws draws = tries.draws(5);
+    int rays = 4 * tries.times() * RAYS;
     long differences = 0;
     for (int i = 0; i < rays; i++) {
       Vec3 from = place(3, 10).point(draws.direction().times(2 * draws.unit()));

@@ -1,7 +1,7 @@
 package io.github.lumbre.laws;
 
 import java.util.Objects;
-import java.util.function.IntToDoubleFunction;
+import java.util.function.ToDoubleFunction;
 
 /**
  * Something that must hold however extreme the scene, and how far it is from not holding.
@@ -10,11 +10,14 @@ import java.util.function.IntToDoubleFunction;
  * @param statement what is measured, with its unit
  * @param range over which it is tried
  * @param limit that the worst case may reach
- * @param measurement finds the worst case, in so many times the fewest tries; NaN or infinite if
- *     something is badly wrong
+ * @param measurement finds the worst case; NaN or infinite if something is badly wrong
  */
 public record Law(
-    String name, String statement, String range, double limit, IntToDoubleFunction measurement) {
+    String name,
+    String statement,
+    String range,
+    double limit,
+    ToDoubleFunction<Tries> measurement) {
   public Law {
     Objects.requireNonNull(name, "name");
     Objects.requireNonNull(measurement, "measurement");
@@ -28,12 +31,8 @@ public record Law(
     }
   }
 
-  /**
-   * Tries the law; takes seconds at most.
-   *
-   * @param effort at least 1: how many times as many random cases are tried as in a quick test
-   */
-  public Outcome measure(int effort) {
-    return new Outcome(this, measurement.applyAsDouble(effort));
+  /** Tries the law; takes seconds at most, times the tries. */
+  public Outcome measure(Tries tries) {
+    return new Outcome(this, measurement.applyAsDouble(tries));
   }
 }

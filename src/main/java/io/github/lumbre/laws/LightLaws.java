@@ -52,25 +52,25 @@ final class LightLaws {
             "relative difference of the irradiance from the closed form",
             "sides 1e-6 to 1e6 of the height, over the middle",
             1e-6,
-            effort -> rectangles()),
+            tries -> rectangles()),
         new Law(
             "sphere-light",
             "relative difference of the irradiance from π (R/d)² cos θ",
             "radii 1e-6 to .999999 of the distance",
             1e-6,
-            effort -> spheres()),
+            tries -> spheres()),
         new Law(
             "point-light",
             "relative difference of the irradiance from I cos θ / d², in 2^-52",
             "distances 1e-3 to 1e3, angles to 89.9°",
             16,
-            effort -> points()),
+            tries -> points()),
         new Law(
             "dome-light",
             "relative difference of the irradiance from π",
             "uniform dome over a plane",
             1e-6,
-            effort -> dome()));
+            tries -> dome()));
   }
 
   /** Returns the irradiance at the origin of a plane that faces up. */

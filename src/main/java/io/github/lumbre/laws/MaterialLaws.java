@@ -58,7 +58,7 @@ final class MaterialLaws {
             "light scattered in a white furnace beyond what arrives, as a share",
             range,
             2e-3,
-            effort -> excess()),
+            tries -> excess()),
         new Law(
             "weights",
             "relative difference of drawn weights from f·cos/pdf",
@@ -76,13 +76,13 @@ final class MaterialLaws {
             "integral of the density over all directions beyond 1",
             "lobes wide enough for a quadrature: exponents to 52, roughness from .3",
             2e-3,
-            effort -> integrals()),
+            tries -> integrals()),
         new Law(
             "fresnel",
             "relative difference from the Fresnel equations",
             "indices 1.1 to 1e6, at 0°, 60° and 80°",
             1e-11,
-            effort -> fresnel()));
+            tries -> fresnel()));
   }
 
   private static List<Bsdf> all(List<Material> materials) {
@@ -159,13 +159,13 @@ final class MaterialLaws {
     return worst;
   }
 
-  private static double weights(int effort) {
-    Draws draws = new Draws(22);
+  private static double weights(Tries tries) {
+    Draws draws = tries.draws(22);
     double worst = 0;
     for (Bsdf bsdf : everything()) {
       for (double cosine : COSINES) {
         Vec3 wo = viewer(cosine);
-        for (int i = 0; i < effort * (SAMPLES / 8); i++) {
+        for (int i = 0; i < tries.times() * (SAMPLES / 8); i++) {
           BsdfSample drawn = bsdf.sample(wo, draws.unit(), draws.point());
           if (!drawn.isAbsorbed() && !drawn.isSpecular()) {
             double expected = bsdf.eval(wo, drawn.wi()).max() / bsdf.pdf(wo, drawn.wi());
@@ -177,11 +177,11 @@ final class MaterialLaws {
     return worst;
   }
 
-  private static double reciprocity(int effort) {
-    Draws draws = new Draws(23);
+  private static double reciprocity(Tries tries) {
+    Draws draws = tries.draws(23);
     double worst = 0;
     for (Bsdf bsdf : all(opaque(.05, 1e3))) {
-      for (int i = 0; i < effort * PAIRS; i++) {
+      for (int i = 0; i < tries.times() * PAIRS; i++) {
         Vec3 wo = upward(draws.direction());
         Vec3 wi = upward(draws.direction());
         double one = bsdf.eval(wo, wi).max() / wi.z();

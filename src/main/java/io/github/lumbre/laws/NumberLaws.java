@@ -41,31 +41,31 @@ final class NumberLaws {
             "deviation of directions from unit length, in 2^-52; infinite if one is no direction",
             "five cameras, angles of view 1e-12° to 179.999999°, heights to 1e9, corners and rims",
             4,
-            effort -> cameraRays()),
+            NumberLaws::cameraRays),
         new Law(
             "fisheye-rim",
             "deviation of the share of samples with a ray from π/4, in standard errors",
             "100 000 points of the film",
             4.8916,
-            effort -> fishEyeRim()),
+            NumberLaws::fishEyeRim),
         new Law(
             "sampler-uniform",
             "χ² of first samples in bins, as normal deviate",
             "255 and 1023 degrees of freedom; pixels, dimensions and seeds",
             4.7534,
-            effort -> uniformity()),
+            tries -> uniformity()),
         new Law(
             "texture-wrap",
             "points read more than one texel from where they belong",
             "1000 x 999 texels, coordinates to ±1e9",
             0,
-            effort -> wraps()));
+            NumberLaws::wraps));
   }
 
-  private static double inverses(int effort) {
-    Draws draws = new Draws(11);
+  private static double inverses(Tries tries) {
+    Draws draws = tries.draws(11);
     double worst = 0;
-    for (int i = 0; i < effort * TRIES; i++) {
+    for (int i = 0; i < tries.times() * TRIES; i++) {
       double[] factors = new double[3];
       double least = Double.POSITIVE_INFINITY;
       double most = 0;
@@ -100,10 +100,10 @@ final class NumberLaws {
         new SphericalCamera(Vec3.ZERO, axes, 1.5));
   }
 
-  private static double cameraRays() {
+  private static double cameraRays(Tries tries) {
     double worst = 0;
     Sampler sampler = new SobolSampler(12);
-    Draws draws = new Draws(12);
+    Draws draws = tries.draws(12);
     double[] ends = {0, 0x1p-53, .5, BELOW_ONE};
     for (double fov : new double[] {1e-12, 1e-6, 1, 90, 179, 179.999999}) {
       for (Camera camera : cameras(fov)) {
@@ -127,10 +127,10 @@ final class NumberLaws {
     return Math.abs(ray.direction().length() - 1) / Laws.EPSILON;
   }
 
-  private static double fishEyeRim() {
+  private static double fishEyeRim(Tries tries) {
     Camera camera = new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180);
     Sampler sampler = new SobolSampler(13);
-    Draws draws = new Draws(13);
+    Draws draws = tries.draws(13);
     int imaged = 0;
     for (int i = 0; i < TRIES; i++) {
       imaged += camera.rayFor(draws.point(), sampler).isPresent() ? 1 : 0;
@@ -174,7 +174,7 @@ final class NumberLaws {
     return Math.sqrt(2 * statistic) - Math.sqrt(2.0 * (counts.length - 1) - 1);
   }
 
-  private static double wraps() {
+  private static double wraps(Tries tries) {
     int width = 1000;
     int height = 999;
     short[] values = new short[3 * width * height];
@@ -187,7 +187,7 @@ final class NumberLaws {
             Pixels.of(width, height, 3, values),
             ImageTexture.Role.DATA,
             ImageTexture.Filter.NEAREST);
-    Draws draws = new Draws(14);
+    Draws draws = tries.draws(14);
     long wrong = 0;
     for (int i = 0; i < TRIES; i++) {
       double u = draws.unit();

@@ -51,26 +51,26 @@ final class PictureLaws {
             "deviation of light in an enclosure from ρ (1 - ρ^N) / (1 - ρ), in standard errors",
             "reflectances .2 to .95, depths 1 to 100, roulette included",
             4.8916,
-            effort -> enclosures()),
+            tries -> enclosures()),
         new Law(
             "scale-invariance",
             "pixels that change when the scene is scaled by a power of two",
             "scales 2^-30 to 2^30; matte, glossy, glass, lamp, sun and background",
             0,
-            effort -> scaledDifferences()),
+            tries -> scaledDifferences()),
         new Law(
             "schedule-independence",
             "pixels that change with threads, buckets or crop",
             "1 to 5 threads, buckets of 1 to 100 pixels, windows of the frame",
             0,
-            effort -> scheduleDifferences()),
+            tries -> scheduleDifferences()),
         new Law(
             "film-exact",
             "pixels that change when samples come in several passes, or from films that are added"
                 + " up",
             "8 samples as 1+7, 3+5, 7+1 and one by one; of two films either one added to the other",
             0,
-            effort -> passDifferences()));
+            tries -> passDifferences()));
   }
 
   private static double enclosures() {

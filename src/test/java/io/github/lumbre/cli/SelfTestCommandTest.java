@@ -13,8 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class SelfTestCommandTest {
-  private static final Law HOLDING = new Law("one", "share", "everywhere", 1e-3, effort -> 2e-4);
-  private static final Law BROKEN = new Law("two", "leaks", "1 to 2", 0, effort -> 3);
+  private static final Law HOLDING = new Law("one", "share", "everywhere", 1e-3, tries -> 2e-4);
+  private static final Law BROKEN = new Law("two", "leaks", "1 to 2", 0, tries -> 3);
 
   private static Outcome run(boolean markdown, Law... laws) {
     StringWriter out = new StringWriter();
