@@ -3,6 +3,7 @@ package io.github.lumbre.audit;
 import io.github.lumbre.audit.Finding.Severity;
 import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.render.DepthCut;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.List;
 import java.util.Locale;
@@ -14,8 +15,15 @@ final class DepthCheck implements Check {
 
   @Override
   public List<Finding> of(SceneFile file, Pilot pilot) {
-    double sure = pilot.cut() - 2 * pilot.cutError();
-    if (pilot.cut() < WORTH_A_NOTE || sure <= 0) {
+    DepthCut cut;
+    try {
+      cut = DepthCut.of(file.scene(), file.settings());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return List.of();
+    }
+    double sure = cut.share() - 2 * cut.standardError();
+    if (cut.share() < WORTH_A_NOTE || sure <= 0) {
       return List.of();
     }
     boolean isPath = file.settings().mode() == Mode.PATH;
@@ -28,8 +36,8 @@ final class DepthCheck implements Check {
             String.format(
                 Locale.ROOT,
                 "about %.2g %% (± %.1g) of the light lies beyond the depth",
-                100 * pilot.cut(),
-                100 * pilot.cutError()),
+                100 * cut.share(),
+                100 * cut.standardError()),
             "the picture is too dark by as much, most of all in bright corners and behind glass",
             isPath
                 ? "raise maxTraceDepth: roulette keeps the time of long paths small"

@@ -80,6 +80,10 @@ record NoiseReport(
         n -> {
           metadata.put("Noise", percent(n.relativeRmse()));
           metadata.put("NoiseBound", bound(n) + " with a confidence of " + percent(n.confidence()));
+          if (n.hasHeavyTail()) {
+            metadata.put(
+                "NoiseTail", percent(n.tailShare()) + " of it in a thousandth of the pixels");
+          }
         });
   }
 

@@ -153,6 +153,9 @@ final class RenderCommand implements Callable<Integer> {
         !budgets.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
         "--adaptive: not with --checkpoint, --samples-from or --samples-to, since a film does not"
             + " tell which samples were to come next");
+    require(
+        !flags.isClamping() || checkpoint.isEmpty(),
+        "--clamp: not with --checkpoint, since a film does not tell what its samples lost");
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Deadline deadline = Deadline.after(timeout);
     Instant start = BudgetFlags.start();

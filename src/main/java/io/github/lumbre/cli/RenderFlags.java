@@ -57,6 +57,15 @@ final class RenderFlags {
   private Optional<Integer> depth;
 
   @Option(
+      names = "--clamp",
+      paramLabel = "VALUE",
+      description = {
+        "Darken samples to this largest component: fewer fireflies, and too little light,",
+        "which is told at the end. Not with --checkpoint. Default: none."
+      })
+  private Optional<Double> clamp = Optional.empty();
+
+  @Option(
       names = "--threads",
       paramLabel = "N",
       description = "Threads; 0 means one per processor. Changes no bit of the picture.")
@@ -123,12 +132,21 @@ final class RenderFlags {
           spec.commandLine(), "--samples and --samples-to: expected one of them");
     }
     depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
+    if (!(clamp.orElse(1.0) > 0)) {
+      throw new ParameterException(
+          spec.commandLine(), "--clamp: expected more than 0, found " + clamp.get());
+    }
     threads.ifPresent(n -> require("--threads", 0, RenderSettings.MAX_THREADS, n));
     bucket.ifPresent(n -> require("--bucket", 1, Integer.MAX_VALUE, n));
     maxPixels.ifPresent(n -> require("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
+  }
+
+  /** Tells whether bright samples are to be darkened. */
+  boolean isClamping() {
+    return clamp.isPresent();
   }
 
   /** Tells whether only some of the pixels' samples are asked for, by their numbers. */
@@ -193,6 +211,7 @@ final class RenderFlags {
     RenderSettings.Builder builder = inScene.toBuilder();
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
+    clamp.ifPresent(builder::clamp);
     threads.ifPresent(builder::threads);
     bucket.ifPresent(builder::bucketSize);
     seed.ifPresent(builder::seed);

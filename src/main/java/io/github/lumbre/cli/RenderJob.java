@@ -61,8 +61,10 @@ record RenderJob(
     long unreadableBefore = UnreadablePoints.total();
     Schedule schedule = renderer.schedule();
     RenderStatistics statistics;
+    LightReport light;
     try (monitor) {
       statistics = addSamples(renderer, schedule, film);
+      light = LightReport.of(file, film, statistics, how.quiet() || monitor.isCancelled());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
@@ -78,7 +80,7 @@ record RenderJob(
     warnOfUnreadable(unreadable);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
-    finish(film, new RenderResult(film.develop(), complete, statistics), noise, seconds);
+    finish(film, new RenderResult(film.develop(), complete, statistics), noise, light, seconds);
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
     }
@@ -170,7 +172,8 @@ record RenderJob(
         ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
   }
 
-  private void finish(Film film, RenderResult result, NoiseReport noise, double seconds)
+  private void finish(
+      Film film, RenderResult result, NoiseReport noise, LightReport light, double seconds)
       throws CommandException {
     RenderSettings settings = file.settings();
     Summary summary = new Summary(settings, result, seconds, film.totalSamples());
@@ -180,24 +183,27 @@ record RenderJob(
       report.put("stopped_by", monitor.isOutOfTime() ? "timeout" : "signal");
     }
     noise.putInto(metadata);
+    light.putInto(metadata);
     picture.write(
         result.image(),
         new ImageWriter.Options(settings.exposure(), settings.toneCurve(), how.bits(), metadata));
-    tell(summary, noise);
+    tell(summary, noise, light);
     report.putScene(file);
     report.put("output", picture.target().toString());
     report.putResult(result, seconds);
     noise.putInto(report);
+    light.putInto(report);
     if (keeper.failure().isPresent()) {
       throw new CommandException(ExitCodes.OUTPUT, keeper.failure().get());
     }
   }
 
-  private void tell(Summary summary, NoiseReport noise) {
+  private void tell(Summary summary, NoiseReport noise, LightReport light) {
     Path target = picture.target();
     summary.printRejected(scene, messages);
     if (!how.quiet()) {
       summary.print(target, noise, messages);
+      light.print(messages);
       noise.printDoubts(messages);
     }
     if (!how.quiet() && ImageFormat.of(target).equals(Optional.of(ImageFormat.PNG))) {

@@ -27,6 +27,10 @@ final class BucketWorker implements Runnable {
   private final Film film;
   private final SampleTarget target;
   private final RenderQueue queue;
+
+  /** No sample value above it reaches the film as it is. */
+  private final double limit;
+
   private final Sampler sampler;
   private final Scratch scratch = new Scratch();
   private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
@@ -39,6 +43,8 @@ final class BucketWorker implements Runnable {
   private long reported;
   private long rejected;
   private long saturated;
+  private long clamped;
+  private double clampedLight;
 
   BucketWorker(
       RenderSettings settings,
@@ -54,6 +60,7 @@ final class BucketWorker implements Runnable {
     this.film = film;
     this.target = target;
     this.queue = queue;
+    limit = Math.min(settings.clamp(), Film.LARGEST);
     this.sampler = sampler;
   }
 
@@ -127,10 +134,22 @@ final class BucketWorker implements Runnable {
       }
       return Rgb.BLACK;
     }
-    if (radiance.max() > Film.LARGEST) {
+    double largest = radiance.max();
+    return largest > limit ? cut(radiance, largest) : radiance;
+  }
+
+  /** Returns what is left of a sample brighter than the film, or the user, allows. */
+  private Rgb cut(Rgb radiance, double largest) {
+    if (largest > Film.LARGEST) {
       saturated++;
     }
-    return radiance;
+    if (largest <= settings.clamp()) {
+      return radiance;
+    }
+    clamped++;
+    double kept = settings.clamp() / largest;
+    clampedLight += (1 - kept) * (radiance.r() + radiance.g() + radiance.b()) / 3;
+    return radiance.times(kept);
   }
 
   private void report() {
@@ -150,6 +169,13 @@ final class BucketWorker implements Runnable {
 
   RenderStatistics statistics() {
     return new RenderStatistics(
-        samples, scratch.rays(), scratch.shadowRays(), rejected, firstRejected, saturated);
+        samples,
+        scratch.rays(),
+        scratch.shadowRays(),
+        rejected,
+        firstRejected,
+        saturated,
+        clamped,
+        clampedLight);
   }
 }

@@ -104,6 +104,15 @@ public final class Film {
     return sorted[sorted.length / 2];
   }
 
+  /** Returns the light of all samples together, the sum of the means of their channels. */
+  public double totalLight() {
+    double light = 0;
+    for (int i = 0; i < whole.length; i++) {
+      light += sum(i) / 3;
+    }
+    return light;
+  }
+
   /** Returns how many samples a pixel has in the mean. */
   public double meanSamples() {
     return (double) totalSamples() / counts.length;

@@ -13,6 +13,9 @@ import java.util.stream.Stream;
  * @param rejected samples that were not finite or were negative, and count as black
  * @param firstRejected the first few of those
  * @param saturated sample values too bright for the film, and cut to what it can hold
+ * @param clamped samples darkened to the settings' clamp
+ * @param clampedLight what those lost, the sum of the means of their channels; its last digits
+ *     depend on the order of work
  */
 public record RenderStatistics(
     long samples,
@@ -20,9 +23,11 @@ public record RenderStatistics(
     long shadowRays,
     long rejected,
     List<RejectedSample> firstRejected,
-    long saturated) {
+    long saturated,
+    long clamped,
+    double clampedLight) {
   /** Nothing done. */
-  public static final RenderStatistics ZERO = new RenderStatistics(0, 0, 0, 0, List.of(), 0);
+  public static final RenderStatistics ZERO = new RenderStatistics(0, 0, 0, 0, List.of(), 0, 0, 0);
 
   private static final int MAX_FIRST_REJECTED = 10;
 
@@ -41,7 +46,9 @@ public record RenderStatistics(
             .sorted()
             .limit(MAX_FIRST_REJECTED)
             .toList(),
-        saturated + o.saturated);
+        saturated + o.saturated,
+        clamped + o.clamped,
+        clampedLight + o.clampedLight);
   }
 
   /** Where a sample was rejected, so that it can be repeated: pixel of the full frame, number. */

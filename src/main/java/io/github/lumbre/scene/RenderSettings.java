@@ -24,6 +24,8 @@ import java.util.Optional;
  * @param crop the part of the full frame to render; empty means all of it
  * @param transparent whether the share of samples that met something becomes the picture's alpha
  * @param adaptive whether the number of samples is the pixels' mean, and noisy pixels get more
+ * @param clamp above 0: samples of a larger component are darkened to it, which takes fireflies and
+ *     light away; infinite for none
  */
 public record RenderSettings(
     int width,
@@ -40,7 +42,8 @@ public record RenderSettings(
     ToneCurve toneCurve,
     Optional<Crop> crop,
     boolean transparent,
-    boolean adaptive) {
+    boolean adaptive,
+    double clamp) {
 
   /** The largest allowed width and height. */
   public static final int MAX_SIDE = 65535;
@@ -66,6 +69,9 @@ public record RenderSettings(
     requireIn(0, MAX_DEPTH, refractionTraceDepth, "refractionTraceDepth");
     requireIn(0, MAX_THREADS, threads, "threads");
     requireIn(1, Integer.MAX_VALUE, bucketSize, "bucketSize");
+    if (!(clamp > 0)) {
+      throw new IllegalArgumentException("clamp: expected more than 0, found " + clamp);
+    }
     Objects.requireNonNull(mode, "mode");
     Objects.requireNonNull(exposure, "exposure");
     Objects.requireNonNull(toneCurve, "toneCurve");
@@ -143,6 +149,7 @@ public record RenderSettings(
     private Optional<Crop> crop = Optional.empty();
     private boolean transparent = false;
     private boolean adaptive = false;
+    private double clamp = Double.POSITIVE_INFINITY;
 
     public Builder() {}
 
@@ -162,6 +169,7 @@ public record RenderSettings(
       crop = from.crop;
       transparent = from.transparent;
       adaptive = from.adaptive;
+      clamp = from.clamp;
     }
 
     public Builder size(int newWidth, int newHeight) {
@@ -232,6 +240,11 @@ public record RenderSettings(
       return this;
     }
 
+    public Builder clamp(double value) {
+      clamp = value;
+      return this;
+    }
+
     /**
      * @throws IllegalArgumentException naming the first setting that is out of range
      */
@@ -251,7 +264,8 @@ public record RenderSettings(
           toneCurve,
           crop,
           transparent,
-          adaptive);
+          adaptive,
+          clamp);
     }
   }
 }

@@ -1,11 +1,13 @@
 package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.image.LinearReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -91,6 +93,45 @@ class BudgetTest {
     assertThat(target.exitCode()).as(target.err()).isZero();
     assertThat(json(target).getAsJsonObject("noise").get("at_most").getAsDouble())
         .isLessThanOrEqualTo(.05);
+  }
+
+  @Test
+  void clampedLightIsTold() {
+    Outcome plain = render("plain.pfm", "-s", "64", "--json");
+    assertThat(json(plain).has("light_clamped")).isFalse();
+    Outcome outcome = render("clamped.pfm", "-s", "64", "--clamp", "0.3", "--json");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    JsonObject clamped = json(outcome).getAsJsonObject("light_clamped");
+    double share = clamped.get("share").getAsDouble();
+    assertThat(share).isBetween(.01, .99);
+    assertThat(outcome.err()).contains("light clamped: ", " samples above 0.3");
+
+    // What is missing in the picture is what the clamp took.
+    double all = light("plain.pfm");
+    assertThat(light("clamped.pfm")).isCloseTo(all * (1 - share), within(1e-4 * all));
+    render("a.png", "--clamp", "0").assertFailed(ExitCodes.USAGE, "--clamp: expected more than 0");
+  }
+
+  private double light(String picture) {
+    try {
+      float[] rgb = LinearReader.read(directory.resolve(picture)).rgb();
+      double light = 0;
+      for (float value : rgb) {
+        light += value;
+      }
+      return light;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Test
+  void lightBeyondTheDepthIsToldOfLongRenders() {
+    assertThat(json(render("a.png", "-s", "64", "--json")).has("light_beyond_depth")).isFalse();
+    Outcome outcome = render("a.png", "-s", "11000", "--depth", "1", "--json");
+    JsonObject cut = json(outcome).getAsJsonObject("light_beyond_depth");
+    assertThat(cut.get("share").getAsDouble()).isBetween(0.0, 1.0);
+    assertThat(outcome.err()).contains("light beyond the depth: ");
   }
 
   @Test

@@ -20,7 +20,8 @@ class SummaryTest {
       new RenderSettings.Builder().size(4, 2).samples(10).seed(5).build();
 
   private static Summary summary(boolean complete, List<RejectedSample> rejected) {
-    RenderStatistics statistics = new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0);
+    RenderStatistics statistics =
+        new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0, 0, 0);
     return new Summary(SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2);
   }
 

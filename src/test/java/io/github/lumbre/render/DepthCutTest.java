@@ -1,0 +1,45 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.Texture;
+import org.junit.jupiter.api.Test;
+
+class DepthCutTest {
+  /** Inside a sphere each bounce keeps half of the light, so that depth n leaves 2^-n. */
+  @Test
+  void closedSphereCutsAPowerOfItsReflectance() throws InterruptedException {
+    Scene room =
+        Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+            .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.grey(.5))))
+            .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
+            .build();
+    for (int depth = 1; depth < 5; depth++) {
+      RenderSettings settings =
+          new RenderSettings.Builder().size(10, 10).maxTraceDepth(depth).build();
+      DepthCut cut = DepthCut.of(room, settings);
+      assertThat(cut.standardError()).isLessThan(.02);
+      assertThat(cut.share())
+          .isCloseTo(Math.scalb(1, -depth), within(.005 + 4 * cut.standardError()));
+      assertThat(DepthCut.of(room, settings)).isEqualTo(cut);
+    }
+  }
+
+  @Test
+  void darknessLacksNothing() throws InterruptedException {
+    Scene empty = Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60)).build();
+    assertThat(DepthCut.of(empty, RenderSettings.DEFAULT)).isEqualTo(new DepthCut(0, 0));
+  }
+}
