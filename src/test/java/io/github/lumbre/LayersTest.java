@@ -46,7 +46,7 @@ class LayersTest {
           Map.entry("render", "math image sampling geometry camera scene integrator"),
           Map.entry("parser", BASIC + " material camera light scene"),
           Map.entry("checkpoint", "image sampling scene render"),
-          Map.entry("measure", "math image sampling scene render"),
+          Map.entry("measure", "math image sampling geometry scene integrator render"),
           Map.entry("audit", BASIC + " material camera light scene integrator render parser"),
           Map.entry("laws", BASIC + " material camera light scene integrator render"),
           Map.entry(

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import java.time.Duration;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** A moment of the machine's own clock, after which work is to end. Immutable. */
 final class Deadline {
@@ -24,5 +25,12 @@ final class Deadline {
   /** Tells whether the moment has come. */
   boolean hasPassed() {
     return time.isPresent() && System.nanoTime() - start >= time.get().toNanos();
+  }
+
+  /** Returns the seconds until the moment, negative after it; empty if it never comes. */
+  OptionalDouble secondsLeft() {
+    return time.isEmpty()
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(1e-9 * (start + time.get().toNanos() - System.nanoTime()));
   }
 }

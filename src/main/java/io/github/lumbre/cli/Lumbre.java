@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
       BenchCommand.class,
       CompareCommand.class,
       TradeCommand.class,
+      TradeTableCommand.class,
       GalleryCommand.class,
       SelfTestCommand.class,
       CompletionCommand.class,

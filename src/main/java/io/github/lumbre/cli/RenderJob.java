@@ -15,9 +15,9 @@ import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.texture.UnreadablePoints;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * Renders a film to its end, or until it is stopped, and saves film and picture.
@@ -133,18 +133,16 @@ record RenderJob(
       monitor.started(Math.max(1, (long) all - film.totalSamples()));
     }
     if (!how.quiet()) {
-      double each = seconds / film.meanSamples();
-      messages.line(
-          String.format(
-              Locale.ROOT,
-              "forecast: the error takes about %.0f samples per pixel (%.0f to %.0f), %.3g s"
-                  + " (%.2g to %.2g)",
-              likely,
-              forecast.least(),
-              forecast.most(),
-              each * likely,
-              each * forecast.least(),
-              each * forecast.most()));
+      OptionalDouble left = budget.secondsLeft();
+      ForecastReport told =
+          new ForecastReport(
+              forecast,
+              seconds / film.meanSamples(),
+              file.settings().samples(),
+              left.isPresent()
+                  ? OptionalDouble.of(seconds + left.getAsDouble())
+                  : OptionalDouble.empty());
+      messages.line(told.line());
     }
   }
 

@@ -80,6 +80,11 @@ final class RunBudget {
     return time.hasPassed();
   }
 
+  /** Returns the seconds until the time ends the run; empty if there is none. */
+  OptionalDouble secondsLeft() {
+    return time.secondsLeft();
+  }
+
   /** Returns about how noisy the film is now; empty as long as that cannot be told. */
   OptionalDouble noise(Film film) {
     return watch.estimate(film).stream().mapToDouble(NoiseEstimate::relativeRmse).findAny();

@@ -9,13 +9,12 @@ import io.github.lumbre.measure.TradeRow;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /** What a study of settings found, for programs to read: each seed of each setting. */
 final class TradeTables {
   /** What tells such a file from others; it changes when older readers would misunderstand. */
-  private static final String FORMAT = "lumbre-trade-1";
+  static final String FORMAT = "lumbre-trade-2";
 
   private static final Gson GSON =
       new GsonBuilder().setPrettyPrinting().serializeSpecialFloatingPointValues().create();
@@ -26,7 +25,8 @@ final class TradeTables {
   static String csv(TradeResult result) {
     List<String> lines = new ArrayList<>();
     List<Object> head =
-        new ArrayList<>(List.of("knob", "value", "samples", "seed", "seconds", "cpu_seconds"));
+        new ArrayList<>(
+            List.of("knob", "value", "kind", "samples", "seed", "seconds", "cpu_seconds"));
     head.addAll(result.rows().get(0).errors().get(0).byName().keySet());
     lines.add(Csv.line(head));
     for (TradeRow row : result.rows()) {
@@ -36,6 +36,7 @@ final class TradeTables {
                 List.of(
                     row.setting().knob(),
                     row.setting().value(),
+                    FlagConverters.lower(row.setting().kind()),
                     row.samples(),
                     seed + 1,
                     row.seconds().get(seed),
@@ -45,32 +46,6 @@ final class TradeTables {
       }
     }
     return String.join("\n", lines) + "\n";
-  }
-
-  /**
-   * Returns a row of a Markdown table: scene; noise without bias at each number of samples from 4
-   * on; bias of depth 1, 2, 3, 5, 8, 16 and of ray tracing.
-   */
-  static String markdown(String scene, TradeResult result) {
-    List<String> cells = new ArrayList<>(List.of(scene.replaceAll("\\.json$", "")));
-    int most = result.rows().stream().mapToInt(TradeRow::samples).max().orElse(1);
-    List<TradeRow> noise =
-        result.rows().stream().filter(row -> row.setting().isUnbiased()).toList();
-    noise.stream()
-        .filter(row -> row.samples() > 1)
-        .forEach(row -> cells.add(percent(row.relativeMse().value())));
-    result.rows().stream()
-        .filter(row -> !row.setting().isUnbiased() && row.samples() == most)
-        .forEach(row -> cells.add(bias(row.bias())));
-    return "| " + String.join(" | ", cells) + " |";
-  }
-
-  private static String bias(TradeRow.Bias bias) {
-    return bias.isDetected() ? percent(bias.squared()) : "< " + percent(bias.high());
-  }
-
-  private static String percent(double squared) {
-    return String.format(Locale.ROOT, "%.2g %%", 100 * Math.sqrt(Math.max(0, squared)));
   }
 
   /** Returns all of the study as a JSON object. */
@@ -90,11 +65,16 @@ final class TradeTables {
     values.put("knob", row.setting().knob());
     values.put("value", row.setting().value());
     values.put("samples", row.samples());
-    values.put("rays", row.rays());
-    values.put("shadow_rays", row.shadowRays());
+    values.put("kind", FlagConverters.lower(row.setting().kind()));
+    values.put("rays_per_sample", row.work().rays());
+    values.put("shadow_rays_per_sample", row.work().shadowRays());
+    values.put("nodes_per_sample", row.work().nodes());
+    values.put("texture_look_ups_per_sample", row.work().lookUps());
+    values.put("pixels", row.picture().width() * row.picture().height());
     values.put("relative_mse", row.relativeMse());
     values.put("seconds", row.time());
     values.put("cpu_seconds", row.cpuTime());
+    values.put("cpu_seconds_of_seeds", row.cpuSeconds());
     values.put("flip", row.flip());
     values.put("signed_error", row.signedError());
     values.put("squared_bias", row.bias());
@@ -106,6 +86,7 @@ final class TradeTables {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("setting", row.setting());
     values.put("time_ratio", row.timeRatio());
+    values.put("cpu_ratio", row.cpuRatio());
     values.put("same_picture", row.isSamePicture());
     return values;
   }

@@ -3,6 +3,9 @@ package io.github.lumbre.measure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Srgb;
 import io.github.lumbre.math.Elementary;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
 
 /**
  * A picture of where another one is wrong: each pixel's relative error, the root of the mean over
@@ -40,6 +43,13 @@ public final class ErrorMap {
       paint(Math.sqrt(squares / 3), rgb, i);
     }
     return new Image(picture.width(), picture.height(), rgb, new float[0]);
+  }
+
+  /** Returns the colours of the scale, evenly spaced, as style sheets name them. */
+  static List<String> webColours() {
+    return Arrays.stream(COLOURS)
+        .map(c -> String.format(Locale.ROOT, "#%02x%02x%02x", c[0], c[1], c[2]))
+        .toList();
   }
 
   private static void paint(double error, float[] rgb, int at) {

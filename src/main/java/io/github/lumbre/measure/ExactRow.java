@@ -5,6 +5,8 @@ package io.github.lumbre.measure;
  *
  * @param setting as flags say it
  * @param timeRatio its time over the other's, of renders in turn
+ * @param cpuRatio the same of processor time
  * @param isSamePicture whether every bit of the picture is the same
  */
-public record ExactRow(String setting, Interval timeRatio, boolean isSamePicture) {}
+public record ExactRow(
+    String setting, Interval timeRatio, Interval cpuRatio, boolean isSamePicture) {}

@@ -1,6 +1,8 @@
 package io.github.lumbre.measure;
 
+import io.github.lumbre.math.Elementary;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A value and an interval that holds the true one with a confidence of 95 %.
@@ -51,5 +53,23 @@ public record Interval(double value, double low, double high) {
     }
     double middle = .5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
     return new Interval(middle, sorted[cut], sorted[count - 1 - cut]);
+  }
+
+  /** Returns the geometric mean of independent positive values, at least one. */
+  public static Interval ofGeometricMean(List<Double> values) {
+    Interval logs = ofMean(values.stream().map(Elementary::log).toList());
+    return new Interval(
+        Elementary.exp(logs.value), Elementary.exp(logs.low), Elementary.exp(logs.high));
+  }
+
+  /**
+   * Returns the geometric mean of the ratios of pairs.
+   *
+   * @param over positive
+   * @param under positive, as many
+   */
+  public static Interval ofRatios(List<Double> over, List<Double> under) {
+    return ofGeometricMean(
+        IntStream.range(0, over.size()).mapToObj(i -> over.get(i) / under.get(i)).toList());
   }
 }

@@ -18,16 +18,59 @@ public record TradeResult(
     NoiseEstimate referenceNoise,
     List<TradeRow> rows,
     List<ExactRow> exact) {
+  /** Returns the rows of the setting that is taken for the truth, by number of samples. */
+  public List<TradeRow> usual() {
+    return of(rows.get(0).setting());
+  }
+
+  /** Returns the rows of a setting, by number of samples. */
+  public List<TradeRow> of(TradeSetting setting) {
+    return rows.stream().filter(row -> row.setting() == setting).toList();
+  }
+
+  /** Returns the settings of a kind, in the order of the study. */
+  public List<TradeSetting> settings(TradeSetting.Kind kind) {
+    return rows.stream()
+        .map(TradeRow::setting)
+        .filter(setting -> setting.kind() == kind)
+        .distinct()
+        .toList();
+  }
+
+  /** Returns the row of a setting with the most samples. */
+  public TradeRow most(TradeSetting setting) {
+    List<TradeRow> own = of(setting);
+    return own.get(own.size() - 1);
+  }
+
+  /** Returns how many seeds each setting was rendered with. */
+  public int seeds() {
+    return rows.get(0).errors().size();
+  }
+
   /**
-   * Tells whether another row takes no more processor time and has no more error, and less of one
-   * of them.
-   *
-   * @param others that it is compared with
+   * Returns how many times as far as the usual setting another gets in the same processor time: the
+   * ratio of squared error times time, at the most samples.
    */
-  public static boolean isDominated(TradeRow row, List<TradeRow> others) {
+  public Interval gain(TradeSetting setting) {
+    return Interval.ofRatios(most(rows.get(0).setting()).costs(), most(setting).costs());
+  }
+
+  /** Returns the same gain for as many rays instead of time: it is that of every machine. */
+  public Interval gainByRays(TradeSetting setting) {
+    return Interval.ofRatios(
+        most(rows.get(0).setting()).costsInRays(), most(setting).costsInRays());
+  }
+
+  /**
+   * Tells whether another row of the same kind of knob takes no more processor time and has no more
+   * error, and less of one of them.
+   */
+  public boolean isDominated(TradeRow row) {
     double time = row.cpuTime().value();
     double error = row.relativeMse().value();
-    return others.stream()
+    return rows.stream()
+        .filter(other -> other.setting().kind() == row.setting().kind())
         .anyMatch(
             other ->
                 other.cpuTime().value() <= time

@@ -2,6 +2,7 @@ package io.github.lumbre.measure;
 
 import io.github.lumbre.image.Image;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * What a setting cost and how wrong it was at one number of samples: a value for each seed, in the
@@ -11,8 +12,7 @@ import java.util.List;
  * @param seconds on the wall, for all samples up to these
  * @param cpuSeconds of the process
  * @param errors against the reference
- * @param rays followed to what they meet, mean over the seeds
- * @param shadowRays mean over the seeds
+ * @param work for one sample
  * @param bias how far the mean of all seeds' pictures is from the reference
  * @param picture of the first seed
  */
@@ -22,8 +22,7 @@ public record TradeRow(
     List<Double> seconds,
     List<Double> cpuSeconds,
     List<PictureError> errors,
-    double rays,
-    double shadowRays,
+    TradeWork work,
     Bias bias,
     Image picture) {
 
@@ -41,6 +40,31 @@ public record TradeRow(
     public boolean isDetected() {
       return low > 0;
     }
+  }
+
+  /** Returns what the samples cost and bring. */
+  TimeToError.Cost cost() {
+    return new TimeToError.Cost(
+        samples, errors.stream().map(PictureError::relativeMse).toList(), cpuSeconds);
+  }
+
+  /** Returns rays and shadow rays of all samples together. */
+  public double allRays() {
+    double pixels = (double) picture.width() * picture.height();
+    return (work.rays() + work.shadowRays()) * samples * pixels;
+  }
+
+  /** Returns each seed's relative mean squared error times its processor time. */
+  List<Double> costs() {
+    return IntStream.range(0, errors.size())
+        .mapToObj(i -> Math.max(1e-30, errors.get(i).relativeMse() * cpuSeconds.get(i)))
+        .toList();
+  }
+
+  /** Returns each seed's relative mean squared error times the rays of a sample. */
+  List<Double> costsInRays() {
+    double rays = work.rays() + work.shadowRays();
+    return errors.stream().map(e -> Math.max(1e-30, e.relativeMse() * rays)).toList();
   }
 
   /** Returns the mean of the seeds' relative mean squared errors. */

@@ -25,36 +25,15 @@ public final class TradeStudy {
   /** Differs from all seeds of the study in every bit that matters. */
   private static final long REFERENCE_SEED = 0x5eed_0f_7e_fe_7e_9ceL;
 
-  private static final int EXACT_PAIRS = 5;
   private static final double CONFIDENCE = .95;
 
-  private final TradeSetting reference;
+  private static final int FRAME_FOR_COUNTERS = 20_000;
+
   private final List<TradeSetting> settings;
-  private final Plan plan;
+  private final TradePlan plan;
   private final DoubleSupplier cpuSeconds;
   private final Consumer<String> log;
   private final List<Trial> trials = new ArrayList<>();
-
-  /**
-   * How much is rendered.
-   *
-   * @param ladder numbers of samples per pixel, ascending
-   * @param seeds of each setting, at least 2
-   * @param referenceSamples per pixel
-   */
-  public record Plan(List<Integer> ladder, int seeds, int referenceSamples) {
-    public Plan {
-      ladder = List.copyOf(ladder);
-      if (ladder.isEmpty() || seeds < 2 || referenceSamples < 2) {
-        throw new IllegalArgumentException("plan: expected samples and at least two seeds");
-      }
-    }
-
-    /** Returns samples per pixel of all renders together. */
-    public long samples(int settings) {
-      return (long) settings * seeds * ladder.get(ladder.size() - 1) + referenceSamples;
-    }
-  }
 
   /** One render of one setting with one seed, up to one number of samples. */
   private record Trial(
@@ -62,23 +41,19 @@ public final class TradeStudy {
       int samples,
       double seconds,
       double cpu,
-      RenderStatistics statistics,
       PictureError error,
       Image picture) {}
 
   /**
-   * @param reference the setting that is taken for the truth
-   * @param settings to be measured
+   * @param settings to be measured, that which is taken for the truth first
    * @param cpuSeconds tells the processor time of the process so far
    * @param log hears what is being done
    */
   public TradeStudy(
-      TradeSetting reference,
       List<TradeSetting> settings,
-      Plan plan,
+      TradePlan plan,
       DoubleSupplier cpuSeconds,
       Consumer<String> log) {
-    this.reference = reference;
     this.settings = List.copyOf(settings);
     this.plan = plan;
     this.cpuSeconds = cpuSeconds;
@@ -91,34 +66,53 @@ public final class TradeStudy {
    * @throws InterruptedException if the calling thread is interrupted
    */
   public TradeResult run() throws InterruptedException {
-    log.accept("reference: " + plan.referenceSamples + " samples per pixel");
-    FilmRenderer renderer =
-        new FilmRenderer(seeded(reference.settings(), REFERENCE_SEED), reference.scene());
+    double start = seconds();
+    log.accept("reference: " + plan.referenceSamples() + " samples per pixel");
+    FilmRenderer renderer = reference().renderer(REFERENCE_SEED);
     Film film = renderer.newFilm();
-    climb(renderer, film, plan.referenceSamples);
+    climb(renderer, film, plan.referenceSamples());
     Image truth = film.develop();
     NoiseEstimate noise = NoiseEstimator.of(film, CONFIDENCE).orElseThrow();
-    for (int seed = 0; seed < plan.seeds; seed++) {
-      log.accept("seed " + (seed + 1) + " of " + plan.seeds + ": " + settings.size() + " settings");
+    log.accept("settings that change the time alone");
+    List<ExactRow> exact = new ExactPairs(reference(), plan.exactSamples(), cpuSeconds).rows();
+    renderSeeds(start, truth);
+    log.accept("nodes and textures");
+    List<TradeRow> rows = new ArrayList<>();
+    for (TradeSetting setting : settings) {
+      TradeWork work = work(setting);
+      for (int samples : plan.ladder()) {
+        rows.add(row(setting, samples, work, truth, noise.relativeMse()));
+      }
+    }
+    return new TradeResult(truth, plan.referenceSamples(), noise, rows, exact);
+  }
+
+  private static double seconds() {
+    return System.nanoTime() * 1e-9;
+  }
+
+  private TradeSetting reference() {
+    return settings.get(0);
+  }
+
+  /** Renders as many seeds as the time allows. */
+  private void renderSeeds(double start, Image truth) throws InterruptedException {
+    double longest = 0;
+    for (int seed = 0; seed < plan.mostSeeds(); seed++) {
+      double begin = seconds();
+      if (seed >= plan.leastSeeds() && begin + longest - start > plan.seconds()) {
+        break;
+      }
+      log.accept("seed " + (seed + 1) + ": " + settings.size() + " settings");
       for (TradeSetting setting : settings) {
         render(setting, seed, truth);
       }
+      longest = Math.max(longest, seconds() - begin);
     }
-    List<TradeRow> rows = new ArrayList<>();
-    for (TradeSetting setting : settings) {
-      for (int samples : plan.ladder) {
-        rows.add(row(setting, samples, truth, noise.relativeMse()));
-      }
-    }
-    log.accept("threads and buckets: " + EXACT_PAIRS + " pairs each");
-    return new TradeResult(truth, plan.referenceSamples, noise, rows, exact());
   }
 
-  private static RenderSettings seeded(RenderSettings settings, long seed) {
-    return settings.toBuilder().seed(seed).build();
-  }
-
-  private static RenderStatistics climb(FilmRenderer renderer, Film film, int goal)
+  /** Adds samples, in growing passes, until each pixel has so many. */
+  static RenderStatistics climb(FilmRenderer renderer, Film film, int goal)
       throws InterruptedException {
     RenderStatistics statistics = RenderStatistics.ZERO;
     Schedule schedule = renderer.schedule(goal);
@@ -132,25 +126,44 @@ public final class TradeStudy {
   }
 
   private void render(TradeSetting setting, int seed, Image truth) throws InterruptedException {
-    FilmRenderer renderer =
-        new FilmRenderer(seeded(setting.settings(), 1L + seed), setting.scene());
+    FilmRenderer renderer = setting.renderer(1L + seed);
     Film film = renderer.newFilm();
-    RenderStatistics statistics = RenderStatistics.ZERO;
     double seconds = 0;
     double cpu = 0;
-    for (int samples : plan.ladder) {
+    for (int samples : plan.ladder()) {
       double cpuStart = cpuSeconds.getAsDouble();
-      long start = System.nanoTime();
-      statistics = statistics.plus(climb(renderer, film, samples));
-      seconds += (System.nanoTime() - start) * 1e-9;
+      double start = seconds();
+      climb(renderer, film, samples);
+      seconds += seconds() - start;
       cpu += cpuSeconds.getAsDouble() - cpuStart;
       Image picture = film.develop();
-      PictureError error = PictureError.of(picture, truth);
-      trials.add(new Trial(setting, samples, seconds, cpu, statistics, error, picture));
+      trials.add(
+          new Trial(setting, samples, seconds, cpu, PictureError.of(picture, truth), picture));
     }
   }
 
-  private TradeRow row(TradeSetting setting, int samples, Image truth, double truthNoise) {
+  /** Counts the work of a sample: of one in each pixel, or more where there are few. */
+  private static TradeWork work(TradeSetting setting) throws InterruptedException {
+    TradeScene scene = setting.scene();
+    RenderSettings frame = setting.settings().toBuilder().seed(1).build();
+    int pixels = frame.window().width() * frame.window().height();
+    int samples = Math.max(1, FRAME_FOR_COUNTERS / pixels);
+    FilmRenderer renderer = setting.renderer(scene.counting(), frame);
+    Film film = renderer.newFilm();
+    // Domes look at their textures when they are made: only what follows counts.
+    scene.nodes().reset();
+    scene.lookUps().reset();
+    RenderStatistics statistics = climb(renderer, film, samples);
+    double all = (double) samples * pixels;
+    return new TradeWork(
+        statistics.rays() / all,
+        statistics.shadowRays() / all,
+        scene.nodes().sum() / all,
+        scene.lookUps().sum() / all);
+  }
+
+  private TradeRow row(
+      TradeSetting setting, int samples, TradeWork work, Image truth, double truthNoise) {
     List<Trial> own =
         trials.stream().filter(t -> t.setting == setting && t.samples == samples).toList();
     return new TradeRow(
@@ -159,8 +172,7 @@ public final class TradeStudy {
         own.stream().map(Trial::seconds).toList(),
         own.stream().map(Trial::cpu).toList(),
         own.stream().map(Trial::error).toList(),
-        own.stream().mapToDouble(t -> t.statistics.rays()).average().orElse(0),
-        own.stream().mapToDouble(t -> t.statistics.shadowRays()).average().orElse(0),
+        work,
         bias(own.stream().map(Trial::picture).toList(), truth, truthNoise),
         own.get(0).picture);
   }
@@ -204,47 +216,5 @@ public final class TradeStudy {
       sum += (off * off - noise) / (r[i] * r[i] + PictureError.FLOOR);
     }
     return sum / r.length;
-  }
-
-  private List<ExactRow> exact() throws InterruptedException {
-    RenderSettings base = reference.settings().toBuilder().threads(1).bucketSize(32).build();
-    int processors = Runtime.getRuntime().availableProcessors();
-    List<ExactRow> rows = new ArrayList<>();
-    if (processors > 1) {
-      RenderSettings many = base.toBuilder().threads(processors).build();
-      rows.add(pairs("threads " + processors + " / 1", base, many));
-    }
-    for (int bucket : new int[] {8, 128}) {
-      RenderSettings other = base.toBuilder().bucketSize(bucket).build();
-      rows.add(pairs("bucket " + bucket + " / 32", base, other));
-    }
-    return rows;
-  }
-
-  private ExactRow pairs(String name, RenderSettings base, RenderSettings other)
-      throws InterruptedException {
-    List<Double> ratios = new ArrayList<>();
-    boolean same = true;
-    for (int pair = 0; pair < EXACT_PAIRS; pair++) {
-      // In the order ABBA, lest a drift favours one of them.
-      boolean swap = pair % 2 == 1;
-      Timed first = timed(swap ? other : base);
-      Timed second = timed(swap ? base : other);
-      double ratio = second.seconds / first.seconds;
-      ratios.add(swap ? 1 / ratio : ratio);
-      same &= Arrays.equals(first.picture.rgb(), second.picture.rgb());
-    }
-    return new ExactRow(name, Interval.ofMean(ratios), same);
-  }
-
-  private record Timed(double seconds, Image picture) {}
-
-  private Timed timed(RenderSettings settings) throws InterruptedException {
-    FilmRenderer renderer = new FilmRenderer(settings, reference.scene());
-    Film film = renderer.newFilm();
-    int samples = Math.min(16, plan.ladder.get(plan.ladder.size() - 1));
-    long start = System.nanoTime();
-    climb(renderer, film, samples);
-    return new Timed((System.nanoTime() - start) * 1e-9, film.develop());
   }
 }

@@ -160,6 +160,8 @@ class BudgetTest {
     assertThat(outcome.err())
         .containsPattern("forecast: the error takes about \\d+ samples per pixel \\(");
     assertThat(render("a.png", "-s", "64").err()).doesNotContain("forecast");
+    assertThat(render("a.png", "-s", "64", "--target-error", "0.1%").err())
+        .containsPattern("forecast: .*; it will not be reached");
   }
 
   @Test

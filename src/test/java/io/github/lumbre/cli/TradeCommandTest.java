@@ -2,12 +2,15 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -38,14 +41,14 @@ class TradeCommandTest {
     assertThat(html)
         .contains("For this error pick these settings", "the same bits", "data:image/png;base64,")
         .doesNotContain("NaN", "Infinity", "DIFFERENT", "http://", "https://", "<script");
-    assertThat(parsedDrawings(html)).isEqualTo(2);
+    assertThat(parsedDrawings(html)).isGreaterThanOrEqualTo(7);
 
     JsonObject values =
         JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
-    assertThat(values.get("format").getAsString()).isEqualTo("lumbre-trade-1");
+    assertThat(values.get("format").getAsString()).isEqualTo("lumbre-trade-2");
     int rows = values.getAsJsonArray("rows").size();
-    // Seven depths and ray tracing, three seeds each, and the head.
-    assertThat(rows % 8).isZero();
+    // Seven depths, ray tracing, one sampler, three strategies, four roulettes; and the head.
+    assertThat(rows % 16).isZero();
     assertThat(Files.readAllLines(directory.resolve("out.csv"))).hasSize(3 * rows + 1);
   }
 
@@ -61,7 +64,63 @@ class TradeCommandTest {
   }
 
   @Test
+  void knobsAreChosenAndWorkIsCounted() throws Exception {
+    Path page = directory.resolve("out.html");
+    Outcome outcome =
+        trade("-s", "4", "--seeds", "3", "--knobs", "sampler,depth", "-o", page.toString());
+    assertThat(outcome.exitCode()).isZero();
+    JsonObject values =
+        JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
+    Map<String, String> kinds = new LinkedHashMap<>();
+    for (JsonElement element : values.getAsJsonArray("rows")) {
+      JsonObject row = element.getAsJsonObject();
+      kinds.put(row.get("knob").getAsString() + row.get("value").getAsString(), text(row, "kind"));
+      assertThat(row.get("rays_per_sample").getAsDouble()).isGreaterThanOrEqualTo(1);
+      assertThat(row.get("nodes_per_sample").getAsDouble()).isGreaterThanOrEqualTo(1);
+    }
+    assertThat(kinds)
+        .containsOnlyKeys(
+            "depth1000",
+            "samplerindependent",
+            "depth1",
+            "depth2",
+            "depth3",
+            "depth5",
+            "depth8",
+            "depth16")
+        .containsEntry("samplerindependent", "noise")
+        .containsEntry("depth1000", "noise")
+        .containsEntry("depth16", "bias");
+    assertThat(Files.readString(page)).contains("the same again");
+
+    Path table = directory.resolve("table.md");
+    String study = directory.resolve("out.json").toString();
+    assertThat(Outcome.of("trade-table", study, "-o", table.toString()).exitCode()).isZero();
+    assertThat(Files.readString(table))
+        .contains("| tiny | 16x12 | 3 | 256: ", "sampler independent");
+    assertThat(directory.resolve("table-noise.svg")).exists();
+    assertThat(directory.resolve("table-depth.svg")).exists();
+  }
+
+  private static String text(JsonObject object, String key) {
+    return object.get(key).getAsString();
+  }
+
+  @Test
+  void whatIsNoStudyIsRefused() throws IOException {
+    Path other = Files.writeString(directory.resolve("other.json"), "{\"format\": \"else\"}");
+    String table = directory.resolve("table.md").toString();
+    Outcome.of("trade-table", other.toString(), "-o", table)
+        .assertFailed(ExitCodes.USAGE, "other.json: expected a study of trade");
+    Outcome.of("trade-table", directory + "/none.json", "-o", table)
+        .assertFailed(ExitCodes.USAGE, "none.json: cannot be read");
+    assertThat(directory.resolve("table.md")).doesNotExist();
+  }
+
+  @Test
   void wrongFlagsAreNamed() throws IOException {
+    trade("--knobs", "depth,colour")
+        .assertFailed(ExitCodes.USAGE, "--knobs: expected of sampler,lights,", "found colour");
     trade("--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds: expected 3 to 1000");
     trade("-o", "page.txt").assertFailed(ExitCodes.USAGE, "-o: expected a name that ends in .html");
     trade("-o", directory + "/none/a.html").assertFailed(ExitCodes.OUTPUT, "does not exist");

@@ -1,0 +1,148 @@
+package io.github.lumbre.cli;
+
+import com.sun.management.OperatingSystemMXBean;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.measure.TradePage;
+import io.github.lumbre.measure.TradePlan;
+import io.github.lumbre.measure.TradeResult;
+import io.github.lumbre.measure.TradeScene;
+import io.github.lumbre.measure.TradeSetting;
+import io.github.lumbre.measure.TradeStudy;
+import io.github.lumbre.measure.TradeSweep;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.texture.ImageTexture.Filter;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.atomic.LongAdder;
+
+/** The study of one scene: reads it in all ways that are compared, and measures. Not reusable. */
+final class TradeRun {
+  private static final double PILOT_SECONDS = .5;
+  private static final OperatingSystemMXBean PROCESS =
+      ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+
+  private final SceneOptions options;
+  private final TradeBudget budget;
+  private final int threads;
+  private final Messages messages;
+  private final Messages quiet = new Messages(new PrintWriter(Writer.nullWriter()));
+  private final Map<String, String> facts = new LinkedHashMap<>();
+  private final double start = System.nanoTime() * 1e-9;
+  private SceneFile file;
+  private double rate;
+  private TradeResult result;
+
+  /**
+   * @param threads 0 means one for each processor
+   */
+  TradeRun(SceneOptions options, TradeBudget budget, int threads, Messages messages) {
+    this.options = options;
+    this.budget = budget;
+    this.threads = threads;
+    this.messages = messages;
+  }
+
+  /** Measures; tells what it is doing. */
+  TradeResult run(Set<String> knobs)
+      throws SceneFormatException, CommandException, InterruptedException {
+    SceneParser parser = options.parser().inMode(Mode.PATH);
+    file = options.load(parser, messages);
+    rate = SampleBudget.rate(file, PILOT_SECONDS, Progress.NONE).orElse(1);
+    RenderSettings settings = framed(file);
+    TradeSweep sweep = new TradeSweep(counted(file, parser), settings, knobs);
+    if (knobs.contains("filter")) {
+      addFilters(sweep, parser);
+    }
+    if (knobs.contains("mode")) {
+      SceneParser ofRays = options.parser().inMode(Mode.RAY);
+      SceneFile rays = options.load(ofRays, quiet);
+      sweep.addRays(counted(rays, ofRays), framed(rays));
+    }
+    int count = sweep.settings(TradeBudget.LARGEST).size();
+    TradePlan plan = budget.plan(rate, spent(), count, settings);
+    List<TradeSetting> all = sweep.settings(plan.mostSamples());
+    result = new TradeStudy(all, plan, TradeRun::cpuSeconds, messages::line).run();
+    tell(settings);
+    return result;
+  }
+
+  private double spent() {
+    return System.nanoTime() * 1e-9 - start;
+  }
+
+  private static double cpuSeconds() {
+    return PROCESS.getProcessCpuTime() * 1e-9;
+  }
+
+  private RenderSettings framed(SceneFile read) {
+    return budget.framed(read.settings(), rate).toBuilder().threads(threads).build();
+  }
+
+  /** Returns a scene with its double that counts. */
+  private TradeScene counted(SceneFile read, SceneParser parser)
+      throws SceneFormatException, CommandException {
+    LongAdder nodes = new LongAdder();
+    LongAdder lookUps = new LongAdder();
+    SceneFile again = options.load(parser.countingTextures(lookUps), quiet);
+    return new TradeScene(read.scene(), again.scene().counting(nodes), nodes, lookUps);
+  }
+
+  /** Adds the filters that make another picture than the scene's own. */
+  private void addFilters(TradeSweep sweep, SceneParser parser)
+      throws SceneFormatException, CommandException, InterruptedException {
+    for (Filter filter : Filter.values()) {
+      SceneParser filtering = parser.filtering(filter);
+      SceneFile read = options.load(filtering, quiet);
+      if (!Arrays.equals(look(read), look(file))) {
+        sweep.addFilter(FlagConverters.lower(filter), counted(read, filtering));
+      }
+    }
+  }
+
+  private float[] look(SceneFile read) throws InterruptedException {
+    RenderSettings once = framed(read).toBuilder().samples(1).build();
+    return new BucketRenderer(once).render(read.scene()).rgb();
+  }
+
+  private void tell(RenderSettings settings) {
+    facts.put("scene", Messages.printable(String.valueOf(options.scene().getFileName())));
+    facts.put("scene hash", file.hash());
+    facts.put("size", settings.width() + "x" + settings.height());
+    facts.put("seeds", result.seeds() + " for each setting, numbered from 1");
+    facts.put("machine", Hardware.here().line());
+    facts.put("threads", threads == 0 ? "one per processor" : String.valueOf(threads));
+    facts.put("load", BenchMachine.here().load() + " before the report");
+    facts.put("version", Version.number());
+    facts.put("took", Math.round(spent()) + " s");
+  }
+
+  /** Returns what is to be known of the study, by name; after {@link #run}. */
+  Map<String, String> facts() {
+    return facts;
+  }
+
+  /** Returns the page; after {@link #run}. */
+  String page() throws CommandException {
+    ImageWriter.Options visible =
+        new ImageWriter.Options(
+            file.settings().exposure(), file.settings().toneCurve(), 8, Map.of());
+    try {
+      return TradePage.of(facts.get("scene"), facts, result, visible);
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package io.github.lumbre.cli;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonParseException;
+import io.github.lumbre.measure.SceneTables;
+import io.github.lumbre.measure.SceneTrade;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre trade-table}: puts studies of several scenes side by side. */
+@Command(
+    name = "trade-table",
+    header = "Put what trade has measured of several scenes side by side.",
+    description =
+        "Writes tables in Markdown, and beside them two charts: the same name with -noise.svg and"
+            + " -depth.svg.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {"", "Example:", "  lumbre trade-table a-trade.json b-trade.json -o trade.md"},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "2:The command line is wrong, or a study does not exist or is none",
+      "6:The tables cannot be written",
+      "7:A fault of the program"
+    })
+final class TradeTableCommand implements Callable<Integer> {
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "STUDY.json",
+      description = "What trade has written, in the order of the tables.")
+  private List<Path> studies = new ArrayList<>();
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "OUT.md",
+      required = true,
+      description = "The file of the tables.")
+  private Path output;
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws CommandException {
+    List<SceneTrade> scenes = new ArrayList<>();
+    for (Path study : studies) {
+      scenes.add(read(study));
+    }
+    SceneTables tables = new SceneTables(scenes);
+    try (TextOutput markdown = TextOutput.reserve(Optional.of(output));
+        TextOutput noise = TextOutput.reserve(Optional.of(beside("-noise.svg")));
+        TextOutput depth = TextOutput.reserve(Optional.of(beside("-depth.svg")))) {
+      markdown.write(tables.markdown());
+      noise.write(tables.noiseChart());
+      depth.write(tables.depthChart());
+    }
+    new Messages(spec.commandLine().getOut()).line(output.toString());
+    return ExitCodes.OK;
+  }
+
+  private Path beside(String ending) {
+    return Path.of(output.toString().replaceAll("\\.md$", "") + ending);
+  }
+
+  private static SceneTrade read(Path study) throws CommandException {
+    try {
+      TradeFile file = new Gson().fromJson(Files.readString(study), TradeFile.class);
+      if (file == null || !TradeTables.FORMAT.equals(file.format)) {
+        throw new CommandException(
+            ExitCodes.USAGE, study + ": expected a study of trade, format " + TradeTables.FORMAT);
+      }
+      return file.trade();
+    } catch (IOException e) {
+      throw new CommandException(ExitCodes.USAGE, study + ": cannot be read", e);
+    } catch (JsonParseException e) {
+      throw new CommandException(ExitCodes.USAGE, study + ": expected JSON of trade", e);
+    }
+  }
+}

@@ -1,0 +1,200 @@
+package io.github.lumbre.measure;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** Studies of several scenes side by side: tables in Markdown, and charts as files of their own. */
+public final class SceneTables {
+  private static final double[] TARGETS = {1e-2, 1e-3};
+
+  private final List<SceneTrade> scenes;
+
+  /**
+   * @param scenes at least one, in the order of the tables
+   */
+  public SceneTables(List<SceneTrade> scenes) {
+    this.scenes = List.copyOf(scenes);
+  }
+
+  /** Returns all tables with what they tell. */
+  public String markdown() {
+    return String.join("\n", noise(), floors(), gains(), work());
+  }
+
+  /** Returns a chart of noise against rays: work that is the same on every machine. */
+  public String noiseChart() {
+    List<LogChart.Series> series = new ArrayList<>();
+    for (SceneTrade scene : scenes) {
+      List<LogChart.Point> points = new ArrayList<>();
+      for (SceneTrade.Row row : scene.usual()) {
+        Interval error = Interval.ofGeometricMean(row.cost().relativeMse());
+        points.add(
+            new LogChart.Point(
+                row.cost().samples() * row.rays(),
+                100 * Math.sqrt(error.value()),
+                100 * Math.sqrt(error.low()),
+                100 * Math.sqrt(error.high()),
+                "",
+                false));
+      }
+      series.add(new LogChart.Series(scene.scene(), points, true));
+    }
+    return new LogChart("Noise falls with work", "rays per pixel", "relative RMSE, %", series)
+        .file();
+  }
+
+  /** Returns a chart of the bias of depths, where it was detected. */
+  public String depthChart() {
+    List<LogChart.Series> series = new ArrayList<>();
+    for (SceneTrade scene : scenes) {
+      List<LogChart.Point> points = new ArrayList<>();
+      for (SceneTrade.Row row : scene.rows()) {
+        boolean isMost = row == SceneTrade.most(scene.of(row.label()));
+        if (row.knob().equals("depth") && !row.isUnbiased() && isMost && row.bias().isDetected()) {
+          points.add(
+              new LogChart.Point(
+                  Double.parseDouble(row.value()),
+                  100 * Math.sqrt(row.bias().squared()),
+                  100 * Math.sqrt(row.bias().low()),
+                  100 * Math.sqrt(row.bias().high()),
+                  "",
+                  false));
+        }
+      }
+      series.add(new LogChart.Series(scene.scene(), points, true));
+    }
+    return new LogChart("What depth leaves out", "depth", "bias, relative RMS, %", series).file();
+  }
+
+  private String noise() {
+    List<String> lines = new ArrayList<>();
+    lines.add("### Noise, and the time it takes away\n");
+    lines.add(
+        "| scene | pixels | seeds | reference | noise | samples^ | samples to 1e-2 | rays | CPU s"
+            + " | samples to 1e-3 | rays | CPU s |");
+    lines.add("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+    for (SceneTrade scene : scenes) {
+      SceneTrade.Row most = SceneTrade.most(scene.usual());
+      double mean = Interval.ofMean(most.cost().relativeMse()).value();
+      List<String> cells =
+          new ArrayList<>(
+              List.of(
+                  scene.scene(),
+                  scene.width() + "x" + scene.height(),
+                  String.valueOf(scene.seeds()),
+                  scene.referenceSamples() + ": " + TradeText.percent(scene.referenceRmse()),
+                  most.cost().samples() + ": " + TradeText.rootPercent(mean),
+                  TradeText.slope(scene.usual().stream().map(SceneTrade.Row::cost).toList())));
+      for (double target : TARGETS) {
+        TimeToError cost = scene.toError(target);
+        String mark = cost.isExtrapolated() ? " *" : "";
+        cells.add(round(cost.samples(), 1) + mark);
+        cells.add(String.format(Locale.ROOT, "%.0f", cost.samples().value() * most.rays()) + mark);
+        cells.add(round(cost.cpuSeconds(), 1e6 / scene.pixels()) + mark);
+      }
+      lines.add(line(cells));
+    }
+    lines.add(
+        "\nNoise: relative RMSE at so many samples. 1e-2 and 1e-3 are relative mean squared errors,"
+            + " 10 % and 3.2 %; rays are for one pixel, processor seconds for a million. An"
+            + " asterisk marks what no measured number of samples reaches: there the squared error"
+            + " is taken to be inverse to the samples, more slowly than it was measured to fall"
+            + " (samples^).\n");
+    return String.join("\n", lines);
+  }
+
+  private String floors() {
+    Set<String> labels = labels(false);
+    List<String> lines = new ArrayList<>();
+    lines.add("### What knobs with bias leave wrong\n");
+    lines.add("| scene | " + String.join(" | ", labels) + " |");
+    lines.add("|---" + "|--:".repeat(labels.size()) + "|");
+    for (SceneTrade scene : scenes) {
+      List<String> cells = new ArrayList<>(List.of(scene.scene()));
+      for (String label : labels) {
+        List<SceneTrade.Row> own = scene.of(label);
+        cells.add(own.isEmpty() ? "" : bias(SceneTrade.most(own).bias()));
+      }
+      lines.add(line(cells));
+    }
+    lines.add(
+        "\nRelative root mean squared bias. \"<\": not detected; the most that it may be with 95 %"
+            + " confidence.\n");
+    return String.join("\n", lines);
+  }
+
+  private String gains() {
+    Set<String> labels = labels(true);
+    List<String> lines = new ArrayList<>();
+    lines.add("### What other ways to the same light bring\n");
+    lines.add("| scene | " + String.join(" | ", labels) + " |");
+    lines.add("|---" + "|--:".repeat(labels.size()) + "|");
+    for (SceneTrade scene : scenes) {
+      List<String> cells = new ArrayList<>(List.of(scene.scene()));
+      for (String label : labels) {
+        List<SceneTrade.Row> own = scene.of(label);
+        cells.add(own.isEmpty() ? "" : TradeText.ratio(scene.gainByRays(own)));
+      }
+      lines.add(line(cells));
+    }
+    lines.add(
+        "\nHow many times as far as the usual setting each gets with as many rays, by squared error"
+            + " times rays, with its interval; below 1 is worse.\n");
+    return String.join("\n", lines);
+  }
+
+  private String work() {
+    List<String> lines = new ArrayList<>();
+    lines.add("### Work of a sample\n");
+    lines.add("| scene | rays | shadow rays | nodes | look-ups |");
+    lines.add("|---|--:|--:|--:|--:|");
+    for (SceneTrade scene : scenes) {
+      TradeWork work = SceneTrade.most(scene.usual()).work();
+      lines.add(
+          line(
+              List.of(
+                  scene.scene(),
+                  TradeText.number(work.rays()),
+                  TradeText.number(work.shadowRays()),
+                  TradeText.number(work.nodes()),
+                  TradeText.number(work.lookUps()))));
+    }
+    return String.join("\n", lines) + "\n";
+  }
+
+  private Set<String> labels(boolean unbiased) {
+    return scenes.stream()
+        .flatMap(scene -> scene.rows().stream().skip(scene.usual().size()))
+        .filter(row -> row.isUnbiased() == unbiased)
+        .map(SceneTrade.Row::label)
+        .collect(Collectors.toCollection(LinkedHashSet::new));
+  }
+
+  private static String bias(TradeRow.Bias bias) {
+    return bias.isDetected()
+        ? TradeText.rootPercent(bias.squared())
+        : "< " + TradeText.rootPercent(bias.high());
+  }
+
+  private static String round(Interval interval, double factor) {
+    return "%s (%s to %s)"
+        .formatted(
+            twoDigits(factor * interval.value()),
+            twoDigits(factor * interval.low()),
+            twoDigits(factor * interval.high()));
+  }
+
+  private static String twoDigits(double value) {
+    return new BigDecimal(value).round(new MathContext(2)).stripTrailingZeros().toPlainString();
+  }
+
+  private static String line(List<String> cells) {
+    return "| " + String.join(" | ", cells) + " |";
+  }
+}

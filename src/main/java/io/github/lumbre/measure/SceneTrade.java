@@ -1,0 +1,87 @@
+package io.github.lumbre.measure;
+
+import java.util.List;
+
+/**
+ * What a study of one scene found, as far as tables of several scenes need it.
+ *
+ * @param scene its name
+ * @param width of the frame in pixels
+ * @param height of the frame in pixels
+ * @param seeds of each setting
+ * @param referenceSamples per pixel
+ * @param referenceRmse relative, of the reference itself
+ * @param rows by setting, that which was taken for the truth first, and by number of samples
+ */
+public record SceneTrade(
+    String scene,
+    int width,
+    int height,
+    int seeds,
+    int referenceSamples,
+    double referenceRmse,
+    List<Row> rows) {
+  public SceneTrade {
+    rows = List.copyOf(rows);
+    if (rows.isEmpty()) {
+      throw new IllegalArgumentException("rows: expected some, found none");
+    }
+  }
+
+  /**
+   * A setting at a number of samples.
+   *
+   * @param isUnbiased whether the setting keeps the truth
+   * @param cost of each seed
+   * @param work of one sample
+   * @param bias of all seeds together
+   */
+  public record Row(
+      String knob,
+      String value,
+      boolean isUnbiased,
+      TimeToError.Cost cost,
+      TradeWork work,
+      TradeRow.Bias bias) {
+    String label() {
+      return knob + " " + value;
+    }
+
+    double rays() {
+      return work.rays() + work.shadowRays();
+    }
+
+    private List<Double> costsInRays() {
+      return cost.relativeMse().stream().map(e -> e * rays()).toList();
+    }
+  }
+
+  /** Returns the rows of a setting; empty if it was not measured. */
+  List<Row> of(String label) {
+    return rows.stream().filter(row -> row.label().equals(label)).toList();
+  }
+
+  /** Returns the rows of the setting that was taken for the truth. */
+  List<Row> usual() {
+    return of(rows.get(0).label());
+  }
+
+  /** Returns the row with the most samples of rows of one setting. */
+  static Row most(List<Row> own) {
+    return own.get(own.size() - 1);
+  }
+
+  /** Returns what the truth takes to an error. */
+  TimeToError toError(double relativeMse) {
+    return TimeToError.of(usual().stream().map(Row::cost).toList(), relativeMse);
+  }
+
+  /** Returns how many times as far as the usual setting another gets with as many rays. */
+  Interval gainByRays(List<Row> other) {
+    return Interval.ofRatios(most(usual()).costsInRays(), most(other).costsInRays());
+  }
+
+  long pixels() {
+    return (long) width * height;
+  }
+}

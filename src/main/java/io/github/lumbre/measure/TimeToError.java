@@ -1,0 +1,74 @@
+package io.github.lumbre.measure;
+
+import io.github.lumbre.math.Elementary;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * What a setting takes to reach an error: for each seed, the place where the line through its
+ * measured errors, on logarithmic axes, meets it.
+ *
+ * @param samples per pixel, geometric mean over the seeds
+ * @param cpuSeconds geometric mean over the seeds
+ * @param isExtrapolated whether no number of samples that was measured reaches the error in the
+ *     mean; beyond the last the squared error is taken to be inverse to the samples
+ */
+public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtrapolated) {
+  /**
+   * What one number of samples costs and brings: a value for each seed, in the same order in both.
+   *
+   * @param samples per pixel
+   * @param relativeMse of the pictures
+   * @param cpuSeconds for all samples up to these
+   */
+  public record Cost(int samples, List<Double> relativeMse, List<Double> cpuSeconds) {}
+
+  /**
+   * Returns what reaching an error takes.
+   *
+   * @param rows of one unbiased setting, by number of samples
+   * @param relativeMse the error, positive
+   */
+  public static TimeToError of(List<Cost> rows, double relativeMse) {
+    int seeds = rows.get(0).relativeMse.size();
+    List<Double> samples = new ArrayList<>();
+    List<Double> seconds = new ArrayList<>();
+    for (int i = 0; i < seeds; i++) {
+      int seed = i;
+      samples.add(reach(rows, seed, relativeMse, Cost::samples));
+      seconds.add(reach(rows, seed, relativeMse, row -> Math.max(1e-9, row.cpuSeconds.get(seed))));
+    }
+    Cost last = rows.get(rows.size() - 1);
+    return new TimeToError(
+        Interval.ofGeometricMean(samples),
+        Interval.ofGeometricMean(seconds),
+        Interval.ofMean(last.relativeMse).value() > relativeMse);
+  }
+
+  /** Returns the cost, positive at all rows, at which one seed's error falls to the wanted one. */
+  private static double reach(
+      List<Cost> rows, int seed, double wanted, ToDoubleFunction<Cost> cost) {
+    double logWanted = Elementary.log(wanted);
+    Cost last = rows.get(rows.size() - 1);
+    for (int i = 0; i < rows.size(); i++) {
+      double error = error(rows.get(i), seed);
+      if (error > logWanted) {
+        continue;
+      }
+      if (i == 0) {
+        return cost.applyAsDouble(rows.get(0)) * Elementary.exp(error - logWanted);
+      }
+      double before = error(rows.get(i - 1), seed);
+      double share = (before - logWanted) / (before - error);
+      double from = Elementary.log(cost.applyAsDouble(rows.get(i - 1)));
+      double to = Elementary.log(cost.applyAsDouble(rows.get(i)));
+      return Elementary.exp(from + share * (to - from));
+    }
+    return cost.applyAsDouble(last) * Elementary.exp(error(last, seed) - logWanted);
+  }
+
+  private static double error(Cost row, int seed) {
+    return Elementary.log(row.relativeMse.get(seed));
+  }
+}

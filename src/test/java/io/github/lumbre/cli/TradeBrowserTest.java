@@ -1,0 +1,142 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * The page of {@code lumbre trade} as a browser shows it: complete, silent, and readable on wide
+ * and narrow, light and dark screens. Screenshots are left in {@code target/browser}.
+ */
+@Tag("browser")
+class TradeBrowserTest {
+  private static final Path FOLDER = Path.of("target", "browser");
+  private static final Path PAGE = FOLDER.resolve("trade.html");
+
+  /** Names those of some elements that something is wrong with, a line each. */
+  private static final String NAMES =
+      """
+      const name = e => e.tagName + ' ' + (e.textContent || e.alt || '').trim().slice(0, 60);
+      const named = (all, isWrong) => [...all].filter(isWrong).map(name).join('\\n');
+      const box = e => e.getBoundingClientRect();
+      """;
+
+  private static final String BROKEN_PICTURES =
+      "named(document.images, i => !i.complete || i.naturalWidth < 8 || box(i).width < 8)";
+
+  /** What scrolls by itself may be wider than the screen; the page may not. */
+  private static final String OUTSIDE =
+      """
+      named(document.querySelectorAll('svg,img,h1,h2,h3,p,figcaption,.scroll'),
+        e => box(e).left < 0 || box(e).right > innerWidth || box(e).width < 8)
+        + (document.documentElement.scrollWidth > innerWidth ? 'the page' : '')
+      """;
+
+  private static final String CUT =
+      """
+      named(document.querySelectorAll('svg text'), t => {
+        const inner = box(t), outer = box(t.ownerSVGElement);
+        return inner.left < outer.left || inner.right > outer.right
+          || inner.top < outer.top || inner.bottom > outer.bottom;
+      })
+      """;
+
+  /** Marks of axes, names of axes and the legend; labels of points may be close to each other. */
+  private static final String OVERLAPPING =
+      """
+      [...document.querySelectorAll('svg')].map(svg => {
+        const texts = [...svg.querySelectorAll('text:not(.point)')];
+        return named(texts, a => texts.some(b => a !== b
+          && box(a).left < box(b).right && box(b).left < box(a).right
+          && box(a).top < box(b).bottom - 1 && box(b).top < box(a).bottom - 1));
+      }).filter(text => text).join('\\n')
+      """;
+
+  /** Contrast by WCAG 2.1: 4.5 is what it asks of texts. What is grey on purpose is left out. */
+  private static final String FAINT =
+      """
+      (() => {
+        const paper = getComputedStyle(document.body).backgroundColor;
+        const luminance = colour => colour.match(/[\\d.]+/g).slice(0, 3)
+          .map(v => v / 255).map(v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4)
+          .reduce((sum, v, i) => sum + v * [.2126, .7152, .0722][i], 0);
+        const contrast = (a, b) => (Math.max(a, b) + .05) / (Math.min(a, b) + .05);
+        const colour = e => e.ownerSVGElement ? getComputedStyle(e).fill : getComputedStyle(e).color;
+        return named(document.querySelectorAll('h1,h2,h3,p,th,tr:not(.dominated) td,svg text'),
+          e => contrast(luminance(colour(e)), luminance(paper)) < 4.5);
+      })()
+      """;
+
+  private static final String EMPTY_TABLES =
+      """
+      named(document.querySelectorAll('table'), t => t.querySelectorAll('tbody tr').length < 3
+        || [...t.querySelectorAll('tbody td:first-child')].some(cell => !cell.textContent.trim()))
+      """;
+
+  private static Browser browser;
+
+  @BeforeAll
+  static void makePage() throws Exception {
+    Files.createDirectories(FOLDER);
+    browser = Browser.start();
+    String[] study = {
+      "trade",
+      "scenes/glass-and-mirror.json",
+      "--size",
+      "72x48",
+      "-s",
+      "16",
+      "--seeds",
+      "3",
+      "-o",
+      PAGE.toString()
+    };
+    assertThat(Outcome.of(study).exitCode()).isZero();
+  }
+
+  @AfterAll
+  static void closeBrowser() throws Exception {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @CsvSource({"wide, 1440, 900, false", "narrow, 360, 740, false", "dark, 1024, 768, true"})
+  void pageIsCompleteAndReadable(String name, int width, int height, boolean isDark)
+      throws Exception {
+    URI address = PAGE.toUri();
+    browser.open(address, width, height, isDark);
+    browser.photograph(FOLDER.resolve("trade-" + name + ".png"));
+
+    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.requests())
+        .allMatch(url -> URI.create(url).getPath().equals(address.getPath()));
+    // Nineteen settings with a picture and a map each, some more for the usual one's samples.
+    assertThat(count("img")).isGreaterThan(40);
+    assertThat(count("svg")).isGreaterThanOrEqualTo(9);
+    assertThat(wrong(BROKEN_PICTURES)).isEmpty();
+    assertThat(wrong(OUTSIDE)).as("beyond the screen's sides").isEmpty();
+    assertThat(wrong(CUT)).as("texts that leave their chart").isEmpty();
+    assertThat(wrong(OVERLAPPING)).as("texts that overlap").isEmpty();
+    assertThat(wrong(FAINT)).as("texts of low contrast").isEmpty();
+    assertThat(wrong(EMPTY_TABLES)).isEmpty();
+    assertThat(browser.evaluate("document.body.innerText")).doesNotContain("NaN", "Infinity");
+  }
+
+  private static int count(String elements) {
+    return Integer.parseInt(
+        browser.evaluate("String(document.querySelectorAll('" + elements + "').length)"));
+  }
+
+  private static String wrong(String expression) {
+    return browser.evaluate("(() => {" + NAMES + "return " + expression.strip() + "})()");
+  }
+}

@@ -1,0 +1,62 @@
+package io.github.lumbre.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.measure.TimeToError.Cost;
+import java.io.StringReader;
+import java.util.ArrayList;
+import java.util.List;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.xml.sax.InputSource;
+
+class SceneTablesTest {
+  private static final TradeWork WORK = new TradeWork(4, 2, 30, 1.5);
+  private static final TradeRow.Bias NONE = new TradeRow.Bias(0, -1e-4, 1e-4);
+  private static final TradeRow.Bias SOME = new TradeRow.Bias(.04, .0361, .0441);
+
+  private static SceneTrade.Row row(
+      String knob, String value, boolean unbiased, int samples, double error, TradeRow.Bias bias) {
+    Cost cost =
+        new Cost(samples, List.of(error, error, error), List.of(.1 * samples, .1 * samples, 1.));
+    return new SceneTrade.Row(knob, value, unbiased, cost, WORK, bias);
+  }
+
+  private static SceneTrade scene(String name, boolean hasLights) {
+    List<SceneTrade.Row> rows = new ArrayList<>();
+    rows.add(row("depth", "1000", true, 4, .04, NONE));
+    rows.add(row("depth", "1000", true, 16, .01, NONE));
+    if (hasLights) {
+      rows.add(row("lights", "power", true, 16, .02, NONE));
+    }
+    rows.add(row("depth", "2", false, 16, .05, SOME));
+    rows.add(row("depth", "5", false, 16, .01, NONE));
+    return new SceneTrade(name, 100, 50, 3, 1024, .012, rows);
+  }
+
+  @Test
+  void tablesHaveALineForEachScene() {
+    String text = new SceneTables(List.of(scene("a", false), scene("b", true))).markdown();
+    assertThat(text)
+        // Reached with 16; a tenth of the error takes ten times as many.
+        .contains("| a | 100x50 | 3 | 1024: 1.2 % | 16: 10 % | -1.00 | 16 (16 to 16) | 96 | ")
+        .contains(" | 160 (160 to 160) * | 960 * | ")
+        .contains("| scene | depth 2 | depth 5 |", "| b | 20 % | < 1.0 % |")
+        .contains("| scene | lights power |", "| a |  |", "| b | 0.50 (0.50 to 0.50) |")
+        .contains("| a | 4.00 | 2.00 | 30.0 | 1.50 |")
+        .doesNotContain("NaN", "Infinity");
+  }
+
+  @Test
+  void chartsAreDrawingsOfTheirOwn() throws Exception {
+    SceneTables tables = new SceneTables(List.of(scene("a", false), scene("b", true)));
+    for (String chart : List.of(tables.noiseChart(), tables.depthChart())) {
+      assertThat(chart)
+          .contains(">a</text>", ">b</text>", "prefers-color-scheme")
+          .doesNotContain("NaN");
+      DocumentBuilderFactory.newInstance()
+          .newDocumentBuilder()
+          .parse(new InputSource(new StringReader(chart)));
+    }
+  }
+}
