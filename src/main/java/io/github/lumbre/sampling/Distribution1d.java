@@ -2,8 +2,17 @@ package io.github.lumbre.sampling;
 
 /** A choice among n items with given weights: piecewise constant over [0,1). Immutable. */
 public final class Distribution1d {
+  /** The fewest items that share a part of the guide, which so takes at most a byte for each. */
+  private static final int ITEMS_PER_PART = 4;
+
   /** cumulative[i] is the probability of items before i, cumulative[n] exactly 1. */
   private final double[] cumulative;
+
+  /**
+   * guide[k] is the item chosen by k over a power of two: the search for a number begins between
+   * those of two neighbours (Chen and Asau 1974).
+   */
+  private final int[] guide;
 
   private final double mean;
 
@@ -34,6 +43,11 @@ public final class Distribution1d {
     for (int i = 1; i <= n; i++) {
       cumulative[i] = cumulative[i] == total ? 1 : cumulative[i] / total;
     }
+    int parts = Integer.highestOneBit(Math.max(1, n / ITEMS_PER_PART));
+    guide = new int[parts + 1];
+    for (int k = 1; k < guide.length; k++) {
+      guide[k] = search((double) k / parts, guide[k - 1], n - 1);
+    }
   }
 
   public int size() {
@@ -50,10 +64,16 @@ public final class Distribution1d {
     return cumulative[item + 1] - cumulative[item];
   }
 
-  /** Returns the item that a uniform number chooses; never one of probability 0. */
+  /** Returns the item that a uniform number of [0,1) chooses; never one of probability 0. */
   public int choose(double u) {
-    int low = 0;
-    int high = size() - 1;
+    int part = (int) (u * (guide.length - 1));
+    return search(u, guide[part], guide[part + 1]);
+  }
+
+  /** Returns the first of some items before whose end a number lies, or the last of them. */
+  private int search(double u, int first, int last) {
+    int low = first;
+    int high = last;
     while (low < high) {
       int middle = (low + high) >>> 1;
       if (u < cumulative[middle + 1]) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Effort;
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +56,33 @@ class Distribution1dTest {
     assertThat(distribution.choose(0)).isEqualTo(2);
     assertThat(distribution.choose(LAST)).isEqualTo(8);
     assertThat(distribution.probability(3)).isZero();
+  }
+
+  /** Weights that are whole numbers and a power of two together have exact cumulative ones. */
+  @Test
+  void everyItemIsDrawnFromItsOwnIntervalToTheBit() {
+    int total = 1 << 12;
+    for (int items : new int[] {1, 2, 3, 7, 8, 9, 31, 33, 1000, 1024}) {
+      int[] weights = new int[items];
+      for (int i = 0; i < total; i++) {
+        int item = random.nextInt(items);
+        weights[random.nextInt(4) == 0 ? item / 8 : item]++;
+      }
+      Distribution1d distribution =
+          new Distribution1d(Arrays.stream(weights).asDoubleStream().toArray());
+      int begin = 0;
+      for (int item = 0; item < items; item++) {
+        int end = begin + weights[item];
+        if (begin < end) {
+          double first = (double) begin / total;
+          double last = Math.nextDown((double) end / total);
+          assertThat(distribution.choose(first)).isEqualTo(item);
+          assertThat(distribution.choose(random.nextDouble(first, last))).isEqualTo(item);
+          assertThat(distribution.choose(last)).isEqualTo(item);
+        }
+        begin = end;
+      }
+    }
   }
 
   @Test
