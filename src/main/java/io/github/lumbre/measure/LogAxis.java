@@ -21,7 +21,10 @@ record LogAxis(double low, double high, double from, double to) {
 
   private static final int[] COARSE = {1};
   private static final int[] FINE = {1, 2, 5};
-  private static final int[] FINEST = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  private static final int[] FINEST = {1, 2, 3, 4, 5, 7};
+
+  /** What lies closer together than so many times is shown close together. */
+  private static final double LEAST_SPAN = 3;
 
   /** Over more than so many times its low end an axis has coarse marks, and fine ones. */
   private static final double MUCH = 150;
@@ -38,7 +41,8 @@ record LogAxis(double low, double high, double from, double to) {
     if (range.getCount() == 0) {
       return new LogAxis(1, 10, from, to);
     }
-    double stretch = Elementary.pow(range.getMax() / range.getMin(), MARGIN) * 1.1;
+    double span = range.getMax() / range.getMin();
+    double stretch = Math.max(Elementary.pow(span, MARGIN) * 1.1, Math.sqrt(LEAST_SPAN / span));
     return new LogAxis(range.getMin() / stretch, range.getMax() * stretch, from, to);
   }
 

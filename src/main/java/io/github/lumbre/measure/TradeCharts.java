@@ -68,6 +68,7 @@ final class TradeCharts {
       case "depth" -> "Depth: how many vertices may scatter";
       case "mode" -> "Classic ray tracing";
       case "filter" -> "Filter of textures, other than the scene's";
+      case "clamp" -> "Samples darkened to a largest value";
       case "adaptive" -> "More samples for noisy pixels";
       default -> knob;
     };

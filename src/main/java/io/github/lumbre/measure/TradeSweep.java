@@ -16,7 +16,16 @@ import java.util.Set;
 public final class TradeSweep {
   /** All knobs, in the order in which they are told. */
   public static final List<String> KNOBS =
-      List.of("sampler", "lights", "strategy", "roulette", "depth", "mode", "filter", "adaptive");
+      List.of(
+          "sampler",
+          "lights",
+          "strategy",
+          "roulette",
+          "depth",
+          "mode",
+          "filter",
+          "clamp",
+          "adaptive");
 
   private static final String ADAPTIVE = "adaptive";
 
@@ -25,6 +34,7 @@ public final class TradeSweep {
 
   private static final int[] DEPTHS = {1, 2, 3, 5, 8, 16};
   private static final int[] ROULETTE = {0, 1, 8, 32};
+  private static final int[] CLAMPS = {1, 10, 100};
 
   /** Roulette ends paths long before. */
   private static final int DEEP = 1000;
@@ -43,7 +53,12 @@ public final class TradeSweep {
    */
   public TradeSweep(TradeScene scene, RenderSettings settings, Set<String> knobs) {
     this.scene = scene;
-    this.settings = settings.toBuilder().maxTraceDepth(DEEP).adaptive(false).build();
+    this.settings =
+        settings.toBuilder()
+            .maxTraceDepth(DEEP)
+            .adaptive(false)
+            .clamp(Double.POSITIVE_INFINITY)
+            .build();
     this.knobs = Set.copyOf(knobs);
     all.add(paths("depth", DEEP, Kind.NOISE, "--depth " + DEEP, USUAL));
     addWaysToTheSameLight();
@@ -53,8 +68,25 @@ public final class TradeSweep {
         all.add(paths("depth", depth, Kind.BIAS, flags, PathOptions.toDepth(depth)));
       }
     }
+    if (knobs.contains("clamp")) {
+      addClamps();
+    }
     if (knobs.contains(ADAPTIVE)) {
       addAdaptive();
+    }
+  }
+
+  private void addClamps() {
+    for (int clamp : CLAMPS) {
+      all.add(
+          TradeSetting.ofPaths(
+              "clamp",
+              String.valueOf(clamp),
+              Kind.BIAS,
+              "--clamp " + clamp + " --depth " + DEEP,
+              scene,
+              settings.toBuilder().clamp(clamp).build(),
+              USUAL));
     }
   }
 
