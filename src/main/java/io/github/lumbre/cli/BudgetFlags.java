@@ -102,8 +102,12 @@ final class BudgetFlags {
     return quality.map(q -> OptionalInt.of(q.depth())).orElseGet(OptionalInt::empty);
   }
 
-  /** Returns the budget of a command that began some time ago. */
-  RunBudget since(Instant start, RenderSettings settings) {
+  /**
+   * Returns the budget of a command that began some time ago.
+   *
+   * @param startup that passed before it could do anything
+   */
+  RunBudget since(Instant start, Duration startup, RenderSettings settings) {
     OptionalDouble target =
         targetError
             .or(() -> quality.map(Quality::targetError))
@@ -111,7 +115,7 @@ final class BudgetFlags {
             .orElseGet(OptionalDouble::empty);
     Budget budget = new Budget(settings.samples(), target, confidence.orElse(.95));
     Duration spent = Duration.between(start, Instant.now());
-    Optional<Duration> left = time.map(t -> RunBudget.rendering(t, settings).minus(spent));
+    Optional<Duration> left = time.map(t -> RunBudget.rendering(t, startup, settings).minus(spent));
     return new RunBudget(budget, Deadline.after(left));
   }
 }

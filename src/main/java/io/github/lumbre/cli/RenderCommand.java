@@ -159,6 +159,7 @@ final class RenderCommand implements Callable<Integer> {
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Deadline deadline = Deadline.after(timeout);
     Instant start = BudgetFlags.start();
+    Duration startup = Duration.between(start, Instant.now());
     Path target = target();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
@@ -174,7 +175,7 @@ final class RenderCommand implements Callable<Integer> {
       }
       MemoryEstimate.require(file.settings());
       RenderMonitor monitor = new RenderMonitor(interruption, this::display, deadline, messages);
-      RunBudget budget = budgets.since(start, file.settings());
+      RunBudget budget = budgets.since(start, startup, file.settings());
       return interruption.beginRender()
           ? ended(
               job(file, picture, keeper, monitor, budget, report).run(flags.firstSample()), report)

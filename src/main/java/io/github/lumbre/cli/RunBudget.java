@@ -19,6 +19,9 @@ final class RunBudget {
   /** What developing, judging and encoding a pixel takes at most, on a slow machine. */
   private static final Duration PER_MEGAPIXEL = Duration.ofMillis(1000);
 
+  /** The time of estimates at the end is at most the whole over this. */
+  private static final int WHOLE_OVER_ESTIMATES = 50;
+
   private final Budget budget;
   private final BudgetWatch watch;
   private final Deadline time;
@@ -40,11 +43,18 @@ final class RunBudget {
 
   /**
    * Returns the time for rendering when the whole command is to take a time: what is left after
-   * starting, developing and writing, but half of it at least.
+   * starting, developing, estimating what the depth cuts off, and writing, but half of it at least.
+   *
+   * @param startup what the virtual machine took to start: a busy machine takes longer for the end
+   *     too
    */
-  static Duration rendering(Duration whole, RenderSettings settings) {
+  static Duration rendering(Duration whole, Duration startup, RenderSettings settings) {
     long pixels = (long) settings.window().width() * settings.window().height();
-    Duration rest = AROUND.plus(PER_MEGAPIXEL.multipliedBy(pixels).dividedBy(1_000_000));
+    Duration slow = startup.dividedBy(2);
+    Duration end = AROUND.compareTo(slow) > 0 ? AROUND : slow;
+    Duration rest =
+        end.plus(PER_MEGAPIXEL.multipliedBy(pixels).dividedBy(1_000_000))
+            .plus(whole.dividedBy(WHOLE_OVER_ESTIMATES));
     Duration left = whole.minus(rest);
     Duration half = whole.dividedBy(2);
     return left.compareTo(half) > 0 ? left : half;
