@@ -177,6 +177,17 @@ class InterreflectionTest {
     }
   }
 
+  /** But for grazing light, 20 in a million parts enter at most; those hardly come out again. */
+  @Test
+  void densestGlassUnderAWhiteDomeIsAWhiteMirror() {
+    Scene scene = empty().add(sphere(0, 0, 0, 1), glass(1e6)).addBackground(Rgb.WHITE).build();
+    for (double x : new double[] {0, .5, .98}) {
+      Ray ray = new Ray(new Vec3(x, 0, -4), Vec3.Z);
+      assertThat(Estimate.of(new PathTracer(scene, 2000), ray, 16).mean())
+          .isCloseTo(1, within(1e-3));
+    }
+  }
+
   @Test
   void glassOfIndexOneIsInvisible() {
     SceneBuilder builder = empty().add(floor(), matte(.7)).addLamp(ceilingLamp(4, 4, 4), glow(1));

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 @Tag(Effort.EXHAUSTIVE)
 class WhiteFurnaceTest {
   private static final int SAMPLES = 1_000_000;
-  private static final int POINTS = 120;
+  private static final int POINTS = 200;
 
   /** What a sample weighs at most: that of Phong's lobe of exponent 0. */
   private static final double HEAVIEST = 2;

@@ -162,7 +162,8 @@ class ExtremePicturesTest {
       share.add(sum / (32 * 32));
     }
     double apparent = 1 / (1 - 1 / (distance * distance));
-    assertThat(share.mean()).isCloseTo(Math.PI / 9 * apparent, within(1e-3));
+    // So a share that is wrong by .003 is found.
+    assertThat(Math.sqrt(share.variance() / replicates)).isLessThan(4e-4);
     assertThat(Statistics.deviation(share.z(Math.PI / 9 * apparent)))
         .isLessThan(Statistics.CRITICAL_Z);
   }
@@ -202,14 +203,15 @@ class ExtremePicturesTest {
     Frame axes = new Frame(tilt.vector(Vec3.X), tilt.vector(Vec3.Y), tilt.vector(Vec3.Z));
     Vec3 eye = tilt.point(new Vec3(0, .5 * gap, 0));
     Transform above = tilt.times(at(0, gap, 0));
-    // Without an end the gap would be seen where it is narrower than rounding.
+    // Without an end the gap would be seen where it is narrower than rounding. It is black, since
+    // points of it that are less than an ulp from a corner may lie behind that.
     Transform end =
         tilt.times(at(0, 0, distance)).times(Transform.rotationDegrees(Vec3.X.times(90)));
     Scene scene =
         Scene.seenBy(new PinholeCamera(eye, axes, 1, Math.min(fov * 10, 90)))
             .add(new Plane(tilt, true), matte(Rgb.WHITE))
             .add(new Plane(above, true), matte(Rgb.WHITE))
-            .add(new Plane(end, true), matte(Rgb.WHITE))
+            .add(new Plane(end, true), matte(Rgb.BLACK))
             .add(point(tilt.point(new Vec3(1, 2 + gap, distance))))
             .add(point(tilt.point(new Vec3(1, -2, .5 * distance))))
             .addLamp(new Sphere(tilt.times(at(0, 4 + gap, distance)), 1), glow(Rgb.WHITE))
