@@ -16,20 +16,16 @@ import java.util.function.Consumer;
  */
 public final class Checkpoints {
   private final long intervalNanos;
-  private final Consumer<Film> saver;
   private final boolean copies;
   private volatile long next;
   private volatile Optional<BackgroundSave> running = Optional.empty();
   private Optional<Film> copy = Optional.empty();
 
   /**
-   * @param saver saves the film it is given, which nobody changes meanwhile; called in one thread
-   *     at a time
    * @param copies whether there is memory for a second film; if not, rendering waits for each save
    */
-  public Checkpoints(Duration interval, Consumer<Film> saver, boolean copies) {
+  public Checkpoints(Duration interval, boolean copies) {
     this.intervalNanos = interval.toNanos();
-    this.saver = saver;
     this.copies = copies;
     next = System.nanoTime() + intervalNanos;
   }
@@ -46,9 +42,11 @@ public final class Checkpoints {
   /**
    * Saves a film if the interval is over; called between passes.
    *
+   * @param saver saves the film it is given, which nobody changes meanwhile; called in one thread
+   *     at a time
    * @throws IllegalStateException if the save before ended by an exception
    */
-  public void saveIfDue(Film film) {
+  public void saveIfDue(Film film, Consumer<Film> saver) {
     if (!isDue()) {
       return;
     }
@@ -74,10 +72,11 @@ public final class Checkpoints {
   /**
    * Saves a film now, after the save that is running, if one is.
    *
+   * @param saver saves the film it is given
    * @throws IllegalStateException if the save before ended by an exception; this one is done all
    *     the same
    */
-  public void saveLast(Film film) {
+  public void saveLast(Film film, Consumer<Film> saver) {
     try {
       await();
     } finally {

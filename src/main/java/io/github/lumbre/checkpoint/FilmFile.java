@@ -2,6 +2,7 @@ package io.github.lumbre.checkpoint;
 
 import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -36,11 +37,16 @@ public record FilmFile(FilmHeader header, Film film) {
    * @param identity see {@link FilmHeader#identity(String, RenderSettings)}
    * @param film whose pixels have the samples that the film itself tells
    * @param notes see {@link FilmHeader#notes}
+   * @param statistics of all samples that it has
    */
-  public static FilmFile of(Map<String, String> identity, Film film, Map<String, String> notes) {
+  public static FilmFile of(
+      Map<String, String> identity,
+      Film film,
+      Map<String, String> notes,
+      RenderStatistics statistics) {
     List<FilmPart> parts = List.of(FilmPart.of(film));
     return new FilmFile(
-        new FilmHeader(identity, film.hasAlpha(), film.window(), parts, notes), film);
+        new FilmHeader(identity, film.hasAlpha(), film.window(), parts, statistics, notes), film);
   }
 
   /** Writes this from the start of a reserved file, which is not committed. */

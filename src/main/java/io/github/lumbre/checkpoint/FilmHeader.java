@@ -1,14 +1,18 @@
 package io.github.lumbre.checkpoint;
 
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * What a film is of.
@@ -18,6 +22,8 @@ import java.util.Map;
  * @param hasAlpha whether the film counts the samples that cover each pixel
  * @param window the part of the full frame
  * @param parts which samples the film has, without overlaps; usually one
+ * @param faults of its samples that count as black or are cut, and where the first are; nothing
+ *     else
  * @param notes what else there is to know, texts by name, such as the scene's path
  */
 public record FilmHeader(
@@ -25,6 +31,7 @@ public record FilmHeader(
     boolean hasAlpha,
     Crop window,
     List<FilmPart> parts,
+    RenderStatistics faults,
     Map<String, String> notes) {
   /** Name in the identity: SHA-256 of the scene and of every file that it uses. */
   public static final String SCENE_HASH = "scene-hash";
@@ -39,10 +46,16 @@ public record FilmHeader(
   public static final String TRANSPARENT = "transparent";
   public static final String SAMPLER = "sampler";
 
+  /** Name in the identity: {@link FilmRenderer#REVISION}. */
+  public static final String REVISION = "revision";
+
+  private static final String NOTHING = "nothing";
+
   public FilmHeader {
     identity = Collections.unmodifiableMap(new LinkedHashMap<>(identity));
     notes = Collections.unmodifiableMap(new LinkedHashMap<>(notes));
     parts = List.copyOf(parts);
+    faults = faults.faults();
   }
 
   /** Returns what the samples of a scene, rendered by such settings, depend on. */
@@ -55,6 +68,7 @@ public record FilmHeader(
     identity.put(SIZE, settings.width() + "x" + settings.height());
     identity.put(TRANSPARENT, String.valueOf(settings.transparent()));
     identity.put(SAMPLER, SobolSampler.ID);
+    identity.put(REVISION, String.valueOf(FilmRenderer.REVISION));
     return identity;
   }
 
@@ -66,8 +80,8 @@ public record FilmHeader(
   }
 
   /** Returns the header of a film of other parts. */
-  FilmHeader withParts(Crop newWindow, List<FilmPart> newParts) {
-    return new FilmHeader(identity, hasAlpha, newWindow, newParts, notes);
+  FilmHeader withParts(Crop newWindow, List<FilmPart> newParts, RenderStatistics newFaults) {
+    return new FilmHeader(identity, hasAlpha, newWindow, newParts, newFaults, notes);
   }
 
   /**
@@ -79,14 +93,16 @@ public record FilmHeader(
    */
   public void requireSame(Map<String, String> other, String here, String there)
       throws FilmMismatchException {
+    Set<String> names = new LinkedHashSet<>(identity.keySet());
+    names.addAll(other.keySet());
     List<String> differences = new ArrayList<>();
-    identity.forEach(
-        (name, value) -> {
-          String found = other.getOrDefault(name, "nothing");
-          if (!found.equals(value)) {
-            differences.add(name + ": " + here + " has " + value + ", " + there + " has " + found);
-          }
-        });
+    for (String name : names) {
+      String value = identity.getOrDefault(name, NOTHING);
+      String found = other.getOrDefault(name, NOTHING);
+      if (!found.equals(value)) {
+        differences.add(name + ": " + here + " has " + value + ", " + there + " has " + found);
+      }
+    }
     if (!differences.isEmpty()) {
       throw new FilmMismatchException(String.join("; ", differences));
     }

@@ -1,6 +1,7 @@
 package io.github.lumbre.checkpoint;
 
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
 import java.util.List;
@@ -35,7 +36,11 @@ public final class FilmMerge {
     int firstSample = joined.stream().mapToInt(FilmPart::first).min().orElse(0);
     Film sum = new Film(window, header.hasAlpha(), firstSample);
     films.forEach(film -> sum.addAll(film.file().film()));
-    return new FilmFile(header.withParts(window, joined), sum);
+    RenderStatistics faults =
+        films.stream()
+            .map(film -> film.file().header().faults())
+            .reduce(RenderStatistics.ZERO, RenderStatistics::plus);
+    return new FilmFile(header.withParts(window, joined, faults), sum);
   }
 
   private static void requireDisjoint(List<Named> films) throws FilmMismatchException {

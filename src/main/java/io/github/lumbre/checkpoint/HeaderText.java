@@ -1,5 +1,7 @@
 package io.github.lumbre.checkpoint;
 
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -8,6 +10,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /** A film's header as lines of text; docs/film-format.md describes them. */
 final class HeaderText {
@@ -22,6 +25,11 @@ final class HeaderText {
   private static final Pattern WINDOW = Pattern.compile("(\\d+),(\\d+),(\\d+),(\\d+)");
   private static final Pattern PART =
       Pattern.compile("(\\d+,\\d+,\\d+,\\d+) first (\\d+) fewest (\\d+) most (\\d+)");
+
+  private static final String REJECTED = "rejected";
+  private static final String FIRST_REJECTED = "first-rejected";
+  private static final String SATURATED = "saturated";
+  private static final Pattern SAMPLE = Pattern.compile("(\\d+),(\\d+),(\\d+)");
 
   private HeaderText() {}
 
@@ -39,8 +47,23 @@ final class HeaderText {
               part.window(), part.first(), part.fewest(), part.most()));
     }
     line(text, "pixel", header.hasAlpha() ? WITH_ALPHA : WITHOUT_ALPHA);
+    faults(text, header.faults());
     header.notes().forEach((name, value) -> line(text, NOTE + name, value));
     return text.append('\n').toString();
+  }
+
+  private static void faults(StringBuilder text, RenderStatistics faults) {
+    if (faults.rejected() != 0) {
+      line(text, REJECTED, String.valueOf(faults.rejected()));
+      String first =
+          faults.firstRejected().stream()
+              .map(sample -> sample.x() + "," + sample.y() + "," + sample.sample())
+              .collect(Collectors.joining(" "));
+      line(text, FIRST_REJECTED, first);
+    }
+    if (faults.saturated() != 0) {
+      line(text, SATURATED, String.valueOf(faults.saturated()));
+    }
   }
 
   private static void line(StringBuilder text, String name, String value) {
@@ -87,7 +110,37 @@ final class HeaderText {
       throw new FilmFormatException("pixel: '" + pixel + "' is not known to this version");
     }
     Crop window = valid("window", String.valueOf(identity.remove("window")), HeaderText::window);
-    return new FilmHeader(identity, pixel.equals(WITH_ALPHA), window, parts, notes);
+    RenderStatistics faults = faults(identity);
+    return new FilmHeader(identity, pixel.equals(WITH_ALPHA), window, parts, faults, notes);
+  }
+
+  /** Takes what is said of faults from the values by name; what is not said has not been. */
+  private static RenderStatistics faults(Map<String, String> values) throws FilmFormatException {
+    long rejected = count(REJECTED, values.remove(REJECTED));
+    String first = values.remove(FIRST_REJECTED);
+    long saturated = count(SATURATED, values.remove(SATURATED));
+    List<RejectedSample> samples = new ArrayList<>();
+    for (String sample : first == null || first.isEmpty() ? new String[0] : first.split(" ")) {
+      samples.add(valid(FIRST_REJECTED, sample, HeaderText::sample));
+    }
+    return RenderStatistics.ofFaults(rejected, samples, saturated);
+  }
+
+  private static long count(String name, String text) throws FilmFormatException {
+    return text == null ? 0 : valid(name, text, HeaderText::count);
+  }
+
+  private static long count(String text) {
+    long count = Long.parseLong(text);
+    if (count < 0) {
+      throw new IllegalArgumentException(text);
+    }
+    return count;
+  }
+
+  private static RejectedSample sample(String text) {
+    Matcher found = matched(SAMPLE, text);
+    return new RejectedSample(number(found, 1), number(found, 2), number(found, 3));
   }
 
   private static <T> T valid(String name, String value, Function<String, T> reader)

@@ -6,7 +6,6 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -16,6 +15,9 @@ import picocli.CommandLine.Spec;
 final class BudgetFlags {
   /** The property that tells when the program was started, in milliseconds since 1970. */
   static final String START = "lumbre.start";
+
+  /** How sure an error is to be if nobody says. */
+  static final double CONFIDENCE = .95;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
@@ -42,29 +44,11 @@ final class BudgetFlags {
   private Optional<Double> targetError = Optional.empty();
 
   @Option(
-      names = "--quality",
-      paramLabel = "NAME",
-      converter = FlagConverters.OfQuality.class,
-      description = {
-        "draft: --target-error 20%% --depth 3; preview: 10%%, 5; final: 3%%, 16;",
-        "reference: 1%%, 1000. Flags of those names win."
-      })
-  private Optional<Quality> quality = Optional.empty();
-
-  @Option(
-      names = "--adaptive",
-      description = {
-        "Give more of the samples to pixels where they take off more noise;",
-        "--samples is the mean then. Not with --checkpoint."
-      })
-  private boolean adaptive;
-
-  @Option(
       names = "--confidence",
       paramLabel = "P",
       converter = FlagConverters.OfShare.class,
       description = "How sure that is to be (95%%).")
-  private Optional<Double> confidence = Optional.empty();
+  private Optional<Double> sureness = Optional.empty();
 
   /**
    * Complains about values out of range.
@@ -72,18 +56,13 @@ final class BudgetFlags {
    * @throws ParameterException naming the flag
    */
   void validate() {
-    confidence.ifPresent(
+    sureness.ifPresent(
         c -> {
           if (c < .5 || c >= 1) {
             throw new ParameterException(
                 spec.commandLine(), "--confidence: expected 50% to less than 100%");
           }
         });
-  }
-
-  /** Tells whether noisy pixels are to get more samples. */
-  boolean isAdaptive() {
-    return adaptive;
   }
 
   /** Returns when the time of this command began: when the program did, if it runs this alone. */
@@ -94,26 +73,24 @@ final class BudgetFlags {
 
   /** Tells whether a time or an error is to end the render. */
   boolean areGiven() {
-    return time.isPresent() || targetError.isPresent() || quality.isPresent();
-  }
-
-  /** Returns the depth of paths that goes with the quality asked for; empty if none was. */
-  OptionalInt depth() {
-    return quality.map(q -> OptionalInt.of(q.depth())).orElseGet(OptionalInt::empty);
+    return time.isPresent() || targetError.isPresent();
   }
 
   /**
    * Returns the budget of a command that began some time ago.
    *
    * @param startup that passed before it could do anything
+   * @param error to be reached if these flags name none
+   * @param confidence if these flags name none
    */
-  RunBudget since(Instant start, Duration startup, RenderSettings settings) {
-    OptionalDouble target =
-        targetError
-            .or(() -> quality.map(Quality::targetError))
-            .map(OptionalDouble::of)
-            .orElseGet(OptionalDouble::empty);
-    Budget budget = new Budget(settings.samples(), target, confidence.orElse(.95));
+  RunBudget since(
+      Instant start,
+      Duration startup,
+      RenderSettings settings,
+      OptionalDouble error,
+      double confidence) {
+    OptionalDouble target = targetError.isPresent() ? OptionalDouble.of(targetError.get()) : error;
+    Budget budget = new Budget(settings.samples(), target, sureness.orElse(confidence));
     Duration spent = Duration.between(start, Instant.now());
     Optional<Duration> left = time.map(t -> RunBudget.rendering(t, startup, settings).minus(spent));
     return new RunBudget(budget, Deadline.after(left));

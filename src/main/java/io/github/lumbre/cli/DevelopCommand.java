@@ -1,6 +1,5 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.image.ImageFormat;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
@@ -42,9 +41,6 @@ final class DevelopCommand implements Callable<Integer> {
 
   @Mixin private DevelopFlags flags;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
-  private boolean debug;
-
   @Spec private CommandSpec spec;
 
   @Override
@@ -55,10 +51,8 @@ final class DevelopCommand implements Callable<Integer> {
           spec.commandLine(),
           output + ": expected a name that ends in one of " + ImageFormat.endings());
     }
-    try (PictureOutput picture = PictureOutput.reserve(output)) {
-      FilmFile content = FilmInput.read(film, new Messages(spec.commandLine().getErr()));
-      flags.develop(film, content, picture);
-    }
+    Messages messages = new Messages(spec.commandLine().getErr());
+    flags.develop(film, () -> FilmInput.read(film, messages), output);
     return ExitCodes.OK;
   }
 }

@@ -37,6 +37,14 @@ final class DevelopFlags {
       description = "Bits per channel of a PNG (as rendered).")
   private Optional<Integer> bits;
 
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  /** Where a film comes from. */
+  interface Source {
+    FilmFile film() throws CommandException;
+  }
+
   /** Complains about values out of range before anything is read. */
   void validate() {
     if (bits.isPresent() && bits.get() != 8 && bits.get() != 16) {
@@ -45,8 +53,18 @@ final class DevelopFlags {
     }
   }
 
-  /** Develops a film and writes the picture. */
-  void develop(Path name, FilmFile film, PictureOutput picture) throws CommandException {
+  /**
+   * Develops a film and writes the picture, whose place is reserved before the film is read.
+   *
+   * @param name of the film, for messages
+   */
+  void develop(Path name, Source source, Path output) throws CommandException {
+    try (PictureOutput picture = PictureOutput.reserve(output)) {
+      develop(name, source.film(), picture);
+    }
+  }
+
+  private void develop(Path name, FilmFile film, PictureOutput picture) throws CommandException {
     FilmNotes notes = new FilmNotes(name, film.header());
     Exposure stops = exposure.isPresent() ? exposure.get() : notes.exposure();
     ToneCurve curve = toneCurve.isPresent() ? toneCurve.get() : notes.toneCurve();

@@ -5,6 +5,7 @@ import io.github.lumbre.checkpoint.Checkpoints;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -25,6 +26,7 @@ final class FilmKeeper implements AutoCloseable {
   private Optional<Checkpoints> checkpoints = Optional.empty();
   private Map<String, String> identity = Map.of();
   private Map<String, String> notes = Map.of();
+  private RenderStatistics statistics = RenderStatistics.ZERO;
   private Optional<Path> instead = Optional.empty();
   private Optional<String> failure = Optional.empty();
 
@@ -50,16 +52,18 @@ final class FilmKeeper implements AutoCloseable {
    * second film.
    *
    * @param newIdentity what films are of
+   * @param faults of the samples that the film has already
    */
   void begin(
-      Map<String, String> newIdentity, Map<String, String> newNotes, RenderSettings settings) {
+      Map<String, String> newIdentity,
+      Map<String, String> newNotes,
+      RenderStatistics faults,
+      RenderSettings settings) {
+    statistics = faults;
     identity = newIdentity;
     notes = newNotes;
     checkpoints =
-        file.map(
-            f ->
-                new Checkpoints(
-                    interval, film -> save(f, film), MemoryEstimate.leavesRoomForCopy(settings)));
+        file.map(f -> new Checkpoints(interval, MemoryEstimate.leavesRoomForCopy(settings)));
   }
 
   /** Returns a listener that pauses a pass whenever the film is to be saved. */
@@ -67,21 +71,27 @@ final class FilmKeeper implements AutoCloseable {
     return checkpoints.map(c -> c.pausing(progress)).orElse(progress);
   }
 
-  /** Saves a film if it is time to. */
-  void saveIfDue(Film film) {
-    checkpoints.ifPresent(c -> c.saveIfDue(film));
+  /**
+   * Saves a film if it is time to; called after each pass.
+   *
+   * @param newStatistics of all samples that the film has
+   */
+  void saveIfDue(Film film, RenderStatistics newStatistics) {
+    statistics = newStatistics;
+    checkpoints.ifPresent(c -> c.saveIfDue(film, content -> save(content, newStatistics)));
   }
 
   /** Saves a film now, at the end of the render. */
   void saveLast(Film film) {
     if (film.totalSamples() != 0) {
-      checkpoints.ifPresent(c -> c.saveLast(film));
+      checkpoints.ifPresent(c -> c.saveLast(film, content -> save(content, statistics)));
     }
   }
 
   /** A failure is told once, and remembered until a later attempt succeeds. */
-  private void save(CheckpointFile wanted, Film film) {
-    FilmFile content = FilmFile.of(identity, film, notes);
+  private void save(Film film, RenderStatistics itsStatistics) {
+    CheckpointFile wanted = file.orElseThrow();
+    FilmFile content = FilmFile.of(identity, film, notes, itsStatistics);
     try {
       wanted.save(content);
       failure = Optional.empty();

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import picocli.CommandLine.TypeConversionException;
@@ -26,6 +27,8 @@ final class FilmNotes {
   private static final String TONE_CURVE = "tonemap";
   private static final String BITS = "bits";
   private static final String LENIENT = "lenient";
+  private static final String TARGET_ERROR = "target-error";
+  private static final String CONFIDENCE = "confidence";
 
   private final Path film;
   private final FilmHeader header;
@@ -40,7 +43,7 @@ final class FilmNotes {
 
   /** Returns the notes for a render's film. */
   static Map<String, String> of(
-      Path scene, SceneFile file, Path output, int bits, boolean lenient) {
+      Path scene, SceneFile file, Path output, int bits, boolean lenient, RunBudget budget) {
     RenderSettings settings = file.settings();
     Map<String, String> notes = new LinkedHashMap<>();
     notes.put(SOFTWARE, "Lumbre " + Version.number());
@@ -51,6 +54,8 @@ final class FilmNotes {
     notes.put(TONE_CURVE, FlagConverters.lower(settings.toneCurve()));
     notes.put(BITS, String.valueOf(bits));
     notes.put(LENIENT, String.valueOf(lenient));
+    budget.targetError().ifPresent(error -> notes.put(TARGET_ERROR, String.valueOf(error)));
+    notes.put(CONFIDENCE, String.valueOf(budget.confidence()));
     return notes;
   }
 
@@ -70,6 +75,28 @@ final class FilmNotes {
   int samples() throws CommandException {
     int most = header.parts().stream().mapToInt(FilmPart::most).max().orElse(0);
     return Math.max(most, note(SAMPLES, Integer::valueOf));
+  }
+
+  /** Returns the error that the film was to reach; empty if there was none. */
+  OptionalDouble targetError() throws CommandException {
+    return header.notes().containsKey(TARGET_ERROR)
+        ? OptionalDouble.of(note(TARGET_ERROR, text -> share(text, Double.MIN_VALUE)))
+        : OptionalDouble.empty();
+  }
+
+  /** Returns how sure that was to be. */
+  double confidence() throws CommandException {
+    return header.notes().containsKey(CONFIDENCE)
+        ? note(CONFIDENCE, text -> share(text, .5))
+        : BudgetFlags.CONFIDENCE;
+  }
+
+  private static double share(String text, double least) {
+    double share = Double.parseDouble(text);
+    if (!(share >= least && share < 1)) {
+      throw new IllegalArgumentException("expected a share of 1, found " + text);
+    }
+    return share;
   }
 
   Exposure exposure() throws CommandException {

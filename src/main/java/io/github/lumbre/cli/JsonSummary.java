@@ -36,10 +36,19 @@ final class JsonSummary {
    * @param scene that it was given
    */
   JsonSummary(String command, Path scene) {
+    this(command, "scene", scene);
+  }
+
+  /**
+   * @param command that was run
+   * @param key what it was given
+   * @param path of that
+   */
+  JsonSummary(String command, String key, Path path) {
     values.put("format", FORMAT);
     values.put("version", Version.number());
     values.put("command", command);
-    values.put("scene", scene.toString());
+    values.put(key, path.toString());
   }
 
   /**

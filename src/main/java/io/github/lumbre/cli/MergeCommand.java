@@ -62,9 +62,6 @@ final class MergeCommand implements Callable<Integer> {
 
   @Mixin private DevelopFlags flags;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
-  private boolean debug;
-
   @Spec private CommandSpec spec;
 
   @Override
@@ -77,9 +74,7 @@ final class MergeCommand implements Callable<Integer> {
       }
     }
     if (ImageFormat.of(output).isPresent()) {
-      try (PictureOutput picture = PictureOutput.reserve(output)) {
-        flags.develop(output, merged(), picture);
-      }
+      flags.develop(output, this::merged, output);
     } else {
       writeFilm();
     }

@@ -1,11 +1,12 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmHeader;
-import io.github.lumbre.cli.FlagConverters.ProgressStyle;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.RenderStatistics;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -76,6 +77,8 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private BudgetFlags budgets;
 
+  @Mixin private QualityFlags quality;
+
   @Mixin private KernelFlag kernel;
 
   @Option(
@@ -85,35 +88,12 @@ final class RenderCommand implements Callable<Integer> {
       description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
   private int bits;
 
-  @Option(
-      names = "--timeout",
-      paramLabel = "T",
-      converter = FlagConverters.OfDuration.class,
-      description = {
-        "Stop after such a time, reading the scene included: 90s, 5m, 2h.",
-        "The picture is what was rendered until then, marked as partial."
-      })
-  private Optional<Duration> timeout;
+  @Mixin private RunFlags run;
 
   @Option(
       names = "--dry-run",
       description = "Tell what the render would take of memory, and render nothing.")
   private boolean dryRun;
-
-  @Option(
-      names = "--progress",
-      paramLabel = "STYLE",
-      converter = FlagConverters.OfProgressStyle.class,
-      description = {
-        "How to tell the progress on standard error: bar, none, or json, which is an object on a",
-        "line of its own every second. Default: bar on a terminal, else none."
-      })
-  private Optional<ProgressStyle> progress;
-
-  @Option(
-      names = "--json",
-      description = "Print a summary as a JSON object, on one line of standard output.")
-  private boolean json;
 
   @Option(
       names = "--checkpoint",
@@ -126,22 +106,12 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private CheckpointFlags checkpoints;
 
-  @Option(names = "--quiet", description = "No progress bar, no summary.")
-  private boolean quiet;
-
-  @Option(names = "--stats", description = "Tell rays, rates, threads and memory at the end.")
-  private boolean stats;
-
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     JsonSummary report = new JsonSummary("render", options.scene());
-    return json ? report.around(() -> run(report), out()) : run(report);
-  }
-
-  private Messages out() {
-    return new Messages(spec.commandLine().getOut());
+    return run.summarized(report, () -> run(report));
   }
 
   private int run(JsonSummary report) throws SceneFormatException, CommandException {
@@ -150,37 +120,38 @@ final class RenderCommand implements Callable<Integer> {
     checkpoints.validate();
     kernel.apply();
     require(
-        !budgets.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
+        !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
         "--adaptive: not with --checkpoint, --samples-from or --samples-to, since a film does not"
             + " tell which samples were to come next");
     require(
         !flags.isClamping() || checkpoint.isEmpty(),
         "--clamp: not with --checkpoint, since a film does not tell what its samples lost");
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
-    Deadline deadline = Deadline.after(timeout);
+    Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
     Duration startup = Duration.between(start, Instant.now());
     Path target = target();
-    Messages messages = new Messages(spec.commandLine().getErr());
+    Messages messages = run.errors();
     try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
         FilmKeeper keeper = keeper(target, messages);
         Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
-      SceneFile file =
-          options.load(
-              flags.over(
-                  options.parser(), budgets.areGiven(), budgets.isAdaptive(), budgets.depth()),
-              messages);
+      SceneFile file = options.load(parser(), messages);
       if (dryRun) {
         return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
-      RenderMonitor monitor = new RenderMonitor(interruption, this::display, deadline, messages);
-      RunBudget budget = budgets.since(start, startup, file.settings());
-      return interruption.beginRender()
-          ? ended(
-              job(file, picture, keeper, monitor, budget, report).run(flags.firstSample()), report)
-          : ExitCodes.INTERRUPTED;
+      RenderMonitor monitor = run.monitor(interruption, deadline);
+      RunBudget budget =
+          budgets.since(
+              start, startup, file.settings(), quality.targetError(), BudgetFlags.CONFIDENCE);
+      RenderJob job = job(file, picture, keeper, monitor, budget, report);
+      return interruption.beginRender() ? job.run(flags.firstSample()) : ExitCodes.INTERRUPTED;
     }
+  }
+
+  private SceneParser parser() {
+    boolean isOpen = budgets.areGiven() || quality.targetError().isPresent();
+    return flags.over(options.parser(), isOpen, quality.isAdaptive(), quality.depth());
   }
 
   private FilmKeeper keeper(Path target, Messages messages) throws CommandException {
@@ -211,41 +182,22 @@ final class RenderCommand implements Callable<Integer> {
     Path scene = options.scene();
     keeper.begin(
         FilmHeader.identity(file.hash(), file.settings()),
-        FilmNotes.of(scene, file, picture.target(), bits, options.isLenient()),
+        FilmNotes.of(scene, file, picture.target(), bits, options.isLenient(), budget),
+        RenderStatistics.ZERO,
         file.settings());
-    RenderJob.How how = new RenderJob.How(bits, quiet, stats, options.isStrict());
-    Messages messages = new Messages(spec.commandLine().getErr());
-    return new RenderJob(scene, file, picture, keeper, monitor, messages, report, budget, how);
+    RenderJob.How how = run.how(bits, options.isStrict());
+    return new RenderJob(scene, file, picture, keeper, monitor, run.errors(), report, budget, how);
   }
 
   private int estimate(SceneFile file, JsonSummary report) throws CommandException {
     MemoryEstimate estimate = MemoryEstimate.measured(file.settings());
-    if (!json) {
-      estimate.print(out());
+    if (!run.isJson()) {
+      estimate.print(run.out());
     }
     report.putScene(file);
     report.putEstimate(estimate);
     estimate.require();
-    return ended(ExitCodes.OK, report);
-  }
-
-  private int ended(int exitCode, JsonSummary report) {
-    report.put("exit_code", exitCode);
-    if (json) {
-      report.print(out());
-    }
-    return exitCode;
-  }
-
-  private ProgressDisplay display(long totalSamples) {
-    ProgressStyle style =
-        progress.orElse(
-            !quiet && Boolean.getBoolean("lumbre.tty") ? ProgressStyle.BAR : ProgressStyle.NONE);
-    return switch (style) {
-      case BAR -> ProgressDisplay.bar(totalSamples);
-      case JSON -> new JsonProgress(totalSamples, new Messages(spec.commandLine().getErr()));
-      case NONE -> ProgressDisplay.NONE;
-    };
+    return ExitCodes.OK;
   }
 
   private Path target() {

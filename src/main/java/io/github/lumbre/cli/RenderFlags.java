@@ -9,6 +9,7 @@ import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.Optional;
 import java.util.OptionalInt;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -65,17 +66,7 @@ final class RenderFlags {
       })
   private Optional<Double> clamp = Optional.empty();
 
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      description = "Threads; 0 means one per processor. Changes no bit of the picture.")
-  private Optional<Integer> threads;
-
-  @Option(
-      names = "--bucket",
-      paramLabel = "N",
-      description = "Side of the squares that threads render (32). Changes no bit of the picture.")
-  private Optional<Integer> bucket;
+  @Mixin private WorkFlags work;
 
   @Option(
       names = "--seed",
@@ -136,8 +127,7 @@ final class RenderFlags {
       throw new ParameterException(
           spec.commandLine(), "--clamp: expected more than 0, found " + clamp.get());
     }
-    threads.ifPresent(n -> require("--threads", 0, RenderSettings.MAX_THREADS, n));
-    bucket.ifPresent(n -> require("--bucket", 1, Integer.MAX_VALUE, n));
+    work.validate(spec);
     maxPixels.ifPresent(n -> require("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
@@ -212,8 +202,7 @@ final class RenderFlags {
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
     clamp.ifPresent(builder::clamp);
-    threads.ifPresent(builder::threads);
-    bucket.ifPresent(builder::bucketSize);
+    work.override(builder);
     seed.ifPresent(builder::seed);
     size.ifPresent(s -> builder.size(s.width(), s.height()));
     exposure.ifPresent(builder::exposure);

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.measure.Forecast;
@@ -48,22 +49,25 @@ record RenderJob(
   /** Renders a new film. */
   int run(int firstSample) throws CommandException {
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
-    return run(renderer, renderer.newFilm(firstSample));
+    return run(renderer, renderer.newFilm(firstSample), RenderStatistics.ZERO);
   }
 
   /** Renders what a film lacks; returns the exit code. */
-  int run(Film film) throws CommandException {
-    return run(new FilmRenderer(file.settings(), file.scene()), film);
+  int run(FilmFile begun) throws CommandException {
+    budget.lookAgain(begun.film());
+    FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
+    return run(renderer, begun.film(), begun.header().faults());
   }
 
-  private int run(FilmRenderer renderer, Film film) throws CommandException {
+  private int run(FilmRenderer renderer, Film film, RenderStatistics faults)
+      throws CommandException {
     long start = System.nanoTime();
     long unreadableBefore = UnreadablePoints.total();
     Schedule schedule = renderer.schedule();
     RenderStatistics statistics;
     LightReport light;
     try (monitor) {
-      statistics = addSamples(renderer, schedule, film);
+      statistics = addSamples(renderer, schedule, film, faults);
       light = LightReport.of(file, film, statistics, how.quiet() || monitor.isCancelled());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -90,14 +94,21 @@ record RenderJob(
     return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
   }
 
-  private RenderStatistics addSamples(FilmRenderer renderer, Schedule schedule, Film film)
+  /**
+   * Renders until something ends it.
+   *
+   * @param faults of the samples that the film has
+   * @return what was done, the faults of all samples included
+   */
+  private RenderStatistics addSamples(
+      FilmRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
       throws InterruptedException {
     if (!budget.isOpen()) {
       long all = (long) film.window().width() * film.window().height() * file.settings().samples();
       monitor.started(Math.max(0, all - film.totalSamples()));
     }
     Progress progress = keeper.pausing(budget.within(monitor));
-    RenderStatistics statistics = RenderStatistics.ZERO;
+    RenderStatistics statistics = faults;
     long start = System.nanoTime();
     boolean isForecast = false;
     while (!monitor.isCancelled() && !budget.isUsedUp()) {
@@ -107,7 +118,7 @@ record RenderJob(
       }
       PassResult pass = renderer.addSamples(film, target.get(), progress);
       statistics = statistics.plus(pass.statistics());
-      keeper.saveIfDue(film);
+      keeper.saveIfDue(film, statistics);
       monitor.estimable(() -> budget.noise(film));
       if (pass.complete()) {
         budget.look(film);

@@ -1,29 +1,27 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -44,11 +42,13 @@ import picocli.CommandLine.Spec;
       "Examples:",
       "  lumbre render scene.json -s 4000 --checkpoint night.film",
       "  lumbre resume night.film",
-      "  lumbre resume night.film -s 8000"
+      "  lumbre resume night.film -s 8000",
+      "  lumbre resume night.film --target-error 1%% --time 8h"
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done, or stopped by --timeout with a partial picture",
+      "1:The target error is not reached",
       "2:The command line is wrong",
       "3:The film is damaged or of another scene, or the scene cannot be used",
       "4:A mesh or picture of the scene cannot be decoded",
@@ -58,13 +58,19 @@ import picocli.CommandLine.Spec;
       "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; film and picture are saved"
     })
 final class ResumeCommand implements Callable<Integer> {
+  /** Samples per pixel that do not limit a run. */
+  private static final int OPEN = RenderSettings.MAX_SAMPLES;
+
   @Parameters(paramLabel = "FILM", description = "What 'lumbre render --checkpoint' wrote.")
   private Path film;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = "Samples per pixel, those that the film has included (as before).")
+      description = {
+        "Samples per pixel, those that the film has included. Default: as before; if the film has",
+        "them, and --time or --target-error is given, no limit."
+      })
   private Optional<Integer> samples;
 
   @Option(
@@ -79,34 +85,15 @@ final class ResumeCommand implements Callable<Integer> {
       description = "Where the scene is now, if it was moved.")
   private Optional<Path> scene;
 
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      description = "Threads; 0 means one per processor.")
-  private Optional<Integer> threads;
+  @Mixin private WorkFlags work;
 
-  @Option(
-      names = "--bucket",
-      paramLabel = "N",
-      description = "Side of the squares that threads render (32).")
-  private Optional<Integer> bucket;
+  @Mixin private BudgetFlags budgets;
 
   @Mixin private KernelFlag kernel;
 
-  @Option(
-      names = "--timeout",
-      paramLabel = "T",
-      converter = FlagConverters.OfDuration.class,
-      description = "Stop after such a time: 90s, 5m, 2h.")
-  private Optional<Duration> timeout;
+  @Mixin private RunFlags run;
 
   @Mixin private CheckpointFlags checkpoints;
-
-  @Option(names = "--quiet", description = "No progress bar, no summary.")
-  private boolean quiet;
-
-  @Option(names = "--stats", description = "Tell rays, rates, threads and memory at the end.")
-  private boolean stats;
 
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
@@ -115,88 +102,78 @@ final class ResumeCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws CommandException, SceneFormatException {
-    samples.ifPresent(n -> require("--samples", 1, RenderSettings.MAX_SAMPLES, n));
-    threads.ifPresent(n -> require("--threads", 0, RenderSettings.MAX_THREADS, n));
-    bucket.ifPresent(n -> require("--bucket", 1, Integer.MAX_VALUE, n));
-    checkpoints.validate();
-    kernel.apply();
-    Deadline deadline = Deadline.after(timeout);
-    Messages messages = new Messages(spec.commandLine().getErr());
-    if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
-      throw new CommandException(ExitCodes.SCENE, film + ": does not exist");
-    }
-    try (FilmKeeper keeper = checkpoints.keeper(film, messages)) {
-      CheckpointFile.Loaded loaded = FilmInput.load(film, messages);
-      FilmNotes notes = new FilmNotes(film, loaded.file().header());
+    JsonSummary report = new JsonSummary("resume", "film", film);
+    return run.summarized(report, () -> run(report));
+  }
+
+  private int run(JsonSummary report) throws CommandException, SceneFormatException {
+    validate();
+    Deadline deadline = run.deadline();
+    Instant start = BudgetFlags.start();
+    Duration startup = Duration.between(start, Instant.now());
+    try (FilmKeeper keeper = checkpoints.keeper(film, run.errors())) {
+      CheckpointFile.Loaded loaded = FilmInput.load(film, run.errors());
+      FilmHeader header = loaded.file().header();
+      requireOnePart(header);
+      FilmNotes notes = new FilmNotes(film, header);
       Path target = output.isPresent() ? output.get() : notes.output();
       try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
           Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
-        RenderMonitor monitor =
-            new RenderMonitor(
-                interruption,
-                !quiet && Boolean.getBoolean("lumbre.tty")
-                    ? ProgressDisplay::bar
-                    : total -> ProgressDisplay.NONE,
-                deadline,
-                messages);
-        return resume(loaded, notes, picture, keeper, monitor, interruption, messages);
+        Path path = scene.isPresent() ? scene.get() : notes.scene();
+        report.put("scene", path.toString());
+        SceneFile file = parse(notes, header, path);
+        RunBudget budget = budget(notes, file.settings(), start, startup);
+        MemoryEstimate.require(file.settings());
+        if (!interruption.beginRender()) {
+          return ExitCodes.INTERRUPTED;
+        }
+        setDamagedAside(loaded);
+        keeper.begin(
+            header.identity(),
+            FilmNotes.of(path, file, target, notes.bits(), notes.lenient(), budget),
+            header.faults(),
+            file.settings());
+        return new RenderJob(
+                path,
+                file,
+                picture,
+                keeper,
+                run.monitor(interruption, deadline),
+                run.errors(),
+                report,
+                budget,
+                run.how(notes.bits(), false))
+            .run(loaded.file());
       }
     }
   }
 
-  private void require(String flag, int low, int high, int found) {
-    if (found < low || found > high) {
-      throw new ParameterException(
-          spec.commandLine(), flag + ": expected " + low + " to " + high + ", found " + found);
+  private void validate() throws CommandException {
+    samples.ifPresent(
+        n -> new FlagChecks(spec).requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    work.validate(spec);
+    budgets.validate();
+    checkpoints.validate();
+    kernel.apply();
+    if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
+      throw new CommandException(ExitCodes.SCENE, film + ": does not exist");
     }
   }
 
-  private int resume(
-      CheckpointFile.Loaded loaded,
-      FilmNotes notes,
-      PictureOutput picture,
-      FilmKeeper keeper,
-      RenderMonitor monitor,
-      Interruption interruption,
-      Messages messages)
-      throws CommandException, SceneFormatException {
-    FilmFile content = loaded.file();
-    requireOnePart(content.header());
-    Path path = scene.isPresent() ? scene.get() : notes.scene();
-    SceneFile file = parse(notes, path, messages);
-    Map<String, String> identity = FilmHeader.identity(file.hash(), file.settings());
-    try {
-      content.header().requireSame(identity, film.toString(), path.toString());
-    } catch (FilmMismatchException e) {
-      throw new CommandException(ExitCodes.SCENE, e.getMessage(), e);
-    }
-    int most = content.header().parts().get(0).most();
-    if (file.settings().samples() < most) {
+  /** Returns the budget asked for; the film's own error is reached if nothing is asked for. */
+  private RunBudget budget(
+      FilmNotes notes, RenderSettings settings, Instant start, Duration startup)
+      throws CommandException {
+    boolean asBefore = samples.isEmpty() && !budgets.areGiven();
+    OptionalDouble error = asBefore ? notes.targetError() : OptionalDouble.empty();
+    if (asBefore && error.isEmpty() && settings.samples() == RenderSettings.MAX_SAMPLES) {
       throw new CommandException(
-          ExitCodes.USAGE, "--samples: the film has " + most + " samples per pixel already");
+          ExitCodes.USAGE,
+          film
+              + ": was rendered without a number of samples; expected --samples, --time or"
+              + " --target-error");
     }
-    MemoryEstimate.require(file.settings());
-    if (!interruption.beginRender()) {
-      return ExitCodes.INTERRUPTED;
-    }
-    setDamagedAside(loaded, messages);
-    keeper.begin(
-        identity,
-        FilmNotes.of(path, file, picture.target(), notes.bits(), notes.lenient()),
-        file.settings());
-    RenderJob.How how = new RenderJob.How(notes.bits(), quiet, stats, false);
-    JsonSummary report = new JsonSummary("resume", path);
-    return new RenderJob(
-            path,
-            file,
-            picture,
-            keeper,
-            monitor,
-            messages,
-            report,
-            RunBudget.ofSamples(file.settings().samples()),
-            how)
-        .run(content.film());
+    return budgets.since(start, startup, settings, error, notes.confidence());
   }
 
   private void requireOnePart(FilmHeader header) throws CommandException {
@@ -208,29 +185,45 @@ final class ResumeCommand implements Callable<Integer> {
     }
   }
 
-  private SceneFile parse(FilmNotes notes, Path path, Messages messages)
+  /** Reads the film's scene, with the film's settings and what the flags change of them. */
+  private SceneFile parse(FilmNotes notes, FilmHeader header, Path path)
       throws CommandException, SceneFormatException {
-    SceneParser parser = notes.parser(this::override);
-    SceneFile file;
+    int most = header.parts().get(0).most();
+    int limit =
+        samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
+    if (limit < most) {
+      throw new CommandException(
+          ExitCodes.USAGE, "--samples: the film has " + most + " samples per pixel already");
+    }
     try {
-      file = parser.parse(path);
+      SceneFile file =
+          notes
+              .parser(
+                  settings -> {
+                    settings.samples(limit);
+                    work.override(settings);
+                  })
+              .parse(path);
+      requireSame(header, file, path);
+      run.errors().warnings(file.warnings());
+      return file;
     } catch (IOException e) {
       throw new CommandException(
           ExitCodes.SCENE, path + ": the film's scene cannot be read: " + e.getMessage(), e);
     }
-    messages.warnings(file.warnings());
-    return file;
   }
 
-  private void override(RenderSettings.Builder builder) {
-    samples.ifPresent(builder::samples);
-    threads.ifPresent(builder::threads);
-    bucket.ifPresent(builder::bucketSize);
+  private void requireSame(FilmHeader header, SceneFile file, Path path) throws CommandException {
+    try {
+      header.requireSame(
+          FilmHeader.identity(file.hash(), file.settings()), film.toString(), path.toString());
+    } catch (FilmMismatchException e) {
+      throw new CommandException(ExitCodes.SCENE, e.getMessage(), e);
+    }
   }
 
   /** Gives a damaged film another name, lest the next save puts it in place of the good one. */
-  private void setDamagedAside(CheckpointFile.Loaded loaded, Messages messages)
-      throws CommandException {
+  private void setDamagedAside(CheckpointFile.Loaded loaded) throws CommandException {
     if (loaded.problem().isEmpty() || !Files.exists(film)) {
       return;
     }
@@ -241,6 +234,6 @@ final class ResumeCommand implements Callable<Integer> {
       throw new CommandException(
           ExitCodes.OUTPUT, film + ": cannot be renamed to " + aside + ": " + e.getMessage(), e);
     }
-    messages.line("warning: " + film + ": is kept as " + aside);
+    run.errors().line("warning: " + film + ": is kept as " + aside);
   }
 }

@@ -36,11 +36,6 @@ final class RunBudget {
     watch = new BudgetWatch(budget);
   }
 
-  /** Returns the budget of samples alone. */
-  static RunBudget ofSamples(int samples) {
-    return new RunBudget(Budget.ofSamples(samples), Deadline.NEVER);
-  }
-
   /**
    * Returns the time for rendering when the whole command is to take a time: what is left after
    * starting, developing, estimating what the depth cuts off, and writing, but half of it at least.
@@ -60,6 +55,16 @@ final class RunBudget {
     return left.compareTo(half) > 0 ? left : half;
   }
 
+  /** Returns the error to be reached; empty if none is. */
+  OptionalDouble targetError() {
+    return budget.targetError();
+  }
+
+  /** Returns how sure that is to be. */
+  double confidence() {
+    return budget.confidence();
+  }
+
   /** Tells whether nothing but a time or an error limits the samples. */
   boolean isOpen() {
     return budget.samples() == RenderSettings.MAX_SAMPLES;
@@ -68,6 +73,11 @@ final class RunBudget {
   /** Returns how many samples the error will take; empty as long as that cannot be told. */
   Optional<Forecast> forecast() {
     return watch.forecast();
+  }
+
+  /** Looks at the error of a film that another run has begun. */
+  void lookAgain(Film film) {
+    reachedTarget |= watch.isReachedAgainBy(film);
   }
 
   /** Looks at the error of a film after a complete pass. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.measure;
 
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.Passes;
 import java.util.Optional;
 
 /**
@@ -19,6 +20,22 @@ public final class BudgetWatch {
 
   public BudgetWatch(Budget budget) {
     this.budget = budget;
+  }
+
+  /**
+   * Goes on where another render of the film ended: counts the looks that come before, and looks if
+   * the film has just had a pass.
+   *
+   * @return whether the film has reached the error
+   */
+  public boolean isReachedAgainBy(Film film) {
+    int fewest = film.fewestSamples();
+    for (int end = Passes.next(0, fewest); end < fewest; end = Passes.next(end, fewest)) {
+      int due = Looks.due(end);
+      looks += due == lastDue ? 0 : 1;
+      lastDue = due;
+    }
+    return fewest == film.mostSamples() && isReachedBy(film);
   }
 
   /**

@@ -28,6 +28,12 @@ import java.util.function.LongFunction;
  * threads nor the buckets change a bit of the sums.
  */
 public final class FilmRenderer {
+  /**
+   * Which samples a scene, its settings and a seed have: raised whenever any of them changes in any
+   * bit, by whatever change of the program. Films of other revisions are not gone on with.
+   */
+  public static final int REVISION = 1;
+
   private static final long SECONDS_PER_LOOK = 5;
 
   private final RenderSettings settings;

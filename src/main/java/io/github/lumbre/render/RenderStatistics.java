@@ -35,6 +35,17 @@ public record RenderStatistics(
     firstRejected = List.copyOf(firstRejected);
   }
 
+  /** Returns what was wrong with samples, and nothing of the work that they were. */
+  public static RenderStatistics ofFaults(
+      long rejected, List<RejectedSample> firstRejected, long saturated) {
+    return new RenderStatistics(0, 0, 0, rejected, firstRejected, saturated, 0, 0);
+  }
+
+  /** Returns what was wrong with samples, without the work that they were. */
+  public RenderStatistics faults() {
+    return ofFaults(rejected, firstRejected, saturated);
+  }
+
   /** Returns what two workers, or two passes, did together. */
   public RenderStatistics plus(RenderStatistics o) {
     return new RenderStatistics(

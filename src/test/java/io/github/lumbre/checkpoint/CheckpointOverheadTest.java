@@ -3,6 +3,7 @@ package io.github.lumbre.checkpoint;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.testing.Effort;
 import java.io.IOException;
@@ -60,11 +61,10 @@ class CheckpointOverheadTest {
   void checkpointsTakeAtMostAHundredthOfAMinute() throws IOException, InterruptedException {
     Film film = film();
     try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
-      Checkpoints checkpoints =
-          new Checkpoints(Duration.ZERO, content -> save(file, content), true);
+      Checkpoints checkpoints = new Checkpoints(Duration.ZERO, true);
       for (int i = 1; i <= SAVES; i++) {
         long start = System.nanoTime();
-        checkpoints.saveIfDue(film);
+        checkpoints.saveIfDue(film, content -> save(file, content));
         pauses.add(seconds(start));
         while (whole.size() < i) {
           Thread.sleep(10);
@@ -88,7 +88,7 @@ class CheckpointOverheadTest {
   private void save(CheckpointFile file, Film film) {
     long start = System.nanoTime();
     try {
-      file.save(FilmFile.of(FilmFixture.IDENTITY, film, FilmFixture.NOTES));
+      file.save(FilmFile.of(FilmFixture.IDENTITY, film, FilmFixture.NOTES, RenderStatistics.ZERO));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

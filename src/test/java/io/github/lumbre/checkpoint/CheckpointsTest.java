@@ -28,7 +28,7 @@ class CheckpointsTest {
   }
 
   private Checkpoints always(boolean copies) {
-    return new Checkpoints(Duration.ZERO, this::save, copies);
+    return new Checkpoints(Duration.ZERO, copies);
   }
 
   private void save(Film film) {
@@ -47,10 +47,10 @@ class CheckpointsTest {
   void filmGrowsWhileWhatItWasIsSaved() {
     Checkpoints checkpoints = always(true);
     Film film = film(1);
-    checkpoints.saveIfDue(film);
+    checkpoints.saveIfDue(film, this::save);
     film.set(film(2));
     disk.release(2);
-    checkpoints.saveLast(film);
+    checkpoints.saveLast(film, this::save);
     assertThat(saved).containsExactly(FilmFixture.pixels(film(1)), FilmFixture.pixels(film(2)));
     assertThat(savers.get(0)).isNotEqualTo(Thread.currentThread());
     assertThat(savers.get(1)).isEqualTo(Thread.currentThread());
@@ -60,16 +60,16 @@ class CheckpointsTest {
   void renderingIsNotPausedForASaveThatWouldHaveToWait() throws InterruptedException {
     Checkpoints checkpoints = always(true);
     assertThat(isPausing(checkpoints)).isTrue();
-    checkpoints.saveIfDue(film(1));
+    checkpoints.saveIfDue(film(1), this::save);
     assertThat(isPausing(checkpoints)).isFalse();
-    checkpoints.saveIfDue(film(2));
+    checkpoints.saveIfDue(film(2), this::save);
     disk.release();
     while (!isPausing(checkpoints)) {
       Thread.sleep(1);
     }
-    checkpoints.saveIfDue(film(3));
+    checkpoints.saveIfDue(film(3), this::save);
     disk.release(2);
-    checkpoints.saveLast(film(4));
+    checkpoints.saveLast(film(4), this::save);
     assertThat(saved)
         .containsExactly(
             FilmFixture.pixels(film(1)), FilmFixture.pixels(film(3)), FilmFixture.pixels(film(4)));
@@ -78,10 +78,10 @@ class CheckpointsTest {
   @Test
   void lastSaveComesAfterTheOneBeforeEvenIfInterrupted() {
     Checkpoints checkpoints = always(true);
-    checkpoints.saveIfDue(film(1));
+    checkpoints.saveIfDue(film(1), this::save);
     Thread.currentThread().interrupt();
     new Thread(() -> disk.release(2)).start();
-    checkpoints.saveLast(film(2));
+    checkpoints.saveLast(film(2), this::save);
     assertThat(Thread.interrupted()).isTrue();
     assertThat(saved).hasSize(2);
     assertThat(savers.get(0).isAlive()).isFalse();
@@ -89,8 +89,8 @@ class CheckpointsTest {
 
   @Test
   void intervalIsKept() {
-    Checkpoints checkpoints = new Checkpoints(Duration.ofHours(1), this::save, true);
-    checkpoints.saveIfDue(film(1));
+    Checkpoints checkpoints = new Checkpoints(Duration.ofHours(1), true);
+    checkpoints.saveIfDue(film(1), this::save);
     assertThat(isPausing(checkpoints)).isFalse();
     assertThat(savers).isEmpty();
   }
@@ -99,7 +99,7 @@ class CheckpointsTest {
   void withoutMemoryForACopyRenderingWaits() {
     Checkpoints checkpoints = always(false);
     disk.release();
-    checkpoints.saveIfDue(film(1));
+    checkpoints.saveIfDue(film(1), this::save);
     assertThat(savers).containsExactly(Thread.currentThread());
   }
 
@@ -107,21 +107,16 @@ class CheckpointsTest {
   @Test
   void faultsOfTheThreadThatSavesAreTold() {
     List<Integer> samples = new ArrayList<>();
-    Checkpoints checkpoints =
-        new Checkpoints(
-            Duration.ZERO,
-            film -> {
-              samples.add(film.mostSamples());
-              if (samples.size() == 1) {
-                throw new OutOfMemoryError("planted");
-              }
-            },
-            true);
-    checkpoints.saveIfDue(film(1));
-    assertThatThrownBy(() -> checkpoints.saveLast(film(2)))
+    Checkpoints checkpoints = always(true);
+    checkpoints.saveIfDue(
+        film(1),
+        film -> {
+          throw new OutOfMemoryError("planted");
+        });
+    assertThatThrownBy(() -> checkpoints.saveLast(film(2), film -> samples.add(film.mostSamples())))
         .isInstanceOf(IllegalStateException.class)
         .hasMessageContaining("planted")
         .hasRootCauseInstanceOf(OutOfMemoryError.class);
-    assertThat(samples).containsExactly(1, 2);
+    assertThat(samples).containsExactly(2);
   }
 }

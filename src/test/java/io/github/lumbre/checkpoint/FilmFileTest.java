@@ -4,12 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -40,6 +44,35 @@ class FilmFileTest {
     assertThat(read.header()).isEqualTo(film.header());
     assertThat(FilmFixture.pixels(read.film())).isEqualTo(FilmFixture.pixels(film.film()));
     assertThat(read.header().parts()).containsExactly(new FilmPart(FilmFixture.FRAME, 0, 0, 4));
+  }
+
+  @Test
+  void filmsThatSayNothingOfFaultsHaveNone() throws IOException {
+    write(new FilmFile(withoutFaults(film.header()), film.film()));
+    assertThat(Files.readString(path, StandardCharsets.ISO_8859_1))
+        .doesNotContain("rejected: ", "saturated: ");
+    assertThat(FilmFile.read(path).header().faults()).isEqualTo(RenderStatistics.ZERO);
+  }
+
+  private static FilmHeader withoutFaults(FilmHeader header) {
+    return header.withParts(header.window(), header.parts(), RenderStatistics.ZERO);
+  }
+
+  /** As those of versions that knew of no revision. */
+  @Test
+  void valuesThatOneOfTwoFilmsDoesNotHaveAreDifferences() {
+    Map<String, String> older = new LinkedHashMap<>(FilmFixture.IDENTITY);
+    older.remove(FilmHeader.REVISION);
+    FilmHeader header = film.header();
+    FilmHeader old =
+        new FilmHeader(
+            older, true, header.window(), header.parts(), header.faults(), header.notes());
+    assertThatThrownBy(() -> old.requireSame(FilmFixture.IDENTITY, "a", "b"))
+        .isInstanceOf(FilmMismatchException.class)
+        .hasMessage("revision: a has nothing, b has " + FilmRenderer.REVISION);
+    assertThatThrownBy(() -> header.requireSame(older, "a", "b"))
+        .isInstanceOf(FilmMismatchException.class)
+        .hasMessage("revision: a has " + FilmRenderer.REVISION + ", b has nothing");
   }
 
   @Test

@@ -2,6 +2,8 @@ package io.github.lumbre.checkpoint;
 
 import io.github.lumbre.image.Disk;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.IOException;
@@ -9,6 +11,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
@@ -31,14 +34,24 @@ final class FilmFixture {
 
   static FilmFile file(Crop window, int first, Counts counts) {
     Film film = new Film(window, true, first);
+    RenderStatistics faults = RenderStatistics.ZERO;
     for (int y = window.y(); y < window.y() + window.height(); y++) {
       for (int x = window.x(); x < window.x() + window.width(); x++) {
         for (int sample = first; sample < first + counts.of(x, y); sample++) {
           add(film, x, y, sample);
+          faults = faults.plus(faults(x, y, sample));
         }
       }
     }
-    return FilmFile.of(IDENTITY, film, NOTES);
+    return FilmFile.of(IDENTITY, film, NOTES, faults);
+  }
+
+  /** Returns what is wrong with a sample: some count as black, some are cut. */
+  private static RenderStatistics faults(int x, int y, int sample) {
+    int kind = (7 * x + 5 * y + 3 * sample) % 11;
+    return kind == 0
+        ? RenderStatistics.ofFaults(1, List.of(new RejectedSample(x, y, sample)), 0)
+        : RenderStatistics.ofFaults(0, List.of(), kind == 1 ? 2 : 0);
   }
 
   private static void add(Film film, int x, int y, int sample) {

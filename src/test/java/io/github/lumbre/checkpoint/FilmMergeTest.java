@@ -75,7 +75,12 @@ class FilmMergeTest {
         new RenderSettings.Builder().size(12, 7).seed(5).maxTraceDepth(9).build();
     FilmMerge.Named b =
         new FilmMerge.Named(
-            "b", FilmFile.of(FilmHeader.identity("cd34", other), file.film(), FilmFixture.NOTES));
+            "b",
+            FilmFile.of(
+                FilmHeader.identity("cd34", other),
+                file.film(),
+                FilmFixture.NOTES,
+                file.header().faults()));
     assertThatThrownBy(() -> FilmMerge.of(List.of(a, b)))
         .isInstanceOf(FilmMismatchException.class)
         .hasMessage(

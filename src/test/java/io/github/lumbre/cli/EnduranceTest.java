@@ -7,7 +7,9 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -60,10 +62,10 @@ class EnduranceTest {
     List<Memory> found = new ArrayList<>();
     long start = System.nanoTime();
     try (FilmKeeper keeper = keeper()) {
-      keeper.begin(Map.of(), Map.of(), scene.settings());
+      keeper.begin(Map.of(), Map.of(), RenderStatistics.ZERO, scene.settings());
       for (int pass = 1; pass <= LOOKS * PASSES_PER_LOOK; pass++) {
-        renderer.addSamples(film, pass, keeper.pausing(Progress.NONE));
-        keeper.saveIfDue(film);
+        PassResult result = renderer.addSamples(film, pass, keeper.pausing(Progress.NONE));
+        keeper.saveIfDue(film, result.statistics());
         if (pass % PASSES_PER_LOOK == 0) {
           found.add(new Memory(seconds(start), heap(), resident()));
         }

@@ -2,12 +2,21 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -46,6 +55,88 @@ class FilmCommandsTest {
     assertDone(Outcome.of("resume", path("a.film"), "-s", "13", "--threads", "3", "--bucket", "5"));
     assertDone(Outcome.of("resume", path("a.film"), "-s", "20"));
     assertSamePicture("a.pfm");
+  }
+
+  @Test
+  void resumedRenderReachesAnErrorWithTheSamplesOfOneThatWasNotStopped() throws IOException {
+    assertThat(
+            render("a.pfm", "--target-error", "1%", "-s", "40", "--checkpoint", path("a.film"))
+                .exitCode())
+        .isEqualTo(ExitCodes.TARGET);
+    // As before, it has all samples that it was to have.
+    assertThat(Outcome.of("resume", path("a.film")).exitCode()).isEqualTo(ExitCodes.TARGET);
+    assertDone(Outcome.of("resume", path("a.film"), "--target-error", "1%", "--time", "1h"));
+    assertDone(render("whole.pfm", "--target-error", "1%"));
+    assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
+    // And now it has the error that it was to have.
+    assertDone(Outcome.of("resume", path("a.film")));
+    assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
+  }
+
+  @Test
+  void resumedRenderNeedsAnEnd() throws IOException {
+    assertDone(render("a.pfm", "--time", "1s", "--checkpoint", path("a.film")));
+    byte[] film = bytes("a.film");
+    Outcome.of("resume", path("a.film"))
+        .assertFailed(ExitCodes.USAGE, "expected --samples, --time or --target-error");
+    assertThat(bytes("a.film")).isEqualTo(film);
+    assertDone(Outcome.of("resume", path("a.film"), "--time", "1s"));
+    assertThat(bytes("a.film")).isNotEqualTo(film);
+    Outcome.of("resume", path("a.film"), "--confidence", "2%")
+        .assertFailed(ExitCodes.USAGE, "--confidence");
+  }
+
+  @Test
+  void resumedRenderTellsProgressAndSummaryToPrograms() {
+    assertDone(render("a.pfm", "-s", "3", "--checkpoint", path("a.film")));
+    Outcome outcome =
+        Outcome.of("resume", path("a.film"), "-s", "7", "--json", "--progress", "json", "--quiet");
+    JsonObject summary = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    assertThat(summary.get("command").getAsString()).isEqualTo("resume");
+    assertThat(summary.get("film").getAsString()).isEqualTo(path("a.film"));
+    assertThat(summary.get("scene").getAsString()).endsWith("tiny.json");
+    assertThat(summary.get("samples").getAsInt()).isEqualTo(16 * 12 * 4);
+    assertThat(summary.get("exit_code").getAsInt()).isZero();
+    outcome.err().lines().forEach(line -> assertThat(line).startsWith("{\"done\":"));
+    Outcome failed = Outcome.of("resume", path("a.film"), "-s", "1", "--json");
+    assertThat(JsonParser.parseString(failed.out()).getAsJsonObject().get("exit_code").getAsInt())
+        .isEqualTo(ExitCodes.USAGE);
+  }
+
+  @Test
+  void samplesThatWereRejectedBeforeAreToldAfterwards() throws IOException {
+    assertDone(render("a.pfm", "-s", "3", "--checkpoint", path("a.film")));
+    RenderStatistics faults =
+        RenderStatistics.ofFaults(
+            2, List.of(new RejectedSample(3, 1, 0), new RejectedSample(2, 5, 1)), 4);
+    FilmFile film = FilmFile.read(directory.resolve("a.film"));
+    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
+      FilmHeader header = film.header();
+      file.save(FilmFile.of(header.identity(), film.film(), header.notes(), faults));
+    }
+    Outcome outcome = Outcome.of("resume", path("a.film"), "-s", "5", "--json");
+    JsonObject summary = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    assertThat(summary.get("rejected").getAsInt()).isEqualTo(2);
+    assertThat(summary.get("first_rejected").toString()).isEqualTo("[[3,1,0],[2,5,1]]");
+    assertThat(summary.get("saturated").getAsInt()).isEqualTo(4);
+    assertThat(outcome.err()).contains("warning: 2 samples were negative or not finite");
+    assertThat(FilmFile.read(directory.resolve("a.film")).header().faults()).isEqualTo(faults);
+  }
+
+  /** The film tells of no revision, as those of older versions. */
+  @Test
+  void filmsOfOtherVersionsAreDevelopedButNotGoneOnWith() throws IOException {
+    assertDone(render("a.pfm", "-s", "3", "--checkpoint", path("a.film")));
+    FilmFile film = FilmFile.read(directory.resolve("a.film"));
+    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
+    identity.remove(FilmHeader.REVISION);
+    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
+      file.save(FilmFile.of(identity, film.film(), film.header().notes(), film.header().faults()));
+    }
+    Outcome.of("resume", path("a.film"))
+        .assertFailed(ExitCodes.SCENE, "revision: ", "a.film has nothing", "tiny.json has ");
+    assertDone(Outcome.of("develop", path("a.film"), "-o", path("b.pfm")));
+    assertThat(bytes("b.pfm")).isEqualTo(bytes("a.pfm"));
   }
 
   @Test

@@ -145,6 +145,43 @@ class KillIT {
     assertSamePictureAsUninterrupted();
   }
 
+  /** Saving film and picture of this size takes longer than the moment between the signals. */
+  @Test
+  void secondInterruptionLeavesAtOnceAndTheLastFilmIsUsable()
+      throws IOException, InterruptedException {
+    Process process =
+        start(
+            "render",
+            "tiny.json",
+            "-s",
+            ENDLESS,
+            "--size",
+            "1920x1080",
+            "--bits",
+            "16",
+            "-o",
+            "a.png",
+            "--checkpoint",
+            "a.film",
+            "--checkpoint-interval",
+            "0.05s");
+    awaitFilm(process);
+    while (process.isAlive()) {
+      // Sent while the program does not listen yet, the second one is lost.
+      new ProcessBuilder("kill", "-INT", "" + process.pid()).start().waitFor();
+      process.waitFor(50, TimeUnit.MILLISECONDS);
+    }
+    Outcome outcome = Program.await(directory, process);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.INTERRUPTED);
+    assertThat(outcome.err()).doesNotContain("stopped early");
+    assertThat(directory.resolve("a.png")).doesNotExist();
+    assertThat(CheckpointFile.load(film()).file().film().totalSamples()).isPositive();
+    run("resume", "a.film", "-s", "2", "-o", "resumed.pfm");
+    run("render", "tiny.json", "-s", "2", "--size", "1920x1080", "-o", "whole.pfm");
+    assertThat(directory.resolve("resumed.pfm"))
+        .hasSameBinaryContentAs(directory.resolve("whole.pfm"));
+  }
+
   private static void send(String signal, Process process)
       throws IOException, InterruptedException {
     List<String> kill = new ArrayList<>(List.of("kill", "-" + signal, "" + process.pid()));

@@ -138,6 +138,29 @@ class BucketRendererTest {
     assertThat(result.image().pixel(29, 19)).isEqualTo(Rgb.BLACK);
   }
 
+  /** Samples are told of after 1024, and whether to stop is asked after each 16. */
+  @Test
+  void cancelledRenderStopsInTheMiddleOfABucket() throws InterruptedException {
+    AtomicLong told = new AtomicLong();
+    Progress afterSome =
+        new Progress() {
+          @Override
+          public void advanced(long samples) {
+            told.addAndGet(samples);
+          }
+
+          @Override
+          public boolean isCancelled() {
+            return told.get() > 0;
+          }
+        };
+    RenderSettings oneBucket = small().size(64, 64).bucketSize(64).threads(1).build();
+    RenderResult result = new BucketRenderer(oneBucket).render(SCENE, afterSome);
+
+    assertThat(result.complete()).isFalse();
+    assertThat(result.statistics().samples()).isBetween(1024L, 1024L + 16);
+  }
+
   @Test
   void workersExceptionEndsTheRenderWithItsCause() {
     IllegalStateException fault = new IllegalStateException("planted");
