@@ -83,13 +83,17 @@ final class FilmKeeper implements AutoCloseable {
 
   /** Saves a film now, at the end of the render. */
   void saveLast(Film film) {
-    if (film.totalSamples() != 0) {
-      checkpoints.ifPresent(c -> c.saveLast(film, content -> save(content, statistics)));
-    }
+    checkpoints.ifPresent(c -> c.saveLast(film, content -> save(content, statistics)));
   }
 
-  /** A failure is told once, and remembered until a later attempt succeeds. */
+  /**
+   * Saves a film that has samples. A failure is told once, and remembered until a later attempt
+   * succeeds.
+   */
   private void save(Film film, RenderStatistics itsStatistics) {
+    if (film.totalSamples() == 0) {
+      return;
+    }
     CheckpointFile wanted = file.orElseThrow();
     FilmFile content = FilmFile.of(identity, film, notes, itsStatistics);
     try {

@@ -136,11 +136,13 @@ public final class OutputFile implements Closeable {
   }
 
   private void appear() throws IOException {
-    // Rename while the lock is still held, lest another run starts over in our file.
+    // Rename while the lock is still held, lest another run starts over in our file. Hold it while
+    // the disk takes its time, too: whoever writes the next version locks that at once.
     disk.move(temporary, destination);
     done = true;
-    channel.close();
-    disk.forceDirectory(destination.getParent());
+    try (channel) {
+      disk.forceDirectory(destination.getParent());
+    }
   }
 
   /** Deletes the temporary file, unless the file is committed. Does nothing the second time. */
