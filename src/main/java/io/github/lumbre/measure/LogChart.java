@@ -17,7 +17,9 @@ final class LogChart {
   private static final int TOP = 34;
   private static final int BELOW = 42;
   private static final int LEGEND_LINE = 18;
-  private static final int LEGEND_COLUMNS = 3;
+
+  /** Three columns of a legend hold names of so many letters. */
+  private static final int SHORT_NAME = 17;
 
   /** How many colours the style sheet has. */
   private static final int COLOURS = 8;
@@ -39,6 +41,7 @@ final class LogChart {
   private final String across;
   private final String up;
   private final List<Series> series;
+  private final int legendColumns;
   private final int height;
   private final LogAxis x;
   private final LogAxis y;
@@ -71,7 +74,8 @@ final class LogChart {
     this.up = up;
     this.series = List.copyOf(series);
     List<Point> all = series.stream().flatMap(s -> s.points.stream()).toList();
-    int legend = (series.size() + LEGEND_COLUMNS - 1) / LEGEND_COLUMNS * LEGEND_LINE;
+    legendColumns = series.stream().allMatch(s -> s.name.length() <= SHORT_NAME) ? 3 : 2;
+    int legend = (series.size() + legendColumns - 1) / legendColumns * LEGEND_LINE;
     height = TOP + PLOT_HEIGHT + BELOW + legend;
     x = LogAxis.over(all.stream().mapToDouble(Point::x), LEFT + 6.0, WIDTH - RIGHT - 6.0);
     y = LogAxis.over(all.stream().flatMapToDouble(LogChart::heights), bottom() - 6.0, TOP + 12.0);
@@ -140,8 +144,8 @@ final class LogChart {
   }
 
   private void legend(Series s, int number) {
-    double left = LEFT + number % LEGEND_COLUMNS * (WIDTH - LEFT - RIGHT) / (double) LEGEND_COLUMNS;
-    double at = bottom() + BELOW + LEGEND_LINE * (number / LEGEND_COLUMNS) + 8.0;
+    double left = LEFT + number % legendColumns * (WIDTH - LEFT - RIGHT) / (double) legendColumns;
+    double at = bottom() + BELOW + LEGEND_LINE * (number / legendColumns) + 8.0;
     boolean isFaint = !s.points.isEmpty() && s.points.stream().allMatch(Point::isFaint);
     lines.add(mark(left + 4, at - 4, number, isFaint ? "var(--faint)" : colour(number)));
     text(left + 14, at, "start", "var(--ink)", 12, s.name);
