@@ -17,7 +17,7 @@ import java.util.function.ToDoubleFunction;
  */
 record FacetMap(Kind kind, double alpha) {
   private static final int CELLS = Effort.count(16, 64);
-  private static final int POINTS = 24;
+  private static final int POINTS = Effort.count(24, 10);
 
   /** By how much the sum of the cells may be wrong. */
   private static final double ERROR = 1e-3;
