@@ -30,7 +30,6 @@ final class PlanReport {
     out.line("           normals: " + normals());
     out.line("           meshes: " + meshes());
     out.line("           choice of light: " + choice());
-    out.line("           ambient light: " + ambient());
     out.line("           lens: " + lens());
     out.line("           coverage of pixels: " + coverage());
   }
@@ -87,10 +86,6 @@ final class PlanReport {
       case ONE_BY_ONE -> "of " + count + ", each asked what it may send to the point";
       case HIERARCHY -> "of " + count + " by a hierarchy, which asks about 2 log2 of them";
     };
-  }
-
-  private String ambient() {
-    return scene.takes(Shortcut.NO_AMBIENT) ? "left out, there is none" : "asked for at every hit";
   }
 
   private String lens() {

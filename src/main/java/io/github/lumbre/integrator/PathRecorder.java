@@ -150,7 +150,9 @@ public final class PathRecorder extends PathTracer implements Recorder {
   @Override
   Rgb ambient(Vertex vertex) {
     Rgb light = super.ambient(vertex);
-    gathered.add(Recorder.ambient(scene.ambient(), light, throughput));
+    if (!scene.ambient().isBlack()) {
+      gathered.add(Recorder.ambient(scene.ambient(), light, throughput));
+    }
     return light;
   }
 

@@ -44,7 +44,6 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   private final LightSelector selector;
   private final Strategy strategy;
   private final int firstRoulette;
-  private final boolean hasAmbient;
   private final boolean hasChoice;
 
   /** Whether vertices ask emitters for light. */
@@ -68,7 +67,6 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     maxDepth = options.maxDepth();
     strategy = options.strategy();
     firstRoulette = options.firstRoulette();
-    hasAmbient = !scene.takes(Shortcut.NO_AMBIENT);
     hasChoice = !scene.takes(Shortcut.ONE_EMITTER);
     emitters = scene.emitters().toArray(Light[]::new);
     domes =
@@ -120,9 +118,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     // Add the light that comes here straight from an emitter.
     Vertex vertex = scratch.vertex;
     vertex.moveTo(surface, primitive.material());
-    if (hasAmbient) {
-      path.gather(ambient(vertex));
-    }
+    path.gather(ambient(vertex));
     if (asks && !vertex.bsdf().isSpecular()) {
       direct(vertex, sampler, Sampler.vertex(depth), scratch);
     }

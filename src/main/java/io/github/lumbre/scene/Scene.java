@@ -95,9 +95,6 @@ public final class Scene {
     if (primitives.stream().anyMatch(primitive -> primitive.material().isUniform())) {
       all.add(Shortcut.UNIFORM_MATERIALS);
     }
-    if (ambient.isBlack()) {
-      all.add(Shortcut.NO_AMBIENT);
-    }
     if (emitters.size() == 1) {
       all.add(Shortcut.ONE_EMITTER);
     }

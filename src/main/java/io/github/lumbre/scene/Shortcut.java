@@ -8,9 +8,6 @@ public enum Shortcut {
   /** Where no texture varies a material, how it scatters is made once and not at every hit. */
   UNIFORM_MATERIALS,
 
-  /** Without ambient light no vertex asks for its diffuse albedo. */
-  NO_AMBIENT,
-
   /** Of one emitter none is chosen: no random number is made for that, and no weights. */
   ONE_EMITTER
 }

@@ -153,7 +153,8 @@ class BenchCommandTest {
   @Test
   void pairsTellWhatAShortcutSaves() {
     Outcome outcome =
-        bench("--paired", "--without", "NO_AMBIENT", "--repeat", "12", "-s", "1", "--threads", "1");
+        bench(
+            "--paired", "--without", "ONE_EMITTER", "--repeat", "12", "-s", "1", "--threads", "1");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     assertThat(rows(outcome)).hasSize(1);
     assertThat(rows(outcome).get(0)).startsWith("| tiny | 16x12 | 1 | ").endsWith("| same |");

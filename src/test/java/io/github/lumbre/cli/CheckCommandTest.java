@@ -43,7 +43,6 @@ class CheckCommandTest {
             "           normals: left out, no map bends them",
             "           meshes: left out, there are none",
             "           choice of light: left out, there is one",
-            "           ambient light: left out, there is none",
             "           lens: left out, the camera has none",
             "           coverage of pixels: left out, every sample covers its pixel");
   }
