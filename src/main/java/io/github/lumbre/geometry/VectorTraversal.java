@@ -11,7 +11,8 @@ import jdk.incubator.vector.VectorSpecies;
  * precision as everywhere. The only class that needs the module jdk.incubator.vector.
  *
  * <p>Its shape is what the compiler turns into good machine code, as docs/design.md tells: no
- * method takes or returns vectors, no masks are used, and no loop over nodes calls anything.
+ * method takes or returns vectors, so that the test of a node stands here twice; no masks are used,
+ * and no loop over nodes calls anything.
  */
 final class VectorTraversal implements Traversal {
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
