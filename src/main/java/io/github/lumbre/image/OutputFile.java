@@ -176,15 +176,20 @@ public final class OutputFile implements Closeable {
       if (!Files.readAttributes(target, BasicFileAttributes.class).isRegularFile()) {
         throw new IOException(target + ": is not a regular file");
       }
+      if (isProtected(target)) {
+        throw new IOException(target + ": is protected against writing");
+      }
+      return target.toRealPath();
     } catch (NoSuchFileException e) {
       return absolute;
     } catch (FileSystemException e) {
       throw new IOException(target + ": " + reason(e), e);
     }
-    if (!Files.isWritable(target)) {
-      throw new IOException(target + ": is protected against writing");
-    }
-    return target.toRealPath();
+  }
+
+  /** A file that another program replaces may be gone for a moment, which is no protection. */
+  private static boolean isProtected(Path target) {
+    return !Files.isWritable(target) && Files.exists(target) && !Files.isWritable(target);
   }
 
   private static FileChannel openTemporary(Path target, Path temporary) throws IOException {
