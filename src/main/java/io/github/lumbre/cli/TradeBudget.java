@@ -12,8 +12,11 @@ import java.util.Optional;
  * How long a study may take, and what that comes to.
  *
  * @param seconds from the start, the page included
- * @param samples the most per pixel of a setting; then the time does not count
- * @param reference samples per pixel of the reference; otherwise 64 times those of a setting
+ * @param samples the most per pixel of a setting; then the time does not count, but for a target
+ * @param target relative root mean squared error that the usual setting is to reach, with as many
+ *     samples as that takes and the time allows; samples are to be given then
+ * @param reference samples per pixel of the reference, at least those if there is a target;
+ *     otherwise 64 times those of a setting
  * @param seeds of each setting; otherwise as many as fit into the time
  * @param size of the frame, if it is not to be the scene's, shrunk
  * @param isQuick whether the frame is to be smaller still
@@ -21,6 +24,7 @@ import java.util.Optional;
 record TradeBudget(
     double seconds,
     Optional<Integer> samples,
+    Optional<Double> target,
     Optional<Integer> reference,
     Optional<Integer> seeds,
     Optional<Size> size,
@@ -89,7 +93,9 @@ record TradeBudget(
   TradePlan plan(double rate, double spent, int settings, RenderSettings frame) {
     if (samples.isPresent()) {
       int exact = powerOfTwo(samples.get() / (double) STEP, MOST_EXACT_SAMPLES);
-      return plan(samples.get(), seeds.orElse(MOST_SEEDS / 2), exact, Double.POSITIVE_INFINITY);
+      int least = target.isPresent() ? LEAST_SEEDS : MOST_SEEDS / 2;
+      double time = target.isPresent() ? RENDERING * seconds - spent : Double.POSITIVE_INFINITY;
+      return plan(samples.get(), seeds.orElse(least), exact, time);
     }
     int processors = Runtime.getRuntime().availableProcessors();
     double exact = EXACT_SHARE * affordable(rate, spent, frame) / EXACT_RENDERS / processors;
@@ -122,12 +128,14 @@ record TradeBudget(
     }
     Collections.reverse(ladder);
     int least = seeds.orElse(leastSeeds);
+    int mostSeeds = target.isPresent() ? least : Math.max(least, MOST_SEEDS);
     return new TradePlan(
         ladder,
         least,
-        seeds.orElse(Math.max(least, MOST_SEEDS)),
+        seeds.orElse(mostSeeds),
         reference.orElse(REFERENCE_FACTOR * most),
         exactSamples,
-        time);
+        time,
+        target.map(error -> error * error).orElse(0.));
   }
 }

@@ -47,6 +47,9 @@ import picocli.CommandLine.Spec;
       "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeCommand implements Callable<Integer> {
+  /** The most samples per pixel of settings beside one that goes on to an error. */
+  private static final int FEW = 16;
+
   @Mixin private SceneOptions options;
 
   @Option(
@@ -73,9 +76,22 @@ final class TradeCommand implements Callable<Integer> {
   private Optional<Integer> samples = Optional.empty();
 
   @Option(
+      names = "--target-error",
+      paramLabel = "P",
+      converter = FlagConverters.OfShare.class,
+      description =
+          "Go on with the usual setting, to twice the samples again and again, until the error of"
+              + " every seed is at most so much, as relative root mean squared error (3.1%%), and"
+              + " with the reference until its own, squared, is at most an eighth of that; or until"
+              + " --time ends, if given. -s is 16 then, and --seeds 4, unless given.")
+  private Optional<Double> target = Optional.empty();
+
+  @Option(
       names = "--reference",
       paramLabel = "N",
-      description = "Samples per pixel of the reference (64 times the most of a setting).")
+      description =
+          "Samples per pixel of the reference (64 times the most of a setting); with"
+              + " --target-error, those that it begins with.")
   private Optional<Integer> reference = Optional.empty();
 
   @Option(
@@ -121,6 +137,7 @@ final class TradeCommand implements Callable<Integer> {
         TextOutput json = TextOutput.reserve(Optional.of(beside(page, ".json")))) {
       TradeRun run = new TradeRun(options, budget(), threads, messages);
       TradeResult result = run.run(knobs());
+      run.tellCommand(CommandText.of(spec));
       html.write(run.page());
       csv.write(TradeTables.csv(result));
       json.write(TradeTables.json(run.facts(), result));
@@ -159,7 +176,11 @@ final class TradeCommand implements Callable<Integer> {
 
   private TradeBudget budget() {
     double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
-    return new TradeBudget(wanted, samples, reference, seeds, size, quick);
+    if (target.isPresent() && time.isEmpty() && !quick) {
+      wanted = Double.POSITIVE_INFINITY;
+    }
+    Optional<Integer> most = target.isPresent() ? samples.or(() -> Optional.of(FEW)) : samples;
+    return new TradeBudget(wanted, most, target, reference, seeds, size, quick);
   }
 
   private void require(boolean condition, String message) {

@@ -82,6 +82,7 @@ final class TradeFile {
         all.get(0).cost().relativeMse().size(),
         referenceSamples,
         Math.sqrt(referenceNoise.relativeMse),
+        facts,
         all);
   }
 }

@@ -129,6 +129,11 @@ final class TradeRun {
     facts.put("took", Math.round(spent()) + " s");
   }
 
+  /** Adds the command that was given to what is to be known of the study. */
+  void tellCommand(String command) {
+    facts.put("command", command);
+  }
+
   /** Returns what is to be known of the study, by name; after {@link #run}. */
   Map<String, String> facts() {
     return facts;

@@ -65,7 +65,7 @@ final class TradeTableCommand implements Callable<Integer> {
     try (TextOutput markdown = TextOutput.reserve(Optional.of(output));
         TextOutput noise = TextOutput.reserve(Optional.of(beside("-noise.svg")));
         TextOutput depth = TextOutput.reserve(Optional.of(beside("-depth.svg")))) {
-      markdown.write(tables.markdown());
+      markdown.write(tables.markdown(CommandText.of(spec)));
       noise.write(tables.noiseChart());
       depth.write(tables.depthChart());
     }

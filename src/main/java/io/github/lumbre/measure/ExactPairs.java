@@ -91,7 +91,7 @@ final class ExactPairs {
     Film film = renderer.newFilm();
     double cpu = cpuSeconds.getAsDouble();
     long start = System.nanoTime();
-    TradeStudy.climb(renderer, film, samples);
+    TradeClimb.climb(renderer, film, samples);
     double seconds = (System.nanoTime() - start) * 1e-9;
     // A clock that is too coarse for a tiny picture must not make a ratio of nothing.
     double used = Math.max(1e-9, cpuSeconds.getAsDouble() - cpu);

@@ -6,12 +6,16 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
 
 /** Studies of several scenes side by side: tables in Markdown, and charts as files of their own. */
 public final class SceneTables {
   private static final double[] TARGETS = {1e-2, 1e-3};
+
+  /** What of a run bears on its times. */
+  private static final List<String> TOLD = List.of("machine", "threads", "load", "version", "took");
 
   private final List<SceneTrade> scenes;
 
@@ -22,9 +26,39 @@ public final class SceneTables {
     this.scenes = List.copyOf(scenes);
   }
 
-  /** Returns all tables with what they tell. */
-  public String markdown() {
-    return String.join("\n", noise(), floors(), gains(), work());
+  /**
+   * Returns all tables with what they tell, and how to make them again.
+   *
+   * @param command that puts the studies side by side
+   */
+  public String markdown(String command) {
+    return String.join("\n", commands(command), noise(), floors(), gains(), work(), runs());
+  }
+
+  private String commands(String command) {
+    List<String> lines =
+        new ArrayList<>(List.of("# Speed for accuracy, scene by scene\n", "```sh"));
+    scenes.stream()
+        .map(scene -> scene.facts().get("command"))
+        .filter(Objects::nonNull)
+        .forEach(lines::add);
+    lines.addAll(List.of(command, "```\n"));
+    lines.add(
+        "Each study is a file of its own, so that one may be made anew and the tables drawn again."
+            + " [trade.md](trade.md#the-projects-scenes) tells what the scenes stand for.\n");
+    return String.join("\n", lines);
+  }
+
+  private String runs() {
+    List<String> lines = new ArrayList<>(List.of("## Runs\n"));
+    lines.add("| scene | " + String.join(" | ", TOLD) + " |");
+    lines.add("|---".repeat(TOLD.size() + 1) + "|");
+    for (SceneTrade scene : scenes) {
+      List<String> cells = new ArrayList<>(List.of(scene.scene()));
+      TOLD.forEach(fact -> cells.add(scene.facts().getOrDefault(fact, "")));
+      lines.add(line(cells));
+    }
+    return String.join("\n", lines) + "\n";
   }
 
   /** Returns a chart of noise against rays: work that is the same on every machine. */
@@ -32,11 +66,12 @@ public final class SceneTables {
     List<LogChart.Series> series = new ArrayList<>();
     for (SceneTrade scene : scenes) {
       List<LogChart.Point> points = new ArrayList<>();
-      for (SceneTrade.Row row : scene.usual()) {
-        Interval error = Interval.ofGeometricMean(row.cost().relativeMse());
+      double rays = scene.usual().get(0).rays();
+      for (TimeToError.Cost cost : scene.usualCosts()) {
+        Interval error = Interval.ofGeometricMean(cost.relativeMse());
         points.add(
             new LogChart.Point(
-                row.cost().samples() * row.rays(),
+                cost.samples() * rays,
                 100 * Math.sqrt(error.value()),
                 100 * Math.sqrt(error.low()),
                 100 * Math.sqrt(error.high()),
@@ -74,14 +109,15 @@ public final class SceneTables {
 
   private String noise() {
     List<String> lines = new ArrayList<>();
-    lines.add("### Noise, and the time it takes away\n");
+    lines.add("## Noise, and the time it takes away\n");
     lines.add(
         "| scene | pixels | seeds | reference | noise | samples^ | samples to 1e-2 | rays | CPU s"
             + " | samples to 1e-3 | rays | CPU s |");
     lines.add("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
     for (SceneTrade scene : scenes) {
-      SceneTrade.Row most = SceneTrade.most(scene.usual());
-      double mean = Interval.ofMean(most.cost().relativeMse()).value();
+      List<TimeToError.Cost> costs = scene.usualCosts();
+      TimeToError.Cost most = costs.get(costs.size() - 1);
+      double rays = scene.usual().get(0).rays();
       List<String> cells =
           new ArrayList<>(
               List.of(
@@ -89,30 +125,35 @@ public final class SceneTables {
                   scene.width() + "x" + scene.height(),
                   String.valueOf(scene.seeds()),
                   scene.referenceSamples() + ": " + TradeText.percent(scene.referenceRmse()),
-                  most.cost().samples() + ": " + TradeText.rootPercent(mean),
-                  TradeText.slope(scene.usual().stream().map(SceneTrade.Row::cost).toList())));
+                  most.samples()
+                      + ": "
+                      + TradeText.rootPercent(Interval.ofMean(most.relativeMse()).value()),
+                  TradeText.slope(costs)));
       for (double target : TARGETS) {
         TimeToError cost = scene.toError(target);
-        String mark = cost.isExtrapolated() ? " *" : "";
+        String mark = cost.isExtrapolated() || !scene.canTell(target) ? " *" : "";
         cells.add(round(cost.samples(), 1) + mark);
-        cells.add(String.format(Locale.ROOT, "%.0f", cost.samples().value() * most.rays()) + mark);
+        cells.add(String.format(Locale.ROOT, "%.0f", cost.samples().value() * rays) + mark);
         cells.add(round(cost.cpuSeconds(), 1e6 / scene.pixels()) + mark);
       }
       lines.add(line(cells));
     }
     lines.add(
-        "\nNoise: relative RMSE at so many samples. 1e-2 and 1e-3 are relative mean squared errors,"
-            + " 10 % and 3.2 %; rays are for one pixel, processor seconds for a million. An"
-            + " asterisk marks what no measured number of samples reaches: there the squared error"
-            + " is taken to be inverse to the samples, more slowly than it was measured to fall"
-            + " (samples^).\n");
+        "\nNoise: relative RMSE at the most samples, the reference's own (estimated, beside its"
+            + " samples) taken off. 1e-2 and 1e-3 are relative mean squared errors, 10 % and 3.2 %;"
+            + " rays are for one pixel, processor seconds for a million, all between measured"
+            + " numbers of samples, each twice the one before. An asterisk marks what is not"
+            + " measured so: some seed reaches the error with no number of samples that was tried,"
+            + " and the squared error is taken to be inverse to the samples from there on, more"
+            + " slowly than it mostly falls (samples^); or the squared error of the reference is"
+            + " more than an eighth of the one to be told.\n");
     return String.join("\n", lines);
   }
 
   private String floors() {
     Set<String> labels = labels(false);
     List<String> lines = new ArrayList<>();
-    lines.add("### What knobs with bias leave wrong\n");
+    lines.add("## What knobs with bias leave wrong\n");
     lines.add("| scene | " + String.join(" | ", labels) + " |");
     lines.add("|---" + "|--:".repeat(labels.size()) + "|");
     for (SceneTrade scene : scenes) {
@@ -132,7 +173,7 @@ public final class SceneTables {
   private String gains() {
     Set<String> labels = labels(true);
     List<String> lines = new ArrayList<>();
-    lines.add("### What other ways to the same light bring\n");
+    lines.add("## What other ways to the same light bring\n");
     lines.add("| scene | " + String.join(" | ", labels) + " |");
     lines.add("|---" + "|--:".repeat(labels.size()) + "|");
     for (SceneTrade scene : scenes) {
@@ -151,7 +192,7 @@ public final class SceneTables {
 
   private String work() {
     List<String> lines = new ArrayList<>();
-    lines.add("### Work of a sample\n");
+    lines.add("## Work of a sample\n");
     lines.add("| scene | rays | shadow rays | nodes | look-ups |");
     lines.add("|---|--:|--:|--:|--:|");
     for (SceneTrade scene : scenes) {

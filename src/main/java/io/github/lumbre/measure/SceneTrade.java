@@ -1,6 +1,7 @@
 package io.github.lumbre.measure;
 
 import java.util.List;
+import java.util.Map;
 
 /**
  * What a study of one scene found, as far as tables of several scenes need it.
@@ -11,6 +12,7 @@ import java.util.List;
  * @param seeds of each setting
  * @param referenceSamples per pixel
  * @param referenceRmse relative, of the reference itself
+ * @param facts of the run, by name, as its page tells them
  * @param rows by setting, that which was taken for the truth first, and by number of samples
  */
 public record SceneTrade(
@@ -20,8 +22,10 @@ public record SceneTrade(
     int seeds,
     int referenceSamples,
     double referenceRmse,
+    Map<String, String> facts,
     List<Row> rows) {
   public SceneTrade {
+    facts = Map.copyOf(facts);
     rows = List.copyOf(rows);
     if (rows.isEmpty()) {
       throw new IllegalArgumentException("rows: expected some, found none");
@@ -71,14 +75,34 @@ public record SceneTrade(
     return own.get(own.size() - 1);
   }
 
-  /** Returns what the truth takes to an error. */
-  TimeToError toError(double relativeMse) {
-    return TimeToError.of(usual().stream().map(Row::cost).toList(), relativeMse);
+  /** Returns what the truth costs and brings, the reference's own noise taken off. */
+  List<TimeToError.Cost> usualCosts() {
+    double noise = referenceRmse * referenceRmse;
+    return usual().stream().map(row -> row.cost().less(noise)).toList();
   }
 
-  /** Returns how many times as far as the usual setting another gets with as many rays. */
+  /** Returns what the truth takes to an error. */
+  TimeToError toError(double relativeMse) {
+    return TimeToError.of(usualCosts(), relativeMse);
+  }
+
+  /** Tells whether the reference is near enough to the truth for such errors to be measured. */
+  boolean canTell(double relativeMse) {
+    return referenceRmse * referenceRmse <= relativeMse / TradePlan.REFERENCE_MARGIN;
+  }
+
+  /**
+   * Returns how many times as far as the usual setting another gets with as many rays, at the most
+   * samples of the other.
+   */
   Interval gainByRays(List<Row> other) {
-    return Interval.ofRatios(most(usual()).costsInRays(), most(other).costsInRays());
+    Row most = most(other);
+    Row same =
+        usual().stream()
+            .filter(row -> row.cost().samples() == most.cost().samples())
+            .findFirst()
+            .orElseThrow();
+    return Interval.ofRatios(same.costsInRays(), most.costsInRays());
   }
 
   long pixels() {

@@ -4,6 +4,7 @@ import io.github.lumbre.math.Elementary;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 
 /**
  * What a setting takes to reach an error: for each seed, the place where the line through its
@@ -11,8 +12,8 @@ import java.util.function.ToDoubleFunction;
  *
  * @param samples per pixel, geometric mean over the seeds
  * @param cpuSeconds geometric mean over the seeds
- * @param isExtrapolated whether no number of samples that was measured reaches the error in the
- *     mean; beyond the last the squared error is taken to be inverse to the samples
+ * @param isExtrapolated whether a seed reaches the error with no number of samples that was
+ *     measured; beyond the last the squared error is taken to be inverse to the samples
  */
 public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtrapolated) {
   /**
@@ -22,7 +23,17 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
    * @param relativeMse of the pictures
    * @param cpuSeconds for all samples up to these
    */
-  public record Cost(int samples, List<Double> relativeMse, List<Double> cpuSeconds) {}
+  public record Cost(int samples, List<Double> relativeMse, List<Double> cpuSeconds) {
+    /** What is left at least of an error, lest chance leaves nothing of it. */
+    private static final double LEAST_SHARE = .1;
+
+    /** Returns the same without the noise of the reference, as a relative mean squared error. */
+    Cost less(double referenceNoise) {
+      List<Double> own =
+          relativeMse.stream().map(e -> Math.max(e - referenceNoise, LEAST_SHARE * e)).toList();
+      return new Cost(samples, own, cpuSeconds);
+    }
+  }
 
   /**
    * Returns what reaching an error takes.
@@ -39,11 +50,14 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
       samples.add(reach(rows, seed, relativeMse, Cost::samples));
       seconds.add(reach(rows, seed, relativeMse, row -> Math.max(1e-9, row.cpuSeconds.get(seed))));
     }
-    Cost last = rows.get(rows.size() - 1);
     return new TimeToError(
         Interval.ofGeometricMean(samples),
         Interval.ofGeometricMean(seconds),
-        Interval.ofMean(last.relativeMse).value() > relativeMse);
+        IntStream.range(0, seeds).anyMatch(i -> !isReached(rows, i, relativeMse)));
+  }
+
+  private static boolean isReached(List<Cost> rows, int seed, double wanted) {
+    return rows.stream().anyMatch(row -> row.relativeMse.get(seed) <= wanted);
   }
 
   /** Returns the cost, positive at all rows, at which one seed's error falls to the wanted one. */

@@ -50,16 +50,21 @@ public record TradeResult(
 
   /**
    * Returns how many times as far as the usual setting another gets in the same processor time: the
-   * ratio of squared error times time, at the most samples.
+   * ratio of squared error times time, at the most samples of the other.
    */
   public Interval gain(TradeSetting setting) {
-    return Interval.ofRatios(most(rows.get(0).setting()).costs(), most(setting).costs());
+    TradeRow most = most(setting);
+    return Interval.ofRatios(usual(most.samples()).costs(), most.costs());
   }
 
   /** Returns the same gain for as many rays instead of time: it is that of every machine. */
   public Interval gainByRays(TradeSetting setting) {
-    return Interval.ofRatios(
-        most(rows.get(0).setting()).costsInRays(), most(setting).costsInRays());
+    TradeRow most = most(setting);
+    return Interval.ofRatios(usual(most.samples()).costsInRays(), most.costsInRays());
+  }
+
+  private TradeRow usual(int samples) {
+    return usual().stream().filter(row -> row.samples() == samples).findFirst().orElseThrow();
   }
 
   /**

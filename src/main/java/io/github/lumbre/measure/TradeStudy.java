@@ -3,16 +3,11 @@ package io.github.lumbre.measure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
-import io.github.lumbre.render.PassResult;
-import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
-import io.github.lumbre.render.SampleTarget;
-import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 
@@ -29,20 +24,19 @@ public final class TradeStudy {
 
   private static final int FRAME_FOR_COUNTERS = 20_000;
 
+  /** The share of the time after which a reference is taken as it is. */
+  private static final double REFERENCE_SHARE = .5;
+
   private final List<TradeSetting> settings;
   private final TradePlan plan;
   private final DoubleSupplier cpuSeconds;
   private final Consumer<String> log;
-  private final List<Trial> trials = new ArrayList<>();
+  private final List<TradeTrial> trials = new ArrayList<>();
 
-  /** One render of one setting with one seed, up to one number of samples. */
-  private record Trial(
-      TradeSetting setting,
-      int samples,
-      double seconds,
-      double cpu,
-      PictureError error,
-      Image picture) {}
+  /** The usual setting's films, one for each seed. */
+  private final List<TradeClimb> usual = new ArrayList<>();
+
+  private double start;
 
   /**
    * @param settings to be measured, that which is taken for the truth first
@@ -66,80 +60,123 @@ public final class TradeStudy {
    * @throws InterruptedException if the calling thread is interrupted
    */
   public TradeResult run() throws InterruptedException {
-    double start = seconds();
-    log.accept("reference: " + plan.referenceSamples() + " samples per pixel");
-    FilmRenderer renderer = reference().renderer(REFERENCE_SEED);
-    Film film = renderer.newFilm();
-    climb(renderer, film, plan.referenceSamples());
-    Image truth = film.develop();
-    NoiseEstimate noise = NoiseEstimator.of(film, CONFIDENCE).orElseThrow();
+    start = TradeClimb.clock();
+    TradeClimb reference = renderReference();
+    Image truth = reference.film().develop();
+    NoiseEstimate noise = noise(reference);
     log.accept("settings that change the time alone");
     List<ExactRow> exact = new ExactPairs(reference(), plan.exactSamples(), cpuSeconds).rows();
-    renderSeeds(start, truth);
+    renderSeeds(truth);
+    reachTarget(truth, noise.relativeMse());
     log.accept("nodes and textures");
     List<TradeRow> rows = new ArrayList<>();
     for (TradeSetting setting : settings) {
       TradeWork work = work(setting);
-      for (int samples : plan.ladder()) {
+      for (int samples :
+          trials.stream()
+              .filter(t -> t.setting() == setting)
+              .mapToInt(TradeTrial::samples)
+              .distinct()
+              .toArray()) {
         rows.add(row(setting, samples, work, truth, noise.relativeMse()));
       }
     }
-    return new TradeResult(truth, plan.referenceSamples(), noise, rows, exact);
-  }
-
-  private static double seconds() {
-    return System.nanoTime() * 1e-9;
+    return new TradeResult(truth, reference.samples(), noise, rows, exact);
   }
 
   private TradeSetting reference() {
     return settings.get(0);
   }
 
+  private static NoiseEstimate noise(TradeClimb climb) {
+    return NoiseEstimator.of(climb.film(), CONFIDENCE).orElseThrow();
+  }
+
+  /**
+   * Renders what all is compared with: if there is an error to be reached, until its own is small
+   * beside that, or half of the time is over.
+   */
+  private TradeClimb renderReference() throws InterruptedException {
+    TradeClimb climb = new TradeClimb(reference(), REFERENCE_SEED, cpuSeconds);
+    double wanted = plan.targetRelativeMse() / TradePlan.REFERENCE_MARGIN;
+    for (int goal = plan.referenceSamples(); ; goal = afterwards(goal)) {
+      log.accept("reference: " + goal + " samples per pixel");
+      climb.to(goal);
+      int next = afterwards(goal);
+      double further = climb.seconds() * (next - goal) / goal;
+      if (!plan.hasTarget()
+          || noise(climb).upperRelativeMse() <= wanted
+          || next > TradePlan.LIMIT
+          || !fits(further, REFERENCE_SHARE)) {
+        return climb;
+      }
+    }
+  }
+
+  /** Returns the next power of two, or half as much again of one. */
+  private static int afterwards(int samples) {
+    int power = Integer.highestOneBit(samples);
+    return samples == power ? power + power / 2 : 2 * power;
+  }
+
+  /** Tells whether what takes so long ends within a share of the time. */
+  private boolean fits(double seconds, double share) {
+    return TradeClimb.clock() + seconds - start <= share * plan.seconds();
+  }
+
   /** Renders as many seeds as the time allows. */
-  private void renderSeeds(double start, Image truth) throws InterruptedException {
+  private void renderSeeds(Image truth) throws InterruptedException {
     double longest = 0;
     for (int seed = 0; seed < plan.mostSeeds(); seed++) {
-      double begin = seconds();
-      if (seed >= plan.leastSeeds() && begin + longest - start > plan.seconds()) {
+      double begin = TradeClimb.clock();
+      if (seed >= plan.leastSeeds() && !fits(longest, 1)) {
         break;
       }
       log.accept("seed " + (seed + 1) + ": " + settings.size() + " settings");
       for (TradeSetting setting : settings) {
         render(setting, seed, truth);
       }
-      longest = Math.max(longest, seconds() - begin);
+      longest = Math.max(longest, TradeClimb.clock() - begin);
     }
-  }
-
-  /** Adds samples, in growing passes, until each pixel has so many. */
-  static RenderStatistics climb(FilmRenderer renderer, Film film, int goal)
-      throws InterruptedException {
-    RenderStatistics statistics = RenderStatistics.ZERO;
-    Schedule schedule = renderer.schedule(goal);
-    for (Optional<SampleTarget> target = schedule.next(film);
-        target.isPresent();
-        target = schedule.next(film)) {
-      PassResult pass = renderer.addSamples(film, target.get(), Progress.NONE);
-      statistics = statistics.plus(pass.statistics());
-    }
-    return statistics;
   }
 
   private void render(TradeSetting setting, int seed, Image truth) throws InterruptedException {
-    FilmRenderer renderer = setting.renderer(1L + seed);
-    Film film = renderer.newFilm();
-    double seconds = 0;
-    double cpu = 0;
+    TradeClimb climb = new TradeClimb(setting, 1L + seed, cpuSeconds);
     for (int samples : plan.ladder()) {
-      double cpuStart = cpuSeconds.getAsDouble();
-      double start = seconds();
-      climb(renderer, film, samples);
-      seconds += seconds() - start;
-      cpu += cpuSeconds.getAsDouble() - cpuStart;
-      Image picture = film.develop();
-      trials.add(
-          new Trial(setting, samples, seconds, cpu, PictureError.of(picture, truth), picture));
+      climb.to(samples);
+      trials.add(climb.against(truth));
     }
+    if (setting == reference() && plan.hasTarget()) {
+      usual.add(climb);
+    }
+  }
+
+  /**
+   * Doubles the samples of the usual setting until every seed's error is small enough, or the time
+   * is over. Each of the seeds' films is as far as the others, so that the means tell something.
+   */
+  private void reachTarget(Image truth, double truthNoise) throws InterruptedException {
+    for (int samples = 2 * plan.mostSamples();
+        plan.hasTarget() && samples <= TradePlan.LIMIT && !isReached(truthNoise);
+        samples *= 2) {
+      if (!fits(usual.stream().mapToDouble(TradeClimb::seconds).sum(), 1)) {
+        log.accept("no time for " + samples + " samples per pixel");
+        return;
+      }
+      log.accept("usual setting: " + samples + " samples per pixel");
+      for (TradeClimb climb : usual) {
+        climb.to(samples);
+        trials.add(climb.against(truth));
+      }
+    }
+  }
+
+  /** Tells whether the last trials of the usual setting all have the error that is wanted. */
+  private boolean isReached(double truthNoise) {
+    int samples = usual.get(0).samples();
+    return trials.stream()
+        .filter(t -> t.setting() == reference() && t.samples() == samples)
+        .allMatch(t -> t.error().relativeMse() - truthNoise <= plan.targetRelativeMse());
   }
 
   /** Counts the work of a sample: of one in each pixel, or more where there are few. */
@@ -153,7 +190,7 @@ public final class TradeStudy {
     // Domes look at their textures when they are made: only what follows counts.
     scene.nodes().reset();
     scene.lookUps().reset();
-    RenderStatistics statistics = climb(renderer, film, samples);
+    RenderStatistics statistics = TradeClimb.climb(renderer, film, samples);
     double all = (double) samples * pixels;
     return new TradeWork(
         statistics.rays() / all,
@@ -164,17 +201,17 @@ public final class TradeStudy {
 
   private TradeRow row(
       TradeSetting setting, int samples, TradeWork work, Image truth, double truthNoise) {
-    List<Trial> own =
-        trials.stream().filter(t -> t.setting == setting && t.samples == samples).toList();
+    List<TradeTrial> own =
+        trials.stream().filter(t -> t.setting() == setting && t.samples() == samples).toList();
     return new TradeRow(
         setting,
         samples,
-        own.stream().map(Trial::seconds).toList(),
-        own.stream().map(Trial::cpu).toList(),
-        own.stream().map(Trial::error).toList(),
+        own.stream().map(TradeTrial::seconds).toList(),
+        own.stream().map(TradeTrial::cpu).toList(),
+        own.stream().map(TradeTrial::error).toList(),
         work,
-        bias(own.stream().map(Trial::picture).toList(), truth, truthNoise),
-        own.get(0).picture);
+        bias(own.stream().map(TradeTrial::picture).toList(), truth, truthNoise),
+        own.get(0).picture());
   }
 
   /** Returns the bias of pictures of independent seeds, its interval by the jackknife. */

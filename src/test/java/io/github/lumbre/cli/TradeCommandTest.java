@@ -9,7 +9,9 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -101,6 +103,77 @@ class TradeCommandTest {
         .contains("| tiny | 16x12 | 3 | 256: ", "sampler independent");
     assertThat(directory.resolve("table-noise.svg")).exists();
     assertThat(directory.resolve("table-depth.svg")).exists();
+  }
+
+  /** What goes on to an error reaches it with every seed, by a reference that can tell. */
+  @Test
+  void usualSettingGoesOnToAnError() throws Exception {
+    Path page = directory.resolve("out.html");
+    Outcome outcome =
+        trade(
+            "-s",
+            "4",
+            "--target-error",
+            "6%",
+            "--reference",
+            "16",
+            "--knobs",
+            "sampler",
+            "-o",
+            page.toString());
+    assertThat(outcome.exitCode()).isZero();
+    JsonObject values =
+        JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
+    double noise = values.getAsJsonObject("reference_noise").get("upperRelativeMse").getAsDouble();
+    assertThat(noise).isLessThanOrEqualTo(.0036 / 8);
+    Map<Integer, Double> worst = new LinkedHashMap<>();
+    for (JsonElement element : values.getAsJsonArray("rows")) {
+      JsonObject row = element.getAsJsonObject();
+      if (text(row, "knob").equals("depth")) {
+        double largest = 0;
+        for (JsonElement error : row.getAsJsonArray("errors")) {
+          largest = Math.max(largest, error.getAsJsonObject().get("relmse").getAsDouble());
+        }
+        worst.put(row.get("samples").getAsInt(), largest);
+      } else {
+        assertThat(row.get("samples").getAsInt()).isLessThanOrEqualTo(4);
+      }
+    }
+    List<Integer> ladder = new ArrayList<>(worst.keySet());
+    int most = ladder.get(ladder.size() - 1);
+    assertThat(most).isGreaterThan(4);
+    assertThat(worst.get(most)).isLessThanOrEqualTo(.0036 + noise);
+    assertThat(worst.get(most / 2)).isGreaterThan(.0036);
+    assertThat(values.getAsJsonObject("facts").get("command").getAsString())
+        .startsWith("lumbre trade ")
+        .contains(" -s 4 --target-error 6% ");
+
+    Path table = directory.resolve("table.md");
+    Outcome.of("trade-table", directory.resolve("out.json").toString(), "-o", table.toString());
+    assertThat(Files.readString(table))
+        .contains("```sh\nlumbre trade ", "lumbre trade-table ", "## Runs")
+        .containsPattern("\\| tiny \\| 16x12 \\| 4 \\|.*\\) \\| [0-9]+ \\| .*\\* \\|\n");
+  }
+
+  @Test
+  void aTargetEndsWithTheTime() throws Exception {
+    Path page = directory.resolve("out.html");
+    Outcome outcome =
+        trade(
+            "-s",
+            "4",
+            "--target-error",
+            "0.01%",
+            "--time",
+            "2s",
+            "--reference",
+            "16",
+            "--knobs",
+            "sampler",
+            "-o",
+            page.toString());
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).contains("no time for ");
   }
 
   private static String text(JsonObject object, String key) {

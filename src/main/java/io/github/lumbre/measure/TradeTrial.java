@@ -1,0 +1,19 @@
+package io.github.lumbre.measure;
+
+import io.github.lumbre.image.Image;
+
+/**
+ * One render of one setting with one seed, up to one number of samples.
+ *
+ * @param samples per pixel
+ * @param seconds on the wall, for all samples up to these
+ * @param cpu seconds of the process
+ * @param error against the reference
+ */
+record TradeTrial(
+    TradeSetting setting,
+    int samples,
+    double seconds,
+    double cpu,
+    PictureError error,
+    Image picture) {}
