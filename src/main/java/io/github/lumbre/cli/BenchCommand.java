@@ -137,6 +137,16 @@ final class BenchCommand implements Callable<Integer> {
   private boolean paired;
 
   @Option(
+      names = "--loading",
+      description = {
+        "Instead: read each scene in turn as it is and with meshes and textures decoded that"
+            + " nothing",
+        "uses, so many times as --repeat says, and print time and memory that leaving them out"
+            + " saves."
+      })
+  private boolean loading;
+
+  @Option(
       names = "--json",
       paramLabel = "FILE",
       description = "Write every repetition, for programs and for --compare.")
@@ -162,6 +172,9 @@ final class BenchCommand implements Callable<Integer> {
     }
     BenchPlan plan = plan(checks);
     requireDistinctFiles(checks);
+    if (loading) {
+      return readPairs(new LoadBench(repeat), out);
+    }
     try (TextOutput output = TextOutput.reserve(json);
         Interruption interruption = Interruption.listen(() -> {});
         RenderMonitor monitor = new RenderMonitor(interruption, false)) {
@@ -186,6 +199,10 @@ final class BenchCommand implements Callable<Integer> {
         !paired || repeat >= PairedBench.FEWEST_PAIRS && json.isEmpty(),
         "--paired: expected no --json, and --repeat of at least " + PairedBench.FEWEST_PAIRS);
     checks.require(
+        !loading || !paired && json.isEmpty() && repeat >= LoadBench.FEWEST_PAIRS,
+        "--loading: expected no --paired, no --json, and --repeat of at least "
+            + LoadBench.FEWEST_PAIRS);
+    checks.require(
         !paired || adaptive || !without.isEmpty(), "--paired: expected --without or --adaptive");
     int processors = Runtime.getRuntime().availableProcessors();
     List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
@@ -200,6 +217,15 @@ final class BenchCommand implements Callable<Integer> {
       String name = SceneFolder.name(scene);
       checks.require(names.add(name), "expected scenes of different names, found two " + name);
     }
+  }
+
+  private int readPairs(LoadBench bench, Messages out)
+      throws SceneFormatException, CommandException {
+    bench.head().forEach(out::line);
+    for (Path scene : scenes) {
+      out.line(bench.row(scene, new Messages(spec.commandLine().getErr())));
+    }
+    return ExitCodes.OK;
   }
 
   /** Measures scenes in two ways and prints the ratios; returns false if that was stopped. */

@@ -1,5 +1,9 @@
 package io.github.lumbre.cli;
 
+import static java.util.stream.Collectors.counting;
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.joining;
+
 import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
@@ -8,30 +12,48 @@ import io.github.lumbre.light.LightSelector;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneOrigins;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Shortcut;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 
 /** Tells what a scene does not require, and so is left out of its render. */
 final class PlanReport {
   private final Scene scene;
   private final RenderSettings settings;
+  private final List<SceneOrigins.Unused> unused;
 
   PlanReport(SceneFile file) {
     scene = file.scene();
     settings = file.settings();
+    unused = file.origins().unused();
   }
 
   /** Prints a line for each kind of work: what is done, and what is not and why. */
   void print(Messages out) {
-    out.line("plan       materials: " + materials());
+    out.line("plan       assets: " + assets());
+    out.line("           materials: " + materials());
     out.line("           normals: " + normals());
     out.line("           meshes: " + meshes());
     out.line("           choice of light: " + choice());
     out.line("           lens: " + lens());
     out.line("           coverage of pixels: " + coverage());
+  }
+
+  private String assets() {
+    if (unused.isEmpty()) {
+      return "all are used";
+    }
+    Map<String, Long> counts =
+        unused.stream().collect(groupingBy(SceneOrigins.Unused::type, TreeMap::new, counting()));
+    return "left undecoded, nothing uses them: "
+        + counts.entrySet().stream()
+            .map(type -> type.getKey() + " " + type.getValue())
+            .collect(joining(", "));
   }
 
   private String materials() {

@@ -4,6 +4,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import java.util.OptionalDouble;
 
 /** How many samples fit into a given time, by a short pilot of the same scene. */
@@ -26,11 +27,18 @@ final class SampleBudget {
    */
   static OptionalDouble rate(SceneFile file, double seconds, Progress progress)
       throws InterruptedException {
-    RenderSettings small = shrunk(file.settings(), PILOT_SIDE);
+    return rate(file.scene(), file.settings(), seconds, progress);
+  }
+
+  /** Returns the same of a scene with other settings. */
+  static OptionalDouble rate(
+      Scene scene, RenderSettings settings, double seconds, Progress progress)
+      throws InterruptedException {
+    RenderSettings small = shrunk(settings, PILOT_SIDE);
     for (int samples = 1; ; samples *= 2) {
       BucketRenderer renderer = new BucketRenderer(small.toBuilder().samples(samples).build());
       long start = System.nanoTime();
-      boolean complete = renderer.render(file.scene(), progress).complete();
+      boolean complete = renderer.render(scene, progress).complete();
       double taken = (System.nanoTime() - start) * 1e-9;
       if (!complete) {
         return OptionalDouble.empty();

@@ -42,7 +42,10 @@ record TradeBudget(
   /** How many settings there are at most, or about. */
   private static final int MANY_SETTINGS = 20;
 
-  private static final int LEAST_SEEDS = 4;
+  /** How many seeds are planned for; fewer, but these, where time runs out. */
+  private static final int PLANNED_SEEDS = 4;
+
+  private static final int LEAST_SEEDS = 3;
   private static final int MOST_SEEDS = 32;
 
   /** How many times as many samples as a setting's most the reference has. */
@@ -93,7 +96,7 @@ record TradeBudget(
   TradePlan plan(double rate, double spent, int settings, RenderSettings frame) {
     if (samples.isPresent()) {
       int exact = powerOfTwo(samples.get() / (double) STEP, MOST_EXACT_SAMPLES);
-      int least = target.isPresent() ? LEAST_SEEDS : MOST_SEEDS / 2;
+      int least = target.isPresent() ? PLANNED_SEEDS : MOST_SEEDS / 2;
       double time = target.isPresent() ? RENDERING * seconds - spent : Double.POSITIVE_INFINITY;
       return plan(samples.get(), seeds.orElse(least), exact, time);
     }
@@ -107,7 +110,7 @@ record TradeBudget(
   }
 
   private int mostSamples(double rate, double spent, int settings, RenderSettings frame) {
-    double each = (double) settings * seeds.orElse(LEAST_SEEDS) + REFERENCE_FACTOR;
+    double each = (double) settings * seeds.orElse(PLANNED_SEEDS) + REFERENCE_FACTOR;
     return powerOfTwo(PLANNED * affordable(rate, spent, frame) / each, LARGEST);
   }
 

@@ -105,7 +105,7 @@ final class TradeCommand implements Callable<Integer> {
   @Option(
       names = "--seeds",
       paramLabel = "N",
-      description = "Renders of each setting, at least 3 (4 or more, as time allows).")
+      description = "Renders of each setting, at least 3 (3 or more, as time allows).")
   private Optional<Integer> seeds = Optional.empty();
 
   @Option(

@@ -30,7 +30,12 @@ import java.util.concurrent.atomic.LongAdder;
 
 /** The study of one scene: reads it in all ways that are compared, and measures. Not reusable. */
 final class TradeRun {
-  private static final double PILOT_SECONDS = .5;
+  /** The shares of the time that pilots take at least, the first of which warms up, and limits. */
+  private static final double PILOT_SHARE = .008;
+
+  private static final double LEAST_PILOT_SECONDS = .1;
+  private static final double MOST_PILOT_SECONDS = 1;
+
   private static final OperatingSystemMXBean PROCESS =
       ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
@@ -60,7 +65,8 @@ final class TradeRun {
       throws SceneFormatException, CommandException, InterruptedException {
     SceneParser parser = options.parser().inMode(Mode.PATH);
     file = options.load(parser, messages);
-    rate = SampleBudget.rate(file, PILOT_SECONDS, Progress.NONE).orElse(1);
+    pilot();
+    rate = pilot();
     RenderSettings settings = framed(file);
     TradeSweep sweep = new TradeSweep(counted(file, parser), settings, knobs);
     if (knobs.contains("filter")) {
@@ -77,6 +83,17 @@ final class TradeRun {
     result = new TradeStudy(all, plan, TradeRun::cpuSeconds, messages::line).run();
     tell(settings);
     return result;
+  }
+
+  /**
+   * Returns how many samples of the usual setting a second brings. What the first pilot tells is
+   * mostly how slowly the virtual machine begins.
+   */
+  private double pilot() throws InterruptedException {
+    RenderSettings usual = TradeSweep.usual(file.settings()).toBuilder().threads(threads).build();
+    double wanted =
+        Math.max(LEAST_PILOT_SECONDS, Math.min(PILOT_SHARE * budget.seconds(), MOST_PILOT_SECONDS));
+    return SampleBudget.rate(file.scene(), usual, wanted, Progress.NONE).orElse(1);
   }
 
   private double spent() {

@@ -53,12 +53,7 @@ public final class TradeSweep {
    */
   public TradeSweep(TradeScene scene, RenderSettings settings, Set<String> knobs) {
     this.scene = scene;
-    this.settings =
-        settings.toBuilder()
-            .maxTraceDepth(DEEP)
-            .adaptive(false)
-            .clamp(Double.POSITIVE_INFINITY)
-            .build();
+    this.settings = usual(settings);
     this.knobs = Set.copyOf(knobs);
     all.add(paths("depth", DEEP, Kind.NOISE, "--depth " + DEEP, USUAL));
     addWaysToTheSameLight();
@@ -74,6 +69,15 @@ public final class TradeSweep {
     if (knobs.contains(ADAPTIVE)) {
       addAdaptive();
     }
+  }
+
+  /** Returns the settings for path tracing that are taken for the truth. */
+  public static RenderSettings usual(RenderSettings settings) {
+    return settings.toBuilder()
+        .maxTraceDepth(DEEP)
+        .adaptive(false)
+        .clamp(Double.POSITIVE_INFINITY)
+        .build();
   }
 
   private void addClamps() {

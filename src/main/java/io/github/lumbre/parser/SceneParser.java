@@ -38,10 +38,11 @@ public final class SceneParser {
   private final UnaryOperator<RenderSettings> change;
   private final int maxPixels;
   private final TextureChange textures;
+  private final boolean decodesUnused;
 
   /** A parser that takes scene files as they are. */
   public SceneParser() {
-    this(false, Optional.empty(), UnaryOperator.identity(), MAX_PIXELS, TextureChange.NONE);
+    this(false, Optional.empty(), UnaryOperator.identity(), MAX_PIXELS, TextureChange.NONE, false);
   }
 
   private SceneParser(
@@ -49,28 +50,36 @@ public final class SceneParser {
       Optional<RenderSettings.Mode> mode,
       UnaryOperator<RenderSettings> change,
       int maxPixels,
-      TextureChange textures) {
+      TextureChange textures,
+      boolean decodesUnused) {
     this.lenient = lenient;
     this.mode = mode;
     this.change = change;
     this.maxPixels = maxPixels;
     this.textures = textures;
+    this.decodesUnused = decodesUnused;
   }
 
   /** Returns a parser that takes references to missing assets as warnings. */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change, maxPixels, textures);
+    return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused);
   }
 
   /** Returns a parser that renders in the given mode, whatever the file says. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
-    return new SceneParser(lenient, Optional.of(newMode), change, maxPixels, textures);
+    return new SceneParser(
+        lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused);
   }
 
   /** Returns a parser that changes the settings that the file gives before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
     return new SceneParser(
-        lenient, mode, Objects.requireNonNull(newChange, "newChange"), maxPixels, textures);
+        lenient,
+        mode,
+        Objects.requireNonNull(newChange, "newChange"),
+        maxPixels,
+        textures,
+        decodesUnused);
   }
 
   /**
@@ -82,19 +91,27 @@ public final class SceneParser {
     if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
       throw new IllegalArgumentException("pixels: expected 1 to 2^29, found " + newMaxPixels);
     }
-    return new SceneParser(lenient, mode, change, newMaxPixels, textures);
+    return new SceneParser(lenient, mode, change, newMaxPixels, textures, decodesUnused);
   }
 
   /** Returns a parser that filters all textures in one way, whatever the file says. */
   public SceneParser filtering(ImageTexture.Filter filter) {
     TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed);
+    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused);
   }
 
   /** Returns a parser whose textures tell each time that they are asked for a value. */
   public SceneParser countingTextures(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed);
+    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused);
+  }
+
+  /**
+   * Returns a parser that decodes meshes and textures that nothing uses, too, and finds what is
+   * wrong with them: it makes the same scene, and tells what leaving them out saves.
+   */
+  public SceneParser decodingUnused() {
+    return new SceneParser(lenient, mode, change, maxPixels, textures, true);
   }
 
   /**
@@ -148,13 +165,19 @@ public final class SceneParser {
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene();
-    return new SceneFile(
-        scene,
-        settings,
-        problems.warnings(),
-        HexFormat.of().formatHex(digest.digest()),
-        world.contents(),
-        world.origins());
+    SceneFile made =
+        new SceneFile(
+            scene,
+            settings,
+            problems.warnings(),
+            HexFormat.of().formatHex(digest.digest()),
+            world.contents(),
+            world.origins());
+    if (decodesUnused) {
+      world.decodeUnused();
+      problems.throwIfAny();
+    }
+    return made;
   }
 
   /** Returns the settings; if the file's have errors, without the caller's changes. */

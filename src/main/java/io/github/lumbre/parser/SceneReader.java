@@ -71,6 +71,12 @@ final class SceneReader {
     readLights(background);
   }
 
+  /** Decodes meshes and textures that nothing has used so far. */
+  void decodeUnused() {
+    meshes.readAll();
+    textures.readAll();
+  }
+
   private void readCamera(double aspect) {
     List<Placed> all = objects(ObjectTree.Type.CAMERA);
     all.forEach(cameras::check);

@@ -133,6 +133,11 @@ final class TextureReader {
         .flatMap(asset -> pictures.computeIfAbsent(asset, this::read));
   }
 
+  /** Reads all textures, used or not. */
+  void readAll() {
+    assets.all(Type.TEXTURE).forEach(texture -> pictures.computeIfAbsent(texture, this::read));
+  }
+
   private Optional<Picture> read(JsonNode texture) {
     return family.choose(texture, "Image").flatMap(reader -> reader.read(texture));
   }

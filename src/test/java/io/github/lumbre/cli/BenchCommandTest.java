@@ -169,4 +169,20 @@ class BenchCommandTest {
     bench("--paired", "--repeat", "12")
         .assertFailed(ExitCodes.USAGE, "--paired: expected --without or --adaptive");
   }
+
+  /** A mesh of 2000 vertices and triangles takes a hundred kilobytes at least. */
+  @Test
+  void loadingTellsWhatUnusedAssetsWouldTake() throws IOException {
+    String obj = "v 0 0 0\nv 1 0 0\n" + "v 0 1 0\nf 1 2 -1\n".repeat(2000);
+    Files.writeString(directory.resolve("large.obj"), obj);
+    String mesh = "{\"id\": 9, \"assetType\": \"Mesh\", \"file\": \"large.obj\"}";
+    Path unused = TinyScene.write(directory, TinyScene.withAsset(mesh));
+    Outcome outcome = Outcome.of("bench", unused.toString(), "--loading", "--repeat", "6");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    String[] cells = rows(outcome).get(0).split("\\|");
+    assertThat(cells[2].strip()).isEqualTo("1");
+    assertThat(Double.parseDouble(cells[6].strip().split(" ")[0])).isBetween(.1, 10.);
+    bench("--loading", "--paired", "--adaptive", "--repeat", "12")
+        .assertFailed(ExitCodes.USAGE, "--loading: expected no --paired");
+  }
 }

@@ -38,13 +38,24 @@ class CheckCommandTest {
     assertThat(check(TinyScene.JSON).out()).doesNotContain("plan");
     assertThat(check(TinyScene.JSON, "--plan").out().lines().skip(12))
         .containsExactly(
-            "plan       materials: 3 of 3 surfaces scatter everywhere alike, which is worked out"
+            "plan       assets: all are used",
+            "           materials: 3 of 3 surfaces scatter everywhere alike, which is worked out"
                 + " once and not at every hit",
             "           normals: left out, no map bends them",
             "           meshes: left out, there are none",
             "           choice of light: left out, there is one",
             "           lens: left out, the camera has none",
             "           coverage of pixels: left out, every sample covers its pixel");
+  }
+
+  @Test
+  void assetsThatNothingUsesAreNotDecoded() {
+    String scene =
+        TinyScene.withAsset(
+            "{\"id\": 8, \"assetType\": \"Mesh\", \"file\": \"none.obj\"},"
+                + " {\"id\": 9, \"assetType\": \"Texture\", \"file\": \"none.png\"}");
+    assertThat(check(scene, "--plan").out())
+        .contains("assets: left undecoded, nothing uses them: mesh 1, texture 1");
   }
 
   @Test
