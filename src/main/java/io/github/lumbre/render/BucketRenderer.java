@@ -40,8 +40,10 @@ public final class BucketRenderer {
     return render(new FilmRenderer(settings, scene, integrator), progress);
   }
 
-  private RenderResult render(FilmRenderer renderer, Progress progress)
-      throws InterruptedException {
+  /**
+   * @param renderer of this one's settings
+   */
+  RenderResult render(FilmRenderer renderer, Progress progress) throws InterruptedException {
     Film film = renderer.newFilm();
     RenderSettings.Crop window = settings.window();
     progress.started((long) window.width() * window.height() * settings.samples());

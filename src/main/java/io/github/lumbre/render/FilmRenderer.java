@@ -17,6 +17,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.LongFunction;
+import java.util.function.UnaryOperator;
 
 /**
  * Adds samples of one scene to films, a pass at a time: between passes the caller may look at the
@@ -40,6 +41,7 @@ public final class FilmRenderer {
   private final Scene scene;
   private final Integrator integrator;
   private final LongFunction<Sampler> samplers;
+  private final UnaryOperator<List<Bucket>> order;
   private final boolean hasAlpha;
 
   /**
@@ -61,11 +63,29 @@ public final class FilmRenderer {
    */
   public FilmRenderer(
       RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
+    this(settings, scene, integrator, samplers, UnaryOperator.identity());
+  }
+
+  private FilmRenderer(
+      RenderSettings settings,
+      Scene scene,
+      Integrator integrator,
+      LongFunction<Sampler> samplers,
+      UnaryOperator<List<Bucket>> order) {
     this.samplers = Objects.requireNonNull(samplers, "samplers");
+    this.order = order;
     this.settings = Objects.requireNonNull(settings, "settings");
     this.scene = Objects.requireNonNull(scene, "scene");
     this.integrator = Objects.requireNonNull(integrator, "integrator");
     hasAlpha = settings.transparent() || scene.camera().leavesBlanks();
+  }
+
+  /**
+   * Returns the same, but for the order in which the threads take the buckets of a pass: rows from
+   * the top unless told otherwise.
+   */
+  FilmRenderer inOrder(UnaryOperator<List<Bucket>> newOrder) {
+    return new FilmRenderer(settings, scene, integrator, samplers, newOrder);
   }
 
   private static Integrator integrator(RenderSettings settings, Scene scene) {
@@ -133,7 +153,7 @@ public final class FilmRenderer {
   public PassResult addSamples(Film film, SampleTarget target, Progress progress)
       throws InterruptedException {
     requireOwn(film);
-    List<Bucket> buckets = buckets(settings.window());
+    List<Bucket> buckets = order.apply(buckets(settings.window()));
     RenderQueue queue = new RenderQueue(buckets, progress);
     List<BucketWorker> workers = new ArrayList<>();
     for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {

@@ -92,7 +92,7 @@ class AdaptiveScheduleTest {
   }
 
   @Test
-  void threadsBucketsAndPausesChangeNothing() throws InterruptedException {
+  void threadsBucketsTheirOrderAndPausesChangeNothing() throws InterruptedException {
     Film expected = rendered(settings().samples(200).build());
     Random random = new Random(42);
     for (int run = 0; run < 10; run++) {
@@ -102,7 +102,7 @@ class AdaptiveScheduleTest {
               .threads(1 + random.nextInt(4))
               .bucketSize(1 + random.nextInt(30))
               .build();
-      FilmRenderer renderer = renderer(other);
+      FilmRenderer renderer = renderer(other).inOrder(Orders.shuffled(random));
       Film film = renderer.newFilm();
       finish(renderer, renderer.schedule(), film, pausingAfter(1 + random.nextInt(20_000)));
       assertThat(film.develop().rgb()).isEqualTo(expected.develop().rgb());

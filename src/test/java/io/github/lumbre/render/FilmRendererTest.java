@@ -68,7 +68,8 @@ class FilmRendererTest {
         done = Math.min(SAMPLES, done + 1 + random.nextInt(40));
         RenderSettings other =
             settings().threads(1 + random.nextInt(4)).bucketSize(1 + random.nextInt(40)).build();
-        new FilmRenderer(other, SCENE).addSamples(film, done, Progress.NONE);
+        FilmRenderer renderer = new FilmRenderer(other, SCENE).inOrder(Orders.shuffled(random));
+        renderer.addSamples(film, done, Progress.NONE);
       }
       assertSame(film.develop(), expected);
     }

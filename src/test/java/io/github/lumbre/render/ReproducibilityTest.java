@@ -1,16 +1,17 @@
-package io.github.lumbre;
+package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,22 +35,28 @@ class ReproducibilityTest {
 
   @ParameterizedTest
   @MethodSource("scenes")
-  void threadsAndBucketsDoNotChangeABit(Path path)
+  void threadsBucketsAndTheirOrderDoNotChangeABit(Path path)
       throws SceneFormatException, IOException, InterruptedException {
+    Random random = new Random(43);
     for (RenderSettings.Mode mode : RenderSettings.Mode.values()) {
       SceneFile file =
           new SceneParser()
               .inMode(mode)
               .overriding(s -> s.toBuilder().size(40, 29).samples(2).build())
               .parse(path);
-      float[] expected = null;
+      float[] expected = new BucketRenderer(file.settings()).render(file.scene()).rgb();
       for (int threads : THREADS) {
         for (int bucket : BUCKETS) {
           RenderSettings settings =
               file.settings().toBuilder().threads(threads).bucketSize(bucket).build();
-          float[] rgb = new BucketRenderer(settings).render(file.scene()).rgb();
-          expected = expected == null ? rgb : expected;
-          assertThat(rgb).as("%s %d threads, bucket %d", mode, threads, bucket).isEqualTo(expected);
+          FilmRenderer renderer = new FilmRenderer(settings, file.scene());
+          Image image =
+              new BucketRenderer(settings)
+                  .render(renderer.inOrder(Orders.shuffled(random)), Progress.NONE)
+                  .image();
+          assertThat(image.rgb())
+              .as("%s %d threads, bucket %d, shuffled", mode, threads, bucket)
+              .isEqualTo(expected);
         }
       }
     }
