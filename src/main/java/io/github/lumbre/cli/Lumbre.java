@@ -36,6 +36,7 @@ import picocli.CommandLine.Spec;
       CompareCommand.class,
       TradeCommand.class,
       TradeTableCommand.class,
+      TradeQualityCommand.class,
       GalleryCommand.class,
       SelfTestCommand.class,
       CompletionCommand.class,

@@ -58,7 +58,7 @@ record TradeBudget(
   private static final double PLANNED = .6;
 
   /** The share after which no seed begins that would end beyond; the rest is for the page. */
-  private static final double RENDERING = .9;
+  private static final double RENDERING = .85;
 
   /** Renders of one thread that compare exact settings, and the share of the time for them. */
   private static final int EXACT_RENDERS = 50;

@@ -81,7 +81,7 @@ final class TradeCommand implements Callable<Integer> {
       converter = FlagConverters.OfShare.class,
       description =
           "Go on with the usual setting, to twice the samples again and again, until the error of"
-              + " every seed is at most so much, as relative root mean squared error (3.1%%), and"
+              + " every seed is at most so much, as relative root mean squared error (3.16%%), and"
               + " with the reference until its own, squared, is at most an eighth of that; or until"
               + " --time ends, if given. -s is 16 then, and --seeds 4, unless given.")
   private Optional<Double> target = Optional.empty();

@@ -6,7 +6,6 @@ import io.github.lumbre.measure.TradePage;
 import io.github.lumbre.measure.TradePlan;
 import io.github.lumbre.measure.TradeResult;
 import io.github.lumbre.measure.TradeScene;
-import io.github.lumbre.measure.TradeSetting;
 import io.github.lumbre.measure.TradeStudy;
 import io.github.lumbre.measure.TradeSweep;
 import io.github.lumbre.parser.SceneFile;
@@ -23,10 +22,11 @@ import java.io.Writer;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
-import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.DoubleFunction;
 
 /** The study of one scene: reads it in all ways that are compared, and measures. Not reusable. */
 final class TradeRun {
@@ -78,9 +78,9 @@ final class TradeRun {
       sweep.addRays(counted(rays, ofRays), framed(rays));
     }
     int count = sweep.settings(TradeBudget.LARGEST).size();
-    TradePlan plan = budget.plan(rate, spent(), count, settings);
-    List<TradeSetting> all = sweep.settings(plan.mostSamples());
-    result = new TradeStudy(all, plan, TradeRun::cpuSeconds, messages::line).run();
+    double before = spent();
+    DoubleFunction<TradePlan> planner = r -> budget.plan(r, before, count, settings);
+    result = new TradeStudy(sweep, planner, TradeRun::cpuSeconds, messages::line).run(rate);
     tell(settings);
     return result;
   }
@@ -141,7 +141,7 @@ final class TradeRun {
     facts.put("seeds", result.seeds() + " for each setting, numbered from 1");
     facts.put("machine", Hardware.here().line());
     facts.put("threads", threads == 0 ? "one per processor" : String.valueOf(threads));
-    facts.put("load", BenchMachine.here().load() + " before the report");
+    facts.put("load", String.format(Locale.ROOT, "%.1f", BenchMachine.here().load()));
     facts.put("version", Version.number());
     facts.put("took", Math.round(spent()) + " s");
   }

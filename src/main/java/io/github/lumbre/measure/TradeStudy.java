@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
 import java.util.function.DoubleSupplier;
 
 /**
@@ -27,8 +28,8 @@ public final class TradeStudy {
   /** The share of the time after which a reference is taken as it is. */
   private static final double REFERENCE_SHARE = .5;
 
-  private final List<TradeSetting> settings;
-  private final TradePlan plan;
+  private final TradeSweep sweep;
+  private final DoubleFunction<TradePlan> planner;
   private final DoubleSupplier cpuSeconds;
   private final Consumer<String> log;
   private final List<TradeTrial> trials = new ArrayList<>();
@@ -36,32 +37,39 @@ public final class TradeStudy {
   /** The usual setting's films, one for each seed. */
   private final List<TradeClimb> usual = new ArrayList<>();
 
+  private TradePlan plan;
+  private List<TradeSetting> settings;
   private double start;
 
   /**
-   * @param settings to be measured, that which is taken for the truth first
+   * @param sweep settings to be measured
+   * @param planner tells what fits if so many samples a second are rendered
    * @param cpuSeconds tells the processor time of the process so far
    * @param log hears what is being done
    */
   public TradeStudy(
-      List<TradeSetting> settings,
-      TradePlan plan,
+      TradeSweep sweep,
+      DoubleFunction<TradePlan> planner,
       DoubleSupplier cpuSeconds,
       Consumer<String> log) {
-    this.settings = List.copyOf(settings);
-    this.plan = plan;
+    this.sweep = sweep;
+    this.planner = planner;
     this.cpuSeconds = cpuSeconds;
     this.log = log;
   }
 
   /**
-   * Runs the study.
+   * Runs the study. Not to be called twice.
    *
+   * @param rate samples that are rendered in a second, as far as that is known; the reference tells
+   *     it better
    * @throws InterruptedException if the calling thread is interrupted
    */
-  public TradeResult run() throws InterruptedException {
+  public TradeResult run(double rate) throws InterruptedException {
     start = TradeClimb.clock();
+    planFor(rate);
     TradeClimb reference = renderReference();
+    planAgain(reference);
     Image truth = reference.film().develop();
     NoiseEstimate noise = noise(reference);
     log.accept("settings that change the time alone");
@@ -69,19 +77,40 @@ public final class TradeStudy {
     renderSeeds(truth);
     reachTarget(truth, noise.relativeMse());
     log.accept("nodes and textures");
+    return new TradeResult(
+        truth, reference.samples(), noise, rows(truth, noise.relativeMse()), exact);
+  }
+
+  private void planFor(double rate) {
+    plan = planner.apply(rate);
+    settings = sweep.settings(plan.mostSamples());
+  }
+
+  /** Plans by the time that the reference took, and goes on with it if it is to be better. */
+  private void planAgain(TradeClimb reference) throws InterruptedException {
+    Film film = reference.film();
+    planFor(film.totalSamples() / Math.max(1e-9, reference.seconds()));
+    if (plan.referenceSamples() > reference.samples()) {
+      log.accept("reference: " + plan.referenceSamples() + " samples per pixel");
+      reference.to(plan.referenceSamples());
+    }
+  }
+
+  private List<TradeRow> rows(Image truth, double truthNoise) throws InterruptedException {
     List<TradeRow> rows = new ArrayList<>();
     for (TradeSetting setting : settings) {
       TradeWork work = work(setting);
-      for (int samples :
+      int[] ladder =
           trials.stream()
               .filter(t -> t.setting() == setting)
               .mapToInt(TradeTrial::samples)
               .distinct()
-              .toArray()) {
-        rows.add(row(setting, samples, work, truth, noise.relativeMse()));
+              .toArray();
+      for (int samples : ladder) {
+        rows.add(row(setting, samples, work, truth, truthNoise));
       }
     }
-    return new TradeResult(truth, reference.samples(), noise, rows, exact);
+    return rows;
   }
 
   private TradeSetting reference() {

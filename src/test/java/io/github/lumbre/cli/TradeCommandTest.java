@@ -176,6 +176,26 @@ class TradeCommandTest {
     assertThat(outcome.err()).contains("no time for ");
   }
 
+  /** In direct light, no depth leaves anything out, and errors are those of the qualities. */
+  @Test
+  void qualitiesHaveTheirErrors() throws IOException {
+    String scene = TinyScene.write(directory, TinyScene.JSON).toString();
+    Outcome outcome = Outcome.of("trade-quality", scene, "--seeds", "3", "--time", "20s");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    List<String> rows = outcome.out().lines().filter(line -> line.startsWith("| tiny")).toList();
+    assertThat(rows).hasSize(4);
+    List<Double> limits = List.of(20., 10., 3., 1.);
+    for (int i = 0; i < 4; i++) {
+      String[] cells = rows.get(i).split("\\|");
+      assertThat(Double.parseDouble(cells[7].replace("%", "").strip()))
+          .as(rows.get(i))
+          .isBetween(.02 * limits.get(i), 1.3 * limits.get(i));
+    }
+    Outcome hurried = Outcome.of("trade-quality", scene, "--seeds", "3", "--time", "0.001s");
+    assertThat(hurried.out().lines().skip(2)).hasSize(4).allMatch(l -> l.contains("| no time |"));
+    Outcome.of("trade-quality", scene, "--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds");
+  }
+
   private static String text(JsonObject object, String key) {
     return object.get(key).getAsString();
   }
