@@ -68,9 +68,15 @@ if "%LUMBRE_BUILT%"=="0" goto run
 echo lumbre: the build failed>&2
 exit /b 7
 
-rem The options of the virtual machine, all of them.
+rem The vector kernel needs a module, of which the virtual machine warns in a line on standard error.
 :run
+set "LUMBRE_BIN=%JAVA_HOME%\bin\"
+if not defined JAVA_HOME for %%a in (java.exe) do set "LUMBRE_BIN=%%~dp$PATH:a"
+set "LUMBRE_VECTORS="
+findstr /c:"jdk.incubator.vector" "%LUMBRE_BIN%..\release" >nul 2>nul && set "LUMBRE_VECTORS=--add-modules jdk.incubator.vector"
+
+rem The options of the virtual machine, all of them.
 set "LUMBRE_NATIVE="
 if %LUMBRE_MAJOR% GEQ 22 set "LUMBRE_NATIVE=--enable-native-access=ALL-UNNAMED"
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
 exit /b %ERRORLEVEL%
