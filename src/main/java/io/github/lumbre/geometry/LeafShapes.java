@@ -13,6 +13,10 @@ final class LeafShapes {
     this.numbers = numbers;
   }
 
+  boolean isEmpty() {
+    return shapes.length == 0;
+  }
+
   /** Asks all shapes; tells whether one had a hit, which is stored. */
   boolean intersect(NearestHit nearest) {
     return intersect(0, shapes.length, nearest);

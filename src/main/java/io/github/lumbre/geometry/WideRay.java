@@ -11,7 +11,7 @@ final class WideRay {
   /** Makes up for the rounding of slabs, less than 2^-21 of a t at each end. */
   private static final float GROWTH = 1 + 0x1p-20f;
 
-  /** The least component of a direction, relative to the largest. */
+  /** The least component of a direction. */
   private static final double LEAST = 0x1p-60;
 
   /** Beyond this distance an origin is moved nearer. */
@@ -23,7 +23,13 @@ final class WideRay {
   /** Beyond this distance all boxes and triangles are looked at. */
   private static final double REACH = 0x1p40;
 
-  private static final int MAX_EXPONENT = 960;
+  /** The lengths of directions that floats take as they are, as most are. */
+  private static final double SHORT = 0x1p-10;
+
+  private static final double LONG = 0x1p10;
+
+  /** What other directions are at most multiplied or divided by; beyond, all is looked at. */
+  private static final double MAX_UNIT = 0x1p960;
 
   /** All bits set for an axis along which the direction is negative, otherwise none. */
   int signX;
@@ -120,15 +126,20 @@ final class WideRay {
     double py = (oy - space.centreY) * space.scale;
     double pz = (oz - space.centreZ) * space.scale;
     double longest = Axes.largest(dx, dy, dz);
-    int exponent = Math.getExponent(longest);
-    double unit = power(-exponent);
+    double unit = 1;
+    double perUnit = 1;
+    if (!(longest >= SHORT && longest <= LONG)) {
+      unit = power(-Math.getExponent(longest));
+      perUnit = power(Math.getExponent(longest));
+    }
     double ux = atLeast(dx * unit);
     double uy = atLeast(dy * unit);
     double uz = atLeast(dz * unit);
     double reach = Axes.largest(px, py, pz);
     double worldReach = Axes.largest(ox, oy, oz) * space.scale + space.centreReach;
     double start = 0;
-    if (reach > NEAR && Math.abs(exponent) <= MAX_EXPONENT) {
+    boolean isOfLength = unit <= MAX_UNIT && perUnit <= MAX_UNIT;
+    if (reach > NEAR && isOfLength) {
       start = entry(px, py, pz, ux, uy, uz, 2 + 0x1p-46 * worldReach);
       if (start < 0) {
         return false;
@@ -139,7 +150,7 @@ final class WideRay {
       reach = Axes.largest(px, py, pz);
     }
     // A product, since the compiler keeps a number made of bits in a copy for each of its uses.
-    tScale = power(exponent) * space.scale * GROWTH;
+    tScale = perUnit * space.scale * GROWTH;
     tOffset = start * (0x1p-48 - GROWTH);
     double size = 1 + reach + 0x1p-24 * worldReach;
     float slack = (float) (0x1p-22 * (1 + reach) + 0x1p-46 * worldReach);
@@ -148,7 +159,7 @@ final class WideRay {
     depth = (float) (longest * unit) * GROWTH;
     depthSlack = 4 * slack;
     depthRoom = (float) (8 * size);
-    if (!(worldReach <= REACH && Math.abs(exponent) <= MAX_EXPONENT)) {
+    if (!(worldReach <= REACH && isOfLength)) {
       slack = lookAtAll();
       px = 0;
       py = 0;

@@ -14,6 +14,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Mis;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Shortcut;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -38,7 +39,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
    * @param maxDepth as of {@link PathTracer}
    */
   public PathRecorder(Scene scene, int maxDepth) {
-    super(scene, maxDepth);
+    super(scene.without(Shortcut.LAST_RAY), maxDepth);
     this.maxDepth = maxDepth;
   }
 

@@ -24,19 +24,26 @@ final class Vertex {
   private Bsdf bsdf;
 
   /** Direction back along the path, in the local frame. */
-  private Vec3 wo;
+  private double outX, outY, outZ;
 
   /** Moves to another point; may turn the hit's shading frame. */
   void moveTo(SurfaceHit newSurface, Material material) {
     surface = newSurface;
     material.bend(surface);
     // A viewer behind the bent plane but before the true one sees the true one.
-    wo = surface.toLocal(surface.wo());
-    if (surface.wo().dot(surface.geometricNormal()) * wo.z() <= 0) {
+    lookBack();
+    if (surface.wo().dot(surface.geometricNormal()) * outZ <= 0) {
       surface.shadeBy(Frame.around(surface.geometricNormal()));
-      wo = surface.toLocal(surface.wo());
+      lookBack();
     }
     bsdf = material.at(surface.texture());
+  }
+
+  private void lookBack() {
+    Vec3 wo = surface.toLocal(surface.wo());
+    outX = wo.x();
+    outY = wo.y();
+    outZ = wo.z();
   }
 
   SurfaceHit surface() {
@@ -49,7 +56,7 @@ final class Vertex {
 
   /** Returns the direction back along the path, in the local frame. */
   Vec3 wo() {
-    return wo;
+    return new Vec3(outX, outY, outZ);
   }
 
   /** Returns the world direction of a local one. */
@@ -59,14 +66,14 @@ final class Vertex {
 
   /** Asks for light here, from the side or sides from which it scatters to the viewer. */
   void ask(LightChoice choice) {
-    double side = bsdf.isTransmissive() ? 0 : Math.copySign(1, wo.z());
+    double side = bsdf.isTransmissive() ? 0 : Math.copySign(1, outZ);
     choice.moveTo(surface.position(), surface.shadingNormal().times(side));
   }
 
   /** Returns f·|cos θi| for a unit world direction. */
   Rgb eval(Vec3 wi) {
     Vec3 local = surface.toLocal(wi);
-    return isConsistent(wi, local) ? bsdf.eval(wo, local) : Rgb.BLACK;
+    return isConsistent(wi, local) ? bsdf.eval(wo(), local) : Rgb.BLACK;
   }
 
   /** Sets f·|cos θi| and the density of the unit world direction that light comes from. */
@@ -74,7 +81,7 @@ final class Vertex {
     Vec3 wi = light.wi();
     Vec3 local = surface.toLocal(wi);
     if (isConsistent(wi, local)) {
-      bsdf.evaluate(wo, local, value);
+      bsdf.evaluate(wo(), local, value);
     } else {
       value.clear();
     }
@@ -82,7 +89,7 @@ final class Vertex {
 
   /** Draws a direction; the sample's wi is in world space. */
   void sample(double uLobe, Point2 u, BsdfSample drawn) {
-    bsdf.sample(wo, uLobe, u, drawn);
+    bsdf.sample(wo(), uLobe, u, drawn);
     if (drawn.isAbsorbed()) {
       return;
     }
@@ -107,6 +114,6 @@ final class Vertex {
   private boolean isConsistent(double wx, double wy, double wz, double localZ) {
     Vec3 normal = surface.geometricNormal();
     double cosine = wx * normal.x() + wy * normal.y() + wz * normal.z();
-    return cosine * (localZ * wo.z()) * surface.wo().dot(normal) > 0;
+    return cosine * (localZ * outZ) * surface.wo().dot(normal) > 0;
   }
 }

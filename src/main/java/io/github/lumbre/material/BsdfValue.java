@@ -15,7 +15,7 @@ public final class BsdfValue {
 
   /** Says that nothing is scattered that way. */
   public void clear() {
-    set(Rgb.BLACK, 0);
+    set(0, 0, 0, 0);
   }
 
   /**
@@ -25,9 +25,14 @@ public final class BsdfValue {
    * @param newPdf density per solid angle with which wi would be drawn, delta lobes aside
    */
   public void set(Rgb f, double newPdf) {
-    r = f.r();
-    g = f.g();
-    b = f.b();
+    set(f.r(), f.g(), f.b(), newPdf);
+  }
+
+  /** Sets both values, the first by its components. */
+  void set(double newR, double newG, double newB, double newPdf) {
+    r = newR;
+    g = newG;
+    b = newB;
     pdf = newPdf;
   }
 

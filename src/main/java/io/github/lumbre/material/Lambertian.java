@@ -26,7 +26,7 @@ public record Lambertian(Rgb albedo) implements Lobe {
   public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
     if (wo.z() * wi.z() > 0) {
       double pdf = Warp.cosineHemispherePdf(Math.abs(wi.z()));
-      value.set(albedo.times(pdf), pdf);
+      value.set(albedo.r() * pdf, albedo.g() * pdf, albedo.b() * pdf, pdf);
     } else {
       value.clear();
     }
