@@ -2,6 +2,7 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.MicroBenchmark;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -12,7 +13,7 @@ import org.openjdk.jmh.annotations.Setup;
 public class FilmBenchmark extends MicroBenchmark {
   private static final int SIDE = 64;
 
-  private final Film film = new Film(SIDE, SIDE, false);
+  private final Film film = new Film(new Crop(0, 0, SIDE, SIDE), false, 0);
   private Rgb[] values;
 
   @Setup

@@ -275,10 +275,15 @@ public final class Film {
           PackedRgb.of(
               sum(3 * pixel) / count, sum(3 * pixel + 1) / count, sum(3 * pixel + 2) / count);
     }
+    addSilently(pixel, value, covers);
+  }
+
+  /** Adds the next sample without keeping what {@link #halves} needs. */
+  void addSilently(int pixel, Rgb value, boolean covers) {
     add(3 * pixel, value.r());
     add(3 * pixel + 1, value.g());
     add(3 * pixel + 2, value.b());
-    counts[pixel] = count + 1;
+    counts[pixel]++;
     if (covers && covered.length != 0) {
       covered[pixel]++;
     }
