@@ -16,7 +16,7 @@ final class WideTree {
   /** Floats a triangle: three vertices and the longest extent of an edge along an axis. */
   static final int TRIANGLE_SIZE = 10;
 
-  static final LeafCost COSTS = new LeafCost(WIDTH, 1, .6);
+  static final LeafCost COSTS = new LeafCost(WIDTH, 1, .2);
 
   private final UnitSpace space;
   private final Triangles triangles;
@@ -30,7 +30,7 @@ final class WideTree {
     space = new UnitSpace(tree.box());
     LeafOrder leafOrder = new LeafOrder(order, items.triangleCount());
     leaves = new float[items.triangleCount() * TRIANGLE_SIZE + WIDTH];
-    store(tree, leafOrder, items);
+    store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder, items);
     nodes = Arrays.copyOf(nodes, nodeCount * NODE_SIZE);
     children = Arrays.copyOf(children, nodeCount * WIDTH);
     triangles = items.triangles(leafOrder.triangles(), false);
@@ -68,49 +68,27 @@ final class WideTree {
     return shapes;
   }
 
-  private int store(BvhNode node, LeafOrder leafOrder, BvhItems items) {
+  private int store(
+      WideCollapse.Kept node, WideCollapse collapse, LeafOrder leafOrder, BvhItems items) {
     int number = nodeCount++;
     if (nodeCount * WIDTH > children.length) {
       nodes = Arrays.copyOf(nodes, nodes.length * 2);
       children = Arrays.copyOf(children, children.length * 2);
     }
-    BvhNode[] lanes = new BvhNode[WIDTH];
-    int count = open(node, lanes);
+    WideCollapse.Kept[] lanes = collapse.children(node);
     for (int lane = 0; lane < WIDTH; lane++) {
-      storeBox(number * NODE_SIZE + lane, lane < count ? lanes[lane].box() : BvhNode.EMPTY);
+      storeBox(
+          number * NODE_SIZE + lane,
+          lane < lanes.length ? lanes[lane].node().box() : BvhNode.EMPTY);
     }
-    for (int lane = 0; lane < count; lane++) {
+    for (int lane = 0; lane < lanes.length; lane++) {
       int child =
-          lanes[lane] instanceof BvhNode.Leaf leaf
+          lanes[lane].node() instanceof BvhNode.Leaf leaf
               ? storeLeaf(leaf, leafOrder, items)
-              : WIDTH * store(lanes[lane], leafOrder, items);
+              : WIDTH * store(lanes[lane], collapse, leafOrder, items);
       children[number * WIDTH + lane] = child;
     }
     return number;
-  }
-
-  /** Finds up to eight nodes that hold all of one, by opening the largest again and again. */
-  private static int open(BvhNode node, BvhNode[] lanes) {
-    lanes[0] = node;
-    int count = 1;
-    while (count < WIDTH) {
-      int largest = -1;
-      double most = -1;
-      for (int lane = 0; lane < count; lane++) {
-        double area = BvhSplitter.halfArea(lanes[lane].box(), 0);
-        if (lanes[lane] instanceof BvhNode.Inner && area > most) {
-          most = area;
-          largest = lane;
-        }
-      }
-      if (largest < 0) {
-        break;
-      }
-      BvhNode.Inner inner = (BvhNode.Inner) lanes[largest];
-      lanes[largest] = inner.left();
-      lanes[count++] = inner.right();
-    }
-    return count;
   }
 
   private void storeBox(int at, double[] box) {

@@ -1,0 +1,127 @@
+package io.github.lumbre.geometry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Laws of the choice of nodes that have up to eight children. */
+class WideCollapseTest {
+  private static final int TREES = 300;
+  private static final int MAX_LEAVES = 60;
+
+  /** Returns a tree, of any shape, over leaves of random boxes. */
+  private static BvhNode tree(int first, int end, SplittableRandom random) {
+    if (end - first == 1) {
+      double[] box = new double[6];
+      for (int axis = 0; axis < 6; axis += 2) {
+        box[axis] = random.nextDouble();
+        box[axis + 1] = box[axis] + random.nextDouble(.3);
+      }
+      return new BvhNode.Leaf(box, first, end);
+    }
+    int middle = random.nextInt(first + 1, end);
+    BvhNode left = tree(first, middle, random);
+    BvhNode right = tree(middle, end, random);
+    double[] box = new double[6];
+    for (int axis = 0; axis < 6; axis += 2) {
+      box[axis] = Math.min(left.box()[axis], right.box()[axis]);
+      box[axis + 1] = Math.max(left.box()[axis + 1], right.box()[axis + 1]);
+    }
+    return new BvhNode.Inner(box, left, right);
+  }
+
+  /** Gathers the leaves in order; returns the surface of the nodes kept. */
+  private static double walk(WideCollapse collapse, WideCollapse.Kept node, List<BvhNode> leaves) {
+    double surface = BvhSplitter.halfArea(node.node().box(), 0);
+    WideCollapse.Kept[] children = collapse.children(node);
+    assertThat(children).hasSizeBetween(1, WideTree.WIDTH);
+    for (WideCollapse.Kept child : children) {
+      if (child.node() instanceof BvhNode.Leaf) {
+        leaves.add(child.node());
+      } else {
+        surface += walk(collapse, child, leaves);
+      }
+    }
+    return surface;
+  }
+
+  /** Returns the surface of nodes kept by a random choice. */
+  private static double atRandom(BvhNode node, SplittableRandom random) {
+    List<BvhNode> lanes = new ArrayList<>(List.of(node));
+    int wanted = random.nextInt(2, WideTree.WIDTH + 1);
+    do {
+      int lane = random.nextInt(lanes.size());
+      if (lanes.get(lane) instanceof BvhNode.Inner inner) {
+        lanes.set(lane, inner.left());
+        lanes.add(inner.right());
+      }
+    } while (lanes.size() < wanted && lanes.stream().anyMatch(BvhNode.Inner.class::isInstance));
+    return BvhSplitter.halfArea(node.box(), 0)
+        + lanes.stream()
+            .filter(BvhNode.Inner.class::isInstance)
+            .mapToDouble(lane -> atRandom(lane, random))
+            .sum();
+  }
+
+  /** Returns the surface of nodes kept by opening the largest again and again. */
+  private static double byOpeningTheLargest(BvhNode node) {
+    List<BvhNode> lanes = new ArrayList<>(List.of(node));
+    while (lanes.size() < WideTree.WIDTH) {
+      BvhNode.Inner largest = null;
+      for (BvhNode lane : lanes) {
+        if (lane instanceof BvhNode.Inner inner
+            && (largest == null
+                || BvhSplitter.halfArea(inner.box(), 0) > BvhSplitter.halfArea(largest.box(), 0))) {
+          largest = inner;
+        }
+      }
+      if (largest == null) {
+        break;
+      }
+      lanes.set(lanes.indexOf(largest), largest.left());
+      lanes.add(largest.right());
+    }
+    return BvhSplitter.halfArea(node.box(), 0)
+        + lanes.stream()
+            .filter(BvhNode.Inner.class::isInstance)
+            .mapToDouble(WideCollapseTest::byOpeningTheLargest)
+            .sum();
+  }
+
+  @Test
+  void everyLeafIsKeptOnceInItsOrder() {
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < TREES; i++) {
+      int count = random.nextInt(1, MAX_LEAVES);
+      BvhNode tree = tree(0, count, random);
+      List<BvhNode> leaves = new ArrayList<>();
+      walk(new WideCollapse(tree), WideCollapse.root(tree), leaves);
+      assertThat(leaves).hasSize(count);
+      for (int leaf = 0; leaf < count; leaf++) {
+        assertThat(((BvhNode.Leaf) leaves.get(leaf)).first()).isEqualTo(leaf);
+      }
+    }
+  }
+
+  @Test
+  void noOtherChoiceHasLessSurface() {
+    SplittableRandom random = new SplittableRandom(2);
+    double all = 0;
+    double allByLargest = 0;
+    for (int i = 0; i < TREES; i++) {
+      BvhNode tree = tree(0, random.nextInt(2, MAX_LEAVES), random);
+      double least = walk(new WideCollapse(tree), WideCollapse.root(tree), new ArrayList<>());
+      double byLargest = byOpeningTheLargest(tree);
+      assertThat(least).isLessThanOrEqualTo(byLargest * (1 + 1e-12));
+      for (int k = 0; k < 20; k++) {
+        assertThat(least).isLessThanOrEqualTo(atRandom(tree, random) * (1 + 1e-12));
+      }
+      all += least;
+      allByLargest += byLargest;
+    }
+    assertThat(all).isLessThan(.95 * allByLargest);
+  }
+}
