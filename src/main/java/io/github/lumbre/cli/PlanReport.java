@@ -104,7 +104,7 @@ final class PlanReport {
     if (scene.takes(Shortcut.ONE_EMITTER)) {
       return "left out, there is one";
     }
-    return switch (LightSelector.over(scene.emitters(), scene.radius()).method()) {
+    return switch (LightSelector.over(scene.emitters()).method()) {
       case FIXED -> "of " + count + " with the same probabilities everywhere";
       case ONE_BY_ONE -> "of " + count + ", each asked what it may send to the point";
       case HIERARCHY -> "of " + count + " by a hierarchy, which asks about 2 log2 of them";

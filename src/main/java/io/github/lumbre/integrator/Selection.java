@@ -10,7 +10,7 @@ public enum Selection {
   PLACE {
     @Override
     LightSelector over(Scene scene) {
-      return LightSelector.over(scene.emitters(), scene.radius());
+      return LightSelector.over(scene.emitters());
     }
   },
   /** By power, at all vertices alike: see {@link LightSelector#byPower}. */

@@ -28,6 +28,11 @@ public record DirectionalLight(Vec3 direction, Rgb irradiance) implements Light 
   }
 
   @Override
+  public double farIrradiance() {
+    return irradiance.max();
+  }
+
+  @Override
   public boolean isBlack() {
     return irradiance.isBlack();
   }

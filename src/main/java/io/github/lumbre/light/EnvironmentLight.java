@@ -155,6 +155,20 @@ public final class EnvironmentLight implements Light {
     return meanBrightness * Math.PI * Math.PI * sceneRadius * sceneRadius;
   }
 
+  /**
+   * Of a dome of one radiance a quarter of what a surface has from it, since scattered rays find it
+   * about as well; of an image, what a surface that faces it has from a spot with all of its light.
+   */
+  @Override
+  public double farIrradiance() {
+    return (isEven() ? .25 : 4) * Math.PI * meanBrightness;
+  }
+
+  /** Tells whether all directions have the same radiance. */
+  boolean isEven() {
+    return distribution.isEmpty();
+  }
+
   @Override
   public boolean isBlack() {
     return meanBrightness == 0;

@@ -32,6 +32,15 @@ final class FewLights implements NearLights {
   }
 
   @Override
+  public double irradiance(LightChoice asked) {
+    double sum = 0;
+    for (int i = 0; i < emitters.length; i++) {
+      sum += nodes.importance(i, asked);
+    }
+    return sum;
+  }
+
+  @Override
   public void choose(double u, LightChoice choice) {
     double[] weights = choice.weights;
     int count = emitters.length;

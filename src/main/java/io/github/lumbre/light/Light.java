@@ -38,6 +38,15 @@ public sealed interface Light
     return Optional.empty();
   }
 
+  /**
+   * Returns about the irradiance from a light that distance does not weaken, by its strongest
+   * colour component: a weight, to be compared with what {@link #bounds} say of other lights; 0 of
+   * those.
+   */
+  default double farIrradiance() {
+    return 0;
+  }
+
   /** Tells whether the light emits nothing at all, so that it need never be chosen. */
   boolean isBlack();
 

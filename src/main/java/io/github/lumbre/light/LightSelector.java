@@ -10,9 +10,9 @@ import java.util.stream.IntStream;
 /**
  * Which of a scene's emitters a point asks for light: a choice at random. Immutable.
  *
- * <p>Two or more emitters of limited reach are chosen by what may come from them to the point;
- * those that shine everywhere alike, and all the others as one, with the same probabilities at all
- * points.
+ * <p>Emitters of limited reach are chosen by what may come from them to the point, and so are all
+ * of them against all that shine everywhere alike; among these the probabilities are the same at
+ * all points.
  */
 public final class LightSelector {
   /**
@@ -27,10 +27,21 @@ public final class LightSelector {
    */
   private static final double LEAST = 1e-3;
 
-  /** Over the emitters of unlimited reach and, last, all the near ones as one. */
+  /** The least share of all that is near together: what is far may be hidden, by a roof. */
+  private static final double LEAST_NEAR = .25;
+
+  /** The least share of all that is far: lamps may be hidden too, and scattered rays miss suns. */
+  private static final double LEAST_FAR = .125;
+
+  private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
+
+  /** What stands in the place of an emitter that is not in the distribution. */
+  private static final int NEAR = -1;
+
+  /** Over the emitters that stand alone. */
   private final Distribution1d distribution;
 
-  /** The emitters of unlimited reach, or all if there are not two others. */
+  /** The emitters of unlimited reach, or all if there is but one. */
   private final int[] alone;
 
   /** Where in the distribution each emitter stands. */
@@ -38,12 +49,45 @@ public final class LightSelector {
 
   private final Optional<NearLights> near;
 
-  private LightSelector(
-      Distribution1d distribution, int[] alone, int[] places, Optional<NearLights> near) {
-    this.distribution = distribution;
+  /** Of all that stand alone, in the unit of those that are near. */
+  private final double farIrradiance;
+
+  private final double leastFar;
+
+  /** A selector with the same probabilities at all points. */
+  private LightSelector(double[] weights, int[] alone, int[] places) {
+    distribution = halfEven(weights);
     this.alone = alone;
     this.places = places;
-    this.near = near;
+    near = Optional.empty();
+    farIrradiance = 0;
+    leastFar = 0;
+  }
+
+  /**
+   * A selector by place.
+   *
+   * @param far indices of emitters of unlimited reach
+   * @param items all the others, at least one
+   */
+  private LightSelector(List<Light> emitters, int[] far, List<LightTreeBuilder.Item> items) {
+    double[] weights =
+        IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).toArray();
+    distribution = halfEven(weights.length == 0 ? new double[1] : weights);
+    alone = far;
+    places = new int[emitters.size()];
+    Arrays.fill(places, NEAR);
+    for (int place = 0; place < far.length; place++) {
+      places[far[place]] = place;
+    }
+    double unit =
+        items.stream().mapToDouble(item -> item.bounds().intensity()).average().orElseThrow();
+    near = Optional.of(near(comparable(items, unit), emitters.size()));
+    farIrradiance = Arrays.stream(weights).sum() / unit;
+    boolean isEven =
+        IntStream.of(far)
+            .allMatch(i -> emitters.get(i) instanceof EnvironmentLight dome && dome.isEven());
+    leastFar = isEven ? 0 : LEAST_FAR;
   }
 
   /**
@@ -54,48 +98,34 @@ public final class LightSelector {
    */
   public static LightSelector byPower(double... powers) {
     int[] all = IntStream.range(0, powers.length).toArray();
-    return new LightSelector(halfEven(powers), all, all, Optional.empty());
+    return new LightSelector(powers, all, all);
   }
 
   /**
    * Returns the selector for a scene's emitters, which it names by their places in the list.
    *
    * @param emitters may be empty; then nothing can be chosen
-   * @param sceneRadius of a sphere around all that is finite in the scene, at least 0
    */
-  public static LightSelector over(List<Light> emitters, double sceneRadius) {
-    double[] powers = emitters.stream().mapToDouble(e -> e.power(sceneRadius)).toArray();
+  public static LightSelector over(List<Light> emitters) {
     List<LightTreeBuilder.Item> items = new ArrayList<>();
-    int[] alone = new int[emitters.size()];
-    int[] places = new int[emitters.size()];
-    double[] weights = new double[emitters.size() + 1];
-    int count = 0;
-    double powerOfNear = 0;
-    for (int i = 0; i < powers.length; i++) {
-      Optional<LightBounds> bounds = emitters.get(i).bounds();
-      if (bounds.isPresent()) {
-        items.add(new LightTreeBuilder.Item(i, bounds.get()));
-        places[i] = -1;
-        powerOfNear += powers[i];
-      } else {
-        places[i] = count;
-        alone[count] = i;
-        weights[count] = powers[i];
-        count++;
-      }
+    for (int i = 0; i < emitters.size(); i++) {
+      int emitter = i;
+      emitters
+          .get(i)
+          .bounds()
+          .ifPresent(bounds -> items.add(new LightTreeBuilder.Item(emitter, bounds)));
     }
-    if (items.size() < 2) {
-      return byPower(powers.length == 0 ? new double[1] : powers);
+    if (emitters.size() < 2) {
+      return byPower(1);
     }
-    for (LightTreeBuilder.Item item : items) {
-      places[item.emitter()] = count;
+    if (items.isEmpty()) {
+      return byPower(emitters.stream().mapToDouble(Light::farIrradiance).toArray());
     }
-    weights[count] = powerOfNear;
-    return new LightSelector(
-        halfEven(Arrays.copyOf(weights, count + 1)),
-        Arrays.copyOf(alone, count),
-        places,
-        Optional.of(near(comparable(items), powers.length)));
+    int[] far =
+        IntStream.range(0, emitters.size())
+            .filter(i -> emitters.get(i).bounds().isEmpty())
+            .toArray();
+    return new LightSelector(emitters, far, items);
   }
 
   private static NearLights near(List<LightTreeBuilder.Item> items, int count) {
@@ -105,9 +135,8 @@ public final class LightSelector {
   }
 
   /** Returns the emitters with intensities relative to their mean, and none too small. */
-  private static List<LightTreeBuilder.Item> comparable(List<LightTreeBuilder.Item> items) {
-    double mean =
-        items.stream().mapToDouble(item -> item.bounds().intensity()).average().orElseThrow();
+  private static List<LightTreeBuilder.Item> comparable(
+      List<LightTreeBuilder.Item> items, double mean) {
     boolean isKnown = mean > 0 && Double.isFinite(mean);
     List<LightTreeBuilder.Item> result = new ArrayList<>();
     for (LightTreeBuilder.Item item : items) {
@@ -154,13 +183,14 @@ public final class LightSelector {
       near.get().choose(u, choice);
       return;
     }
-    int place = distribution.choose(u);
-    double probability = distribution.probability(place);
-    if (place < alone.length) {
-      choice.set(alone[place], probability);
+    double share = nearShare(choice);
+    if (u < share) {
+      near.get().choose(Math.min(u / share, BELOW_ONE), choice);
+      choice.set(choice.emitter(), share * choice.probability());
     } else {
-      near.get().choose(distribution.remainder(place, u), choice);
-      choice.set(choice.emitter(), probability * choice.probability());
+      double rest = share == 0 ? u : Math.min((u - share) / (1 - share), BELOW_ONE);
+      int place = distribution.choose(rest);
+      choice.set(alone[place], (1 - share) * distribution.probability(place));
     }
   }
 
@@ -170,7 +200,26 @@ public final class LightSelector {
    */
   public double probability(LightChoice asked, int index) {
     int place = places[index];
-    double probability = distribution.probability(place);
-    return place < alone.length ? probability : probability * near.get().probability(asked, index);
+    double share = nearShare(asked);
+    return place == NEAR
+        ? share * near.get().probability(asked, index)
+        : (1 - share) * distribution.probability(place);
+  }
+
+  /** Returns the probability to choose one of those that are near. */
+  private double nearShare(LightChoice asked) {
+    if (near.isEmpty()) {
+      return 0;
+    }
+    if (alone.length == 0) {
+      return 1;
+    }
+    double irradiance = near.get().irradiance(asked);
+    if (irradiance == 0) {
+      return 0;
+    }
+    double share = irradiance / (irradiance + farIrradiance);
+    // Lights of no size may be infinitely bright.
+    return LEAST_NEAR + (1 - LEAST_NEAR - leastFar) * (share >= 0 ? share : .5);
   }
 }

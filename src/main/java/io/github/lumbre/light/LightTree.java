@@ -52,6 +52,12 @@ final class LightTree implements NearLights {
   }
 
   @Override
+  public double irradiance(LightChoice asked) {
+    int left = children[0];
+    return nodes.importance(left, asked) + nodes.importance(left + 1, asked);
+  }
+
+  @Override
   public void choose(double u, LightChoice choice) {
     boolean isEven = u < EVEN_SHARE;
     double rest = isEven ? u / EVEN_SHARE : (u - EVEN_SHARE) / (1 - EVEN_SHARE);

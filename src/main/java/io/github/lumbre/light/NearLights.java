@@ -8,6 +8,11 @@ sealed interface NearLights permits FewLights, LightTree {
    */
   double EVEN_SHARE = .125;
 
+  /**
+   * Returns about the irradiance that a point may have from all of them; 0 if they leave it dark.
+   */
+  double irradiance(LightChoice asked);
+
   /** Chooses an emitter; see {@link LightSelector#choose}. */
   void choose(double u, LightChoice choice);
 

@@ -39,6 +39,11 @@ public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implemen
   }
 
   @Override
+  public double farIrradiance() {
+    return falloff == Falloff.NONE ? intensity.max() : 0;
+  }
+
+  @Override
   public boolean isBlack() {
     return intensity.isBlack();
   }

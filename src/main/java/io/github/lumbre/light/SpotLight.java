@@ -73,6 +73,11 @@ public final class SpotLight implements Light {
   }
 
   @Override
+  public double farIrradiance() {
+    return source.farIrradiance();
+  }
+
+  @Override
   public boolean isBlack() {
     return source.isBlack();
   }

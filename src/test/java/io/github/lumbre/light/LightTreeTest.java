@@ -73,7 +73,7 @@ class LightTreeTest {
   @ValueSource(ints = {0, 1, 2, 3, 4, 7, 8, 100, 1000})
   void probabilitiesSumToOne(int count) {
     List<Light> lights = lights(count, 1);
-    LightSelector selector = LightSelector.over(lights, SCENE);
+    LightSelector selector = LightSelector.over(lights);
     SplittableRandom random = new SplittableRandom(2);
     for (int i = 0; i < 30; i++) {
       Vec3 from = point(random, i % 3 == 0 ? 1000 : SCENE);
@@ -90,7 +90,7 @@ class LightTreeTest {
   @ValueSource(ints = {6, 60})
   void choicesHaveTheirProbability(int count) {
     List<Light> lights = lights(count, 3);
-    LightSelector selector = LightSelector.over(lights, SCENE);
+    LightSelector selector = LightSelector.over(lights);
     SplittableRandom random = new SplittableRandom(4);
     int compared = 0;
     for (int i = 0; i < 30; i++) {
@@ -121,7 +121,7 @@ class LightTreeTest {
   @Test
   void whatCanLightAPointCanBeChosen() {
     List<Light> lights = lights(500, 5);
-    LightSelector selector = LightSelector.over(lights, SCENE);
+    LightSelector selector = LightSelector.over(lights);
     SplittableRandom random = new SplittableRandom(6);
     int lit = 0;
     int left = 0;
@@ -158,7 +158,7 @@ class LightTreeTest {
       Vec3 from = bulb.position().plus(random.nextDouble(.1, 9), along);
       assertThat(lights.get(4).sample(from, new Point2(0, 0))).isPresent();
 
-      LightSelector selector = LightSelector.over(lights, SCENE);
+      LightSelector selector = LightSelector.over(lights);
 
       assertThat(probability(selector, from, Vec3.ZERO, 4)).isGreaterThan(1e-3);
     }
@@ -176,7 +176,7 @@ class LightTreeTest {
         lights.add(new AreaLight(new Rectangle(place, 1, 1, false), glow));
       }
     }
-    LightSelector selector = LightSelector.over(lights, SCENE);
+    LightSelector selector = LightSelector.over(lights);
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 3)).isEqualTo(1);
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y.negated(), 0)).isEqualTo(1);
@@ -190,22 +190,54 @@ class LightTreeTest {
         List.of(
             new PointLight(new Vec3(0, 1, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE),
             new PointLight(new Vec3(0, 3, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE));
-    LightSelector selector = LightSelector.over(lights, SCENE);
+    LightSelector selector = LightSelector.over(lights);
 
     // An eighth of the choices is even.
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
         .isCloseTo(.0625 + .875 * .9, within(1e-12));
   }
 
+  /** Two bulbs against a sun: at least a quarter for the bulbs, an eighth for the sun. */
   @Test
-  void lightsThatReachEverywhereKeepTheirShareBesideTheTree() {
-    List<Light> lights = lights(7, 8);
-    lights.add(EnvironmentLight.uniform(Rgb.WHITE));
-    LightSelector selector = LightSelector.over(lights, SCENE);
-    double first = probability(selector, Vec3.ZERO, Vec3.Y, 7);
+  void nearAndFarLightsAreChosenByIrradiance() {
+    List<Light> lights =
+        List.of(
+            new DirectionalLight(Vec3.Y.negated(), Rgb.grey(3)),
+            new PointLight(new Vec3(0, 1, 0), Rgb.grey(8), Falloff.INVERSE_SQUARE),
+            new PointLight(new Vec3(0, 1, 0), Rgb.grey(1), Falloff.INVERSE_SQUARE));
+    LightSelector selector = LightSelector.over(lights);
 
-    assertThat(first).isBetween(.25, .75);
-    assertThat(probability(selector, new Vec3(1, 2, 3), Vec3.X, 7)).isEqualTo(first);
+    assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
+        .isCloseTo(.125 + .625 * 3 / (3 + 9), within(1e-12));
+    assertThat(probability(selector, new Vec3(0, -2, 0), Vec3.Y, 0))
+        .isCloseTo(.125 + .625 * 3 / (3 + 1), within(1e-12));
+    assertThat(probability(selector, new Vec3(0, 2, 0), Vec3.Y, 0)).isEqualTo(1);
+  }
+
+  /** The only lamp is chosen where it is near: with a mean of ½, an image counts 2π. */
+  @Test
+  void oneLampIsChosenByPlaceAgainstASky() {
+    EnvironmentLight sky =
+        EnvironmentLight.image(Frame.WORLD, p -> p.v() > .5 ? Rgb.WHITE : Rgb.BLACK, 16, 8);
+    Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(2 * Math.PI), Falloff.INVERSE_SQUARE);
+    LightSelector selector = LightSelector.over(List.of(sky, bulb));
+
+    assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 1))
+        .isCloseTo(.25 + .625 / 2, within(1e-12));
+    assertThat(probability(selector, new Vec3(0, -9, 0), Vec3.Y, 1))
+        .isCloseTo(.25 + .625 / 101, within(1e-12));
+  }
+
+  /** Scattered rays find an even dome: in a lamp's light it need hardly be asked. */
+  @Test
+  void evenDomesAreChosenSeldomByALamp() {
+    Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(Math.PI), Falloff.INVERSE_SQUARE);
+    LightSelector selector = LightSelector.over(List.of(EnvironmentLight.uniform(Rgb.WHITE), bulb));
+
+    assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
+        .isCloseTo(.75 * .25 / (.25 + 1), within(1e-12));
+    assertThat(probability(selector, new Vec3(0, .999, 0), Vec3.Y, 0)).isBetween(0., 1e-6);
+    assertThat(probability(selector, new Vec3(0, 9, 0), Vec3.Y, 0)).isEqualTo(1);
   }
 
   @Test
@@ -219,7 +251,7 @@ class LightTreeTest {
       Emission glow = new Emission(Texture.constant(Rgb.grey(1 / size)), false);
       lights.add(new AreaLight(new Sphere(Transform.translation(position), size), glow));
     }
-    LightSelector selector = LightSelector.over(lights, 1e150);
+    LightSelector selector = LightSelector.over(lights);
     for (double distance : new double[] {0, 1e-300, 1, 1e150, 1e300}) {
       Vec3 from = new Vec3(distance, distance, 0);
       double sum = 0;
