@@ -33,7 +33,7 @@ public final class FilmRenderer {
    * Which samples a scene, its settings and a seed have: raised whenever any of them changes in any
    * bit, by whatever change of the program. Films of other revisions are not gone on with.
    */
-  public static final int REVISION = 1;
+  public static final int REVISION = 2;
 
   private static final long SECONDS_PER_LOOK = 5;
 
