@@ -75,8 +75,11 @@ if not defined JAVA_HOME for %%a in (java.exe) do set "LUMBRE_BIN=%%~dp$PATH:a"
 set "LUMBRE_VECTORS="
 findstr /c:"jdk.incubator.vector" "%LUMBRE_BIN%..\release" >nul 2>nul && set "LUMBRE_VECTORS=--add-modules jdk.incubator.vector"
 
+rem Where the compiler takes the sum of two lobes into a bounce, it has no room left for the rest of it.
+set "LUMBRE_MIXTURE=-XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::"
+
 rem The options of the virtual machine, all of them.
 set "LUMBRE_NATIVE="
 if %LUMBRE_MAJOR% GEQ 22 set "LUMBRE_NATIVE=--enable-native-access=ALL-UNNAMED"
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto -XX:CompileCommand=quiet %LUMBRE_MIXTURE%sample %LUMBRE_MIXTURE%evaluate %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
 exit /b %ERRORLEVEL%
