@@ -19,6 +19,12 @@ record FacetMap(Kind kind, double alpha) {
   private static final int CELLS = Effort.count(16, 64);
   private static final int POINTS = Effort.count(24, 10);
 
+  /** Of cells in which a million samples tell where the density ends. */
+  private static final int FINE_POINTS = Effort.count(24, 80);
+
+  /** How far inside a cell its corners are looked at. */
+  private static final double CORNER = 1e-3;
+
   /** By how much the sum of the cells may be wrong. */
   private static final double ERROR = 1e-3;
 
@@ -156,15 +162,29 @@ record FacetMap(Kind kind, double alpha) {
     return (passes ? CELLS * CELLS : 0) + row * CELLS + column;
   }
 
+  /** Integrates over a cell, and more finely where f ends inside it, be it at a corner. */
   private double cellIntegral(int cell, ToDoubleFunction<Vec3> f) {
+    int positive = 0;
+    for (int corner = 0; corner < 4; corner++) {
+      double s = corner / 2 == 0 ? CORNER : 1 - CORNER;
+      double v = corner % 2 == 0 ? CORNER : 1 - CORNER;
+      positive += f.applyAsDouble(facet(cell, s, v)) > 0 ? 1 : 0;
+    }
+    return cellIntegral(cell, f, positive == 0 || positive == 4 ? POINTS : FINE_POINTS);
+  }
+
+  private double cellIntegral(int cell, ToDoubleFunction<Vec3> f, int points) {
     double sum = 0;
-    for (int i = 0; i < POINTS; i++) {
-      double s = (cell / CELLS + (i + .5) / POINTS) / CELLS;
-      for (int j = 0; j < POINTS; j++) {
-        double v = (cell % CELLS + (j + .5) / POINTS) / CELLS;
-        sum += f.applyAsDouble(facet(s, v));
+    for (int i = 0; i < points; i++) {
+      for (int j = 0; j < points; j++) {
+        sum += f.applyAsDouble(facet(cell, (i + .5) / points, (j + .5) / points));
       }
     }
-    return sum / (POINTS * POINTS * CELLS * CELLS);
+    return sum / (points * points * CELLS * CELLS);
+  }
+
+  /** Returns the facet at a place within a cell. */
+  private Vec3 facet(int cell, double s, double v) {
+    return facet((cell / CELLS + s) / CELLS, (cell % CELLS + v) / CELLS);
   }
 }
