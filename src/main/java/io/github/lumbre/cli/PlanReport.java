@@ -40,7 +40,6 @@ final class PlanReport {
     out.line("           normals: " + normals());
     out.line("           meshes: " + meshes());
     out.line("           choice of light: " + choice());
-    out.line("           last rays: " + lastRays());
     out.line("           lens: " + lens());
     out.line("           coverage of pixels: " + coverage());
   }
@@ -109,15 +108,6 @@ final class PlanReport {
       case ONE_BY_ONE -> "of " + count + ", each asked what it may send to the point";
       case HIERARCHY -> "of " + count + " by a hierarchy, which asks about 2 log2 of them";
     };
-  }
-
-  private String lastRays() {
-    if (settings.mode() == RenderSettings.Mode.RAY) {
-      return "followed like all others";
-    }
-    return scene.takes(Shortcut.LAST_RAY)
-        ? "left out unless they meet something that glows"
-        : "followed like all others, since there is a background or much that glows";
   }
 
   private String lens() {

@@ -76,20 +76,6 @@ public final class Bvh {
     return search(scratch);
   }
 
-  /**
-   * Tells whether the ray that {@code scratch} was just aimed by, and stays aimed by, meets
-   * anything.
-   */
-  public boolean isMet(NearestHit scratch) {
-    double end = scratch.t;
-    boolean found = isOccluded(scratch);
-    if (found) {
-      scratch.restart(end);
-    }
-    scratch.any = false;
-    return found;
-  }
-
   private boolean search(NearestHit nearest) {
     // Asked here, so that the compiler leaves out what scenes without such shapes never do.
     boolean found = !unbounded.isEmpty() && unbounded.intersect(nearest);

@@ -81,11 +81,6 @@ public final class NearestHit {
     directionX = dx;
     directionY = dy;
     directionZ = dz;
-    restart(tMax);
-  }
-
-  /** Forgets what was found along the ray. */
-  void restart(double tMax) {
     t = tMax;
     shape = -1;
     stackTop = 0;

@@ -14,7 +14,6 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Mis;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Shortcut;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -39,7 +38,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
    * @param maxDepth as of {@link PathTracer}
    */
   public PathRecorder(Scene scene, int maxDepth) {
-    super(scene.without(Shortcut.LAST_RAY), maxDepth);
+    super(scene, maxDepth);
     this.maxDepth = maxDepth;
   }
 

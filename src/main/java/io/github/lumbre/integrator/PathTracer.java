@@ -46,9 +46,6 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   private final int firstRoulette;
   private final boolean hasChoice;
 
-  /** The vertex to which paths go on only if something glows there; beyond all if to any. */
-  private final int glowingVertex;
-
   /** Whether vertices ask emitters for light. */
   private final boolean asks;
 
@@ -71,7 +68,6 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     strategy = options.strategy();
     firstRoulette = options.firstRoulette();
     hasChoice = !scene.takes(Shortcut.ONE_EMITTER);
-    glowingVertex = maxDepth > 0 && scene.takes(Shortcut.LAST_RAY) ? maxDepth : Integer.MAX_VALUE;
     emitters = scene.emitters().toArray(Light[]::new);
     domes =
         IntStream.range(0, emitters.length)
@@ -99,9 +95,6 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     Path path = scratch.path;
 
     // Find the next vertex, or the world's end.
-    if (depth == glowingVertex && !scene.mayGlow(hit)) {
-      return false;
-    }
     scratch.rays++;
     if (!scene.intersect(hit)) {
       path.gather(escaped(scratch, hit.direction()));

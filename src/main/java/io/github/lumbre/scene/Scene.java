@@ -26,9 +26,6 @@ import java.util.stream.Collectors;
  * add what else shines if all light is followed (glowing surfaces, the background).
  */
 public final class Scene {
-  /** Up to so many glowing shapes a ray is compared with in much less time than with the scene. */
-  private static final int FEW = 8;
-
   private final Camera camera;
   private final List<Primitive> primitives;
 
@@ -36,10 +33,6 @@ public final class Scene {
   private final Primitive[] primitiveOfShape;
 
   private final Bvh bvh;
-
-  /** Of what glows alone; of nothing, unless the last rays of paths are compared with it. */
-  private final Bvh glowing;
-
   private final List<Light> lights;
   private final List<Light> emitters;
   private final List<EnvironmentLight> environments;
@@ -80,7 +73,6 @@ public final class Scene {
       this.emitterOfPrimitive[i] = emitterOfPrimitive.getOrDefault(i, -1);
     }
     shortcuts = shortcuts();
-    glowing = Bvh.over(takes(Shortcut.LAST_RAY) ? glowingShapes() : List.of());
     primitiveOfShape = primitivesOfShapes();
   }
 
@@ -88,7 +80,6 @@ public final class Scene {
     camera = other.camera;
     primitives = other.primitives;
     this.bvh = bvh;
-    glowing = other.glowing;
     lights = other.lights;
     emitters = other.emitters;
     environments = other.environments;
@@ -107,17 +98,7 @@ public final class Scene {
     if (emitters.size() == 1) {
       all.add(Shortcut.ONE_EMITTER);
     }
-    if (environments.isEmpty() && glowingShapes().size() <= FEW) {
-      all.add(Shortcut.LAST_RAY);
-    }
     return Set.copyOf(all);
-  }
-
-  private List<Shape> glowingShapes() {
-    return primitives.stream()
-        .filter(primitive -> primitive.emission().isPresent())
-        .map(Primitive::shape)
-        .toList();
   }
 
   private Primitive[] primitivesOfShapes() {
@@ -236,14 +217,6 @@ public final class Scene {
   /** Tells whether anything lies on the ray that {@code scratch} was just aimed by. */
   public boolean isOccluded(NearestHit scratch) {
     return bvh.isOccluded(scratch);
-  }
-
-  /**
-   * Tells whether the ray that {@code hit} was just aimed by can meet what glows, and leaves it
-   * aimed. For scenes that take {@link Shortcut#LAST_RAY}.
-   */
-  public boolean mayGlow(NearestHit hit) {
-    return glowing.isMet(hit);
   }
 
   /** Returns what arrives along a unit direction from beyond everything. */

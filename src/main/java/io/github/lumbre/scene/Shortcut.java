@@ -9,11 +9,5 @@ public enum Shortcut {
   UNIFORM_MATERIALS,
 
   /** Of one emitter none is chosen: no random number is made for that, and no weights. */
-  ONE_EMITTER,
-
-  /**
-   * Where few surfaces glow and there is no background, the last ray of a path is searched for what
-   * it meets only if it meets one of those, since nothing else on its way can bring light.
-   */
-  LAST_RAY
+  ONE_EMITTER
 }

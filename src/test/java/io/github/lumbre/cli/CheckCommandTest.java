@@ -44,7 +44,6 @@ class CheckCommandTest {
             "           normals: left out, no map bends them",
             "           meshes: left out, there are none",
             "           choice of light: left out, there is one",
-            "           last rays: left out unless they meet something that glows",
             "           lens: left out, the camera has none",
             "           coverage of pixels: left out, every sample covers its pixel");
   }
