@@ -33,7 +33,8 @@ public record TradeRow(
    *
    * @param squared the estimate
    * @param low end of its interval of 95 %, by the jackknife over seeds
-   * @param high end of its interval
+   * @param high end of its interval, at least what was taken off for the reference: less than that
+   *     cannot be told
    */
   public record Bias(double squared, double low, double high) {
     /** Tells whether the interval leaves 0 out. */

@@ -260,7 +260,7 @@ public final class TradeStudy {
     double squares = Arrays.stream(without).map(v -> (v - mean) * (v - mean)).sum();
     double error = Math.sqrt(squares * (count - 1) / count);
     double half = StudentT.critical(CONFIDENCE, count - 1) * error;
-    return new TradeRow.Bias(all, all - half, all + half);
+    return new TradeRow.Bias(all, all - half, Math.max(all + half, truthNoise));
   }
 
   /** Returns the mean of ((m − r)² − s²/K) / (r² + 0.01), one picture left out. */

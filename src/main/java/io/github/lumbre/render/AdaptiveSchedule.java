@@ -2,21 +2,23 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Optional;
+import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 
 /**
  * Gives more samples to pixels whose neighbours are noisier: after a pilot of as many for all, each
- * pass doubles the samples of those pixels where a sample takes most off the relative squared error
- * of the picture.
+ * pass doubles the samples of those pixels where the same work takes most off the relative squared
+ * error of the picture.
  *
- * <p>A doubling takes about half of a pixel's error away, so it is worth e/n a sample, for a pixel
- * with n samples and the error e. What is known of e hangs on few numbers, so it is told from a
- * square of pixels around, as the squared mean of the roots of their variances, in which single
- * bright spots count for less than in the mean of variances. The pixel's own samples are left out.
- * If they had a say, pixels whose bright samples came late would stay with those they have, and the
- * picture would be too dark; as it is, they reach the number of the pixel's samples only through
- * the numbers of its neighbours', and those change the spread of what is told of them, not its mean
- * (but for the rest that docs/trade.md measures).
+ * <p>A doubling takes about half of a pixel's error away, so it is worth e/n a sample, and e/(n c)
+ * a ray, for a pixel with n samples, the error e and samples of c rays. What is known of e hangs on
+ * few numbers, so it is told from a square of pixels around, as the squared mean of the roots of
+ * their variances, in which single bright spots count for less than in the mean of variances; and c
+ * is the mean of theirs. The pixel's own samples are left out. If they had a say, pixels whose
+ * bright samples came late would stay with those they have, and the picture would be too dark; as
+ * it is, they reach the number of the pixel's samples only through the numbers of its neighbours',
+ * and those change the spread of what is told of them, not its mean (but for the rest that
+ * docs/trade.md measures).
  *
  * <p>Numbers of samples are powers of two, where Sobol points are evenest and the halves of {@link
  * Film#halves} as large. No pixel has less than an eighth of the mean, lest neighbourhoods that saw
@@ -40,7 +42,13 @@ final class AdaptiveSchedule implements Schedule {
 
   private static final int FIRST_BIN_BIT = 16;
 
+  /** What a sample takes beside its rays, in rays. */
+  private static final float RAYS_TO_BEGIN = 1;
+
   private final int goal;
+
+  /** Rays that the samples of each pixel took; empty before the first pass. */
+  private long[] rays = {};
 
   /** What each pixel is to have; empty before the pilot has ended. */
   private int[] targets = {};
@@ -55,17 +63,34 @@ final class AdaptiveSchedule implements Schedule {
 
   @Override
   public Optional<SampleTarget> next(Film film) {
+    if (rays.length == 0) {
+      rays = new long[film.window().width() * film.window().height()];
+    }
     int fewest = film.fewestSamples();
     int pilot = Math.min(PILOT, goal);
     if (fewest < pilot) {
       int end = Passes.next(fewest, pilot);
-      return Optional.of((x, y) -> end);
+      return Optional.of(target(film, pixel -> end));
     }
     if (isMet(film) && !choose(film)) {
       return Optional.empty();
     }
     int[] wanted = targets;
-    return Optional.of((x, y) -> wanted[film.index(x, y)]);
+    return Optional.of(target(film, pixel -> wanted[pixel]));
+  }
+
+  private SampleTarget target(Film film, IntUnaryOperator wanted) {
+    return new SampleTarget() {
+      @Override
+      public int samples(int x, int y) {
+        return wanted.applyAsInt(film.index(x, y));
+      }
+
+      @Override
+      public void took(int x, int y, long more) {
+        rays[film.index(x, y)] += more;
+      }
+    };
   }
 
   private boolean isMet(Film film) {
@@ -125,7 +150,7 @@ final class AdaptiveSchedule implements Schedule {
   }
 
   /**
-   * Returns how much each pixel's doubling is worth, in bins of a logarithmic scale.
+   * Returns how much each pixel's doubling is worth for its work, in bins of a logarithmic scale.
    *
    * @param least samples that each pixel is to have before all else
    */
@@ -133,13 +158,15 @@ final class AdaptiveSchedule implements Schedule {
     int width = film.window().width();
     int height = film.window().height();
     float[] deviations = deviations(film);
+    float[] costs = costs(film);
     short[] bins = new short[width * height];
     for (int y = 0; y < height; y++) {
       for (int x = 0; x < width; x++) {
         int i = y * width + x;
         float deviation = around(deviations, x, y, width, height);
         float root = deviation / film.samples(i);
-        float worth = film.samples(i) < least ? Float.POSITIVE_INFINITY : root * root;
+        float cost = around(costs, x, y, width, height) + RAYS_TO_BEGIN;
+        float worth = film.samples(i) < least ? Float.POSITIVE_INFINITY : root * root / cost;
         bins[i] = (short) (Float.floatToIntBits(worth) >>> FIRST_BIN_BIT);
       }
     }
@@ -157,6 +184,15 @@ final class AdaptiveSchedule implements Schedule {
       deviations[i] = (float) Math.sqrt(halves.relativeSquaredError() * film.samples(i));
     }
     return deviations;
+  }
+
+  /** Returns of each pixel how many rays a sample takes. */
+  private float[] costs(Film film) {
+    float[] costs = new float[rays.length];
+    for (int i = 0; i < costs.length; i++) {
+      costs[i] = (float) rays[i] / film.samples(i);
+    }
+    return costs;
   }
 
   /** Returns the mean over the pixels around one, itself left out; 0 if there are none. */

@@ -86,13 +86,20 @@ final class BucketWorker implements Runnable {
   private boolean render(Bucket bucket) {
     for (int y = bucket.y(); y < bucket.y() + bucket.height(); y++) {
       for (int x = bucket.x(); x < bucket.x() + bucket.width(); x++) {
-        if (!renderPixel(x, y)) {
+        long before = rays();
+        boolean isComplete = renderPixel(x, y);
+        target.took(x, y, rays() - before);
+        if (!isComplete) {
           return false;
         }
       }
     }
     report();
     return true;
+  }
+
+  private long rays() {
+    return scratch.rays() + scratch.shadowRays();
   }
 
   private boolean renderPixel(int x, int y) {

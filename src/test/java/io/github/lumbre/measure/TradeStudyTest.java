@@ -63,7 +63,9 @@ class TradeStudyTest {
   @Test
   void theReferencesOwnNoiseIsTakenOff() {
     List<Image> same = pictures(4, 0, 0, 1);
-    assertThat(TradeStudy.bias(same, TRUTH, .01).squared()).isCloseTo(-.01, within(1e-9));
+    TradeRow.Bias bias = TradeStudy.bias(same, TRUTH, .01);
+    assertThat(bias.squared()).isCloseTo(-.01, within(1e-9));
+    assertThat(bias.high()).isEqualTo(.01);
   }
 
   @Test

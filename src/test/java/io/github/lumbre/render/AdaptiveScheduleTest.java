@@ -16,6 +16,7 @@ import io.github.lumbre.testing.Effort;
 import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class AdaptiveScheduleTest {
@@ -75,6 +76,41 @@ class AdaptiveScheduleTest {
         assertThat(film.samples(x, y)).isGreaterThanOrEqualTo(16);
       }
     }
+  }
+
+  /**
+   * Of two halves as noisy, the one whose samples take 16 times the rays gets a quarter of the
+   * samples, to a factor of two since numbers are powers of two.
+   */
+  @Test
+  void dearSamplesAreFewer() {
+    Film film = new Film(new Crop(0, 0, WIDTH, HEIGHT), false, 0);
+    Schedule schedule = new AdaptiveSchedule(512);
+    Random random = new Random(7);
+    for (Optional<SampleTarget> target = schedule.next(film);
+        target.isPresent();
+        target = schedule.next(film)) {
+      for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+        int x = pixel % WIDTH;
+        int more = target.get().samples(x, pixel / WIDTH) - film.samples(pixel);
+        for (int i = 0; i < more; i++) {
+          film.add(pixel, Rgb.WHITE.times(random.nextDouble()), true);
+        }
+        target.get().took(x, pixel / WIDTH, more * (x < WIDTH / 2 ? 1 : 31));
+      }
+    }
+
+    double cheap = meanSamples(film, 0, WIDTH / 2 - 2);
+    double dear = meanSamples(film, WIDTH / 2 + 2, WIDTH);
+    assertThat(cheap / dear).isBetween(2.8, 5.7);
+    assertThat(film.meanSamples()).isBetween(500.0, 512.0);
+  }
+
+  private static double meanSamples(Film film, int left, int right) {
+    return IntStream.range(left, right)
+        .flatMap(x -> IntStream.range(0, HEIGHT).map(y -> film.samples(x, y)))
+        .average()
+        .getAsDouble();
   }
 
   @Test

@@ -23,6 +23,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicLongArray;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -92,6 +94,35 @@ class FilmRendererTest {
       assertThat(samples).isEqualTo(30 * 20 * SAMPLES);
       assertSame(film.develop(), expected);
     }
+  }
+
+  /** Passes that are cancelled at random tell all rays too: of the corners none, of others some. */
+  @Test
+  void aTargetHearsOfEachPixelsRays() throws InterruptedException {
+    Random random = new Random(43);
+    AtomicLongArray heard = new AtomicLongArray(30 * 20);
+    SampleTarget target =
+        new SampleTarget() {
+          @Override
+          public int samples(int x, int y) {
+            return SAMPLES;
+          }
+
+          @Override
+          public void took(int x, int y, long rays) {
+            heard.addAndGet(y * 30 + x, rays);
+          }
+        };
+    Film film = renderer().newFilm();
+    long rays = 0;
+    for (boolean complete = false; !complete; ) {
+      PassResult pass = renderer().addSamples(film, target, cancelAfter(random.nextInt(30_000)));
+      rays += pass.statistics().rays() + pass.statistics().shadowRays();
+      complete = pass.complete();
+    }
+    assertThat(IntStream.range(0, heard.length()).mapToLong(heard::get).sum()).isEqualTo(rays);
+    assertThat(heard.get(0)).isZero();
+    assertThat(heard.get(10 * 30 + 15)).isGreaterThanOrEqualTo(2 * SAMPLES);
   }
 
   private static Progress cancelAfter(long samples) {
