@@ -1,10 +1,12 @@
 package io.github.lumbre.cli;
 
-import java.io.FileNotFoundException;
+import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.lang.management.ManagementFactory;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -74,14 +76,22 @@ public final class Lumbre implements Runnable {
     System.exit(exitCode);
   }
 
-  /** Prints errors to where the launcher says, past its filter of the virtual machine's own. */
+  /**
+   * Prints errors to the descriptor that the launcher names, past its filter of the virtual
+   * machine's own. Opening {@code /dev/fd/3} would not do: that is another place in a file that the
+   * shell, too, writes to, and one of the two would write over what the other has written.
+   */
   private static void redirectErrors() {
-    String path = System.getProperty("lumbre.errors");
-    if (path != null) {
+    Integer number = Integer.getInteger("lumbre.errors");
+    if (number != null) {
       try {
-        System.setErr(new PrintStream(new FileOutputStream(path, true), true));
-      } catch (FileNotFoundException e) {
-        // Some descriptors cannot be opened again, such as sockets: then through the filter.
+        Constructor<FileDescriptor> constructor =
+            FileDescriptor.class.getDeclaredConstructor(int.class);
+        constructor.setAccessible(true);
+        FileDescriptor descriptor = constructor.newInstance(number);
+        System.setErr(new PrintStream(new FileOutputStream(descriptor), true));
+      } catch (ReflectiveOperationException | InaccessibleObjectException e) {
+        // A virtual machine that does not open this class to the program: then through the filter.
       }
     }
   }
@@ -106,7 +116,6 @@ public final class Lumbre implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "expected a command: render, resume, merge, develop, check, audit, pixel, benchmark, bench,"
-            + " compare, trade, gallery, selftest");
+        "expected a command: " + String.join(", ", spec.subcommands().keySet()));
   }
 }

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -187,6 +188,24 @@ class LauncherIT {
     // That would be the reason against vectors.
     assertThat(outcome.out()).contains("Kernel: ").doesNotContain("--add-modules");
     assertThat(outcome.err()).isEmpty();
+  }
+
+  @Test
+  void errorsStandInOrderInAFileThatOthersWriteToAsWell() throws IOException, InterruptedException {
+    Path log = directory.resolve("log.txt");
+    String commands =
+        "{ echo before; '%s' help nothing; echo after; } >'%s' 2>&1"
+            .formatted(home.resolve("lumbre"), log);
+    ProcessBuilder builder = new ProcessBuilder("sh", "-c", commands);
+    builder.environment().put("JAVA_HOME", jdk().toString());
+    launch();
+    assertThat(builder.start().waitFor()).isZero();
+    assertThat(Files.readAllLines(log))
+        .hasSize(3)
+        .startsWith("before")
+        .endsWith("after")
+        .element(1, InstanceOfAssertFactories.STRING)
+        .contains("nothing");
   }
 
   @Test
