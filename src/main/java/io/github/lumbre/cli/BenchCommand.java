@@ -51,6 +51,7 @@ import picocli.CommandLine.Spec;
       "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; what is measured by then is written"
     })
 final class BenchCommand implements Callable<Integer> {
+  private static final int DEFAULT_REPETITIONS = 5;
   private static final int MAX_REPETITIONS = 1000;
 
   @Parameters(paramLabel = "SCENE", arity = "0..*", description = "Scenes, JSON files.")
@@ -102,9 +103,10 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--repeat",
       paramLabel = "N",
-      defaultValue = "5",
-      description = "Timed renders; the median counts (${DEFAULT-VALUE}).")
-  private int repeat;
+      description =
+          "Timed renders; the median counts (5). With --paired or --loading, how many pairs (12;"
+              + " 6), which are the fewest.")
+  private Optional<Integer> repeat = Optional.empty();
 
   @Option(
       names = "--pairs",
@@ -130,20 +132,18 @@ final class BenchCommand implements Callable<Integer> {
 
   @Option(
       names = "--paired",
-      description = {
-        "Instead: render each scene in turn as it is and as --without or --adaptive say, so many",
-        "times as --repeat says, and print the ratios of CPU time, memory and squared error."
-      })
+      description =
+          "Instead: render each scene in turn as it is and as --without or --adaptive say, so many"
+              + " times as --repeat says, and print the ratios of CPU time, memory and squared"
+              + " error.")
   private boolean paired;
 
   @Option(
       names = "--loading",
-      description = {
-        "Instead: read each scene in turn as it is and with meshes and textures decoded that"
-            + " nothing",
-        "uses, so many times as --repeat says, and print time and memory that leaving them out"
-            + " saves."
-      })
+      description =
+          "Instead: read each scene in turn as it is and with meshes and textures decoded that"
+              + " nothing uses, so many times as --repeat says, and print time and memory that"
+              + " leaving them out saves.")
   private boolean loading;
 
   @Option(
@@ -173,7 +173,7 @@ final class BenchCommand implements Callable<Integer> {
     BenchPlan plan = plan(checks);
     requireDistinctFiles(checks);
     if (loading) {
-      return readPairs(new LoadBench(repeat), out);
+      return readPairs(new LoadBench(repeat()), out);
     }
     try (TextOutput output = TextOutput.reserve(json);
         Interruption interruption = Interruption.listen(() -> {});
@@ -193,20 +193,27 @@ final class BenchCommand implements Callable<Integer> {
     size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     threads.forEach(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
     checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    checks.requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
+    checks.require(!loading || !paired, "--loading: expected no --paired");
+    checks.require(!paired || json.isEmpty(), "--paired: expected no --json");
+    checks.require(!loading || json.isEmpty(), "--loading: expected no --json");
+    checks.requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
     checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
-    checks.require(
-        !paired || repeat >= PairedBench.FEWEST_PAIRS && json.isEmpty(),
-        "--paired: expected no --json, and --repeat of at least " + PairedBench.FEWEST_PAIRS);
-    checks.require(
-        !loading || !paired && json.isEmpty() && repeat >= LoadBench.FEWEST_PAIRS,
-        "--loading: expected no --paired, no --json, and --repeat of at least "
-            + LoadBench.FEWEST_PAIRS);
     checks.require(
         !paired || adaptive || !without.isEmpty(), "--paired: expected --without or --adaptive");
     int processors = Runtime.getRuntime().availableProcessors();
     List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
-    return new BenchPlan(size, samples, used, warmup, repeat, pairs, without, adaptive);
+    return new BenchPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive);
+  }
+
+  private int repeat() {
+    return repeat.orElse(paired || loading ? fewestRepetitions() : DEFAULT_REPETITIONS);
+  }
+
+  private int fewestRepetitions() {
+    if (paired) {
+      return PairedBench.FEWEST_PAIRS;
+    }
+    return loading ? LoadBench.FEWEST_PAIRS : 1;
   }
 
   /** Results bear their scene's name, so no two may have the same. */

@@ -26,21 +26,19 @@ final class BudgetFlags {
       names = "--time",
       paramLabel = "T",
       converter = FlagConverters.OfDuration.class,
-      description = {
-        "Take as many samples as fit into such a time, reading and writing",
-        "included: 90s, 5m, 2h. Without --samples there is no other limit."
-      })
+      description =
+          "Take as many samples as fit into such a time, reading and writing "
+              + "included: 90s, 5m, 2h. Without --samples there is no other limit.")
   private Optional<Duration> time = Optional.empty();
 
   @Option(
       names = "--target-error",
       paramLabel = "P",
       converter = FlagConverters.OfShare.class,
-      description = {
-        "Take samples until the noise is at most so much, as relative root",
-        "mean squared error: 2%%. If something else ends the render before,",
-        "the exit code is 1."
-      })
+      description =
+          "Take samples until the noise is at most so much, as relative root "
+              + "mean squared error: 2%%. If something else ends the render before, "
+              + "the exit code is 1.")
   private Optional<Double> targetError = Optional.empty();
 
   @Option(

@@ -83,10 +83,9 @@ final class CompareCommand implements Callable<Integer> {
   @Option(
       names = "--error-map",
       paramLabel = "OUT.png",
-      description = {
-        "A picture of each pixel's relative error: black 0.001 and less, purple 0.01, orange 0.1,",
-        "pale yellow 1 and more."
-      })
+      description =
+          "A picture of each pixel's relative error: black 0.001 and less, purple 0.01, orange 0.1,"
+              + " pale yellow 1 and more.")
   private Optional<Path> errorMap = Optional.empty();
 
   @Option(names = "--json", description = "Print one JSON object instead of lines.")

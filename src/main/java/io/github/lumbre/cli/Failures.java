@@ -15,7 +15,9 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
   public int handleParseException(ParameterException e, String[] args) {
     CommandLine command = e.getCommandLine();
     String help = command.getCommandSpec().qualifiedName() + " --help";
-    new Messages(command.getErr()).error(e.getMessage() + " (see '" + help + "')");
+    // Some messages of picocli begin or end in a way of their own.
+    String message = e.getMessage().replaceFirst("^Error: ", "").replaceFirst("[.]$", "");
+    new Messages(command.getErr()).error(message + " (see '" + help + "')");
     return ExitCodes.USAGE;
   }
 

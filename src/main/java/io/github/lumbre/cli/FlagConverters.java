@@ -6,19 +6,42 @@ import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 /** Values of flags from text; what cannot be read is told together with what was expected. */
 final class FlagConverters {
   private FlagConverters() {}
+
+  /** Lets a command tell in its own words what it expected instead of a text that is no number. */
+  static void registerNumbers(CommandLine command) {
+    String integer = "an integer up to ";
+    ITypeConverter<Integer> ofInt =
+        text -> number(Integer::valueOf, integer + Integer.MAX_VALUE, text);
+    ITypeConverter<Long> ofLong = text -> number(Long::valueOf, integer + Long.MAX_VALUE, text);
+    command.registerConverter(int.class, ofInt).registerConverter(Integer.class, ofInt);
+    command.registerConverter(Long.class, ofLong);
+    command.registerConverter(Double.class, text -> number(Double::valueOf, "a number", text));
+    command.registerConverter(BigDecimal.class, text -> number(BigDecimal::new, "a number", text));
+  }
+
+  private static <N> N number(Function<String, N> parser, String expected, String text) {
+    try {
+      return parser.apply(text);
+    } catch (NumberFormatException e) {
+      throw unexpected(expected, text);
+    }
+  }
 
   /** Width and height of the full frame. */
   record Size(int width, int height) {}

@@ -19,8 +19,8 @@ import picocli.CommandLine.Spec;
     name = "gallery",
     header = "Render all scenes of a folder to pictures, and write a page about them.",
     description =
-        "Each picture gets as many samples as fit into the given time, whatever its scene asks for: a"
-            + " multiple of 16, at least 64.",
+        "Each picture gets as many samples as fit into the given time, whatever its scene asks for:"
+            + " a multiple of 16, at least 64.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -109,7 +109,8 @@ final class GalleryCommand implements Callable<Integer> {
 
   private List<String> selected(List<String> known) {
     for (String name : names) {
-      require(known.contains(name), "expected some of " + known + ", found " + name);
+      require(
+          known.contains(name), "expected some of " + String.join(", ", known) + ", found " + name);
     }
     return names.isEmpty() ? known : names;
   }

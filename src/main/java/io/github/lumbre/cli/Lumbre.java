@@ -101,6 +101,7 @@ public final class Lumbre implements Runnable {
     CommandLine command = new CommandLine(new Lumbre());
     Failures failures = new Failures();
     command.setOut(out).setErr(err);
+    FlagConverters.registerNumbers(command);
     command.setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF));
     command.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
     command.setOverwrittenOptionsAllowed(false).setAbbreviatedOptionsAllowed(false);

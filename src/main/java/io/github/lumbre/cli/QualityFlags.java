@@ -11,18 +11,16 @@ final class QualityFlags {
       names = "--quality",
       paramLabel = "NAME",
       converter = FlagConverters.OfQuality.class,
-      description = {
-        "draft: --target-error 20%% --depth 3; preview: 10%%, 5; final: 3%%, 16;",
-        "reference: 1%%, 1000. Flags of those names win."
-      })
+      description =
+          "draft: --target-error 20%% --depth 3; preview: 10%%, 5; final: 3%%, 16; "
+              + "reference: 1%%, 1000. Flags of those names win.")
   private Optional<Quality> quality = Optional.empty();
 
   @Option(
       names = "--adaptive",
-      description = {
-        "Give more of the samples to pixels where they take off more noise;",
-        "--samples is the mean then. Not with --checkpoint."
-      })
+      description =
+          "Give more of the samples to pixels where they take off more noise; "
+              + "--samples is the mean then. Not with --checkpoint.")
   private boolean adaptive;
 
   /** Tells whether noisy pixels are to get more samples. */

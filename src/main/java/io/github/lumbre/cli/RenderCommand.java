@@ -98,10 +98,9 @@ final class RenderCommand implements Callable<Integer> {
   @Option(
       names = "--checkpoint",
       paramLabel = "FILM",
-      description = {
-        "Keep the samples in this file: 'lumbre resume' goes on from it, 'lumbre merge' joins",
-        "several, 'lumbre develop' makes other pictures of it. It must not exist yet."
-      })
+      description =
+          "Keep the samples in this file: 'lumbre resume' goes on from it, 'lumbre merge' joins "
+              + "several, 'lumbre develop' makes other pictures of it. It must not exist yet.")
   private Optional<Path> checkpoint;
 
   @Mixin private CheckpointFlags checkpoints;

@@ -36,10 +36,9 @@ final class RenderFlags {
   @Option(
       names = "--samples-from",
       paramLabel = "N",
-      description = {
-        "Number of each pixel's first sample (0): films whose samples follow on each other",
-        "make one by 'lumbre merge'."
-      })
+      description =
+          "Number of each pixel's first sample (0): films whose samples follow on each other "
+              + "make one by 'lumbre merge'.")
   private Optional<Integer> samplesFrom;
 
   @Option(
@@ -60,10 +59,9 @@ final class RenderFlags {
   @Option(
       names = "--clamp",
       paramLabel = "VALUE",
-      description = {
-        "Darken samples to this largest component: fewer fireflies, and too little light,",
-        "which is told at the end. Not with --checkpoint. Default: none."
-      })
+      description =
+          "Darken samples to this largest component: fewer fireflies, and too little light, "
+              + "which is told at the end. Not with --checkpoint. Default: none.")
   private Optional<Double> clamp = Optional.empty();
 
   @Mixin private WorkFlags work;

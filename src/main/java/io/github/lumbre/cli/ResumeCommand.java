@@ -67,10 +67,9 @@ final class ResumeCommand implements Callable<Integer> {
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = {
-        "Samples per pixel, those that the film has included. Default: as before; if the film has",
-        "them, and --time or --target-error is given, no limit."
-      })
+      description =
+          "Samples per pixel, those that the film has included. Default: as before; if the film has"
+              + " them, and --time or --target-error is given, no limit.")
   private Optional<Integer> samples;
 
   @Option(

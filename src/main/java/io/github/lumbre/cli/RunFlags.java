@@ -27,10 +27,9 @@ final class RunFlags {
       names = "--progress",
       paramLabel = "STYLE",
       converter = FlagConverters.OfProgressStyle.class,
-      description = {
-        "How to tell the progress on standard error: bar, none, or json, which is an object on a",
-        "line of its own every second. Default: bar on a terminal, else none."
-      })
+      description =
+          "How to tell the progress on standard error: bar, none, or json, which is an object on a "
+              + "line of its own every second. Default: bar on a terminal, else none.")
   private Optional<ProgressStyle> progress;
 
   @Option(

@@ -169,7 +169,7 @@ final class TradeCommand implements Callable<Integer> {
     for (String name : wanted) {
       require(
           TradeSweep.KNOBS.contains(name),
-          "--knobs: expected of " + String.join(",", TradeSweep.KNOBS) + ", found " + name);
+          "--knobs: expected some of " + String.join(",", TradeSweep.KNOBS) + ", found " + name);
     }
     return new LinkedHashSet<>(wanted);
   }

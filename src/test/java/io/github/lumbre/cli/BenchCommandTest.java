@@ -162,12 +162,14 @@ class BenchCommandTest {
 
   @Test
   void pairsTellWhatAdaptiveSamplingBrings() {
-    Outcome outcome = bench("--paired", "--adaptive", "--repeat", "12", "-s", "128");
+    Outcome outcome = bench("--paired", "--adaptive", "-s", "128");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     assertThat(rows(outcome).get(0)).contains("| 16x12 | 128 | ").endsWith("| other |");
-    bench("--paired", "--adaptive").assertFailed(ExitCodes.USAGE, "--paired: expected no --json");
-    bench("--paired", "--repeat", "12")
-        .assertFailed(ExitCodes.USAGE, "--paired: expected --without or --adaptive");
+    bench("--paired", "--adaptive", "--json", "a.json")
+        .assertFailed(ExitCodes.USAGE, "--paired: expected no --json");
+    bench("--paired", "--adaptive", "--repeat", "11")
+        .assertFailed(ExitCodes.USAGE, "--repeat: expected 12 to ");
+    bench("--paired").assertFailed(ExitCodes.USAGE, "--paired: expected --without or --adaptive");
   }
 
   /** A mesh of 2000 vertices and triangles takes a hundred kilobytes at least. */
@@ -177,7 +179,7 @@ class BenchCommandTest {
     Files.writeString(directory.resolve("large.obj"), obj);
     String mesh = "{\"id\": 9, \"assetType\": \"Mesh\", \"file\": \"large.obj\"}";
     Path unused = TinyScene.write(directory, TinyScene.withAsset(mesh));
-    Outcome outcome = Outcome.of("bench", unused.toString(), "--loading", "--repeat", "6");
+    Outcome outcome = Outcome.of("bench", unused.toString(), "--loading");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     String[] cells = rows(outcome).get(0).split("\\|");
     assertThat(cells[2].strip()).isEqualTo("1");

@@ -147,7 +147,8 @@ class BenchmarkCommandTest {
       delimiter = '|',
       value = {
         "--rows 5             | --rows: expected some of 3, 4, found 5",
-        "--rows x             | --rows",
+        "--rows 1-3           | expected an integer up to 2147483647, found '1-3'",
+        "--scale half         | expected a number, found 'half'",
         "--scale 0            | --scale: expected more than 0 and at most 1, found 0",
         "--scale 1.01         | found 1.01",
         "--scale 0.1 --full   | mutually exclusive",

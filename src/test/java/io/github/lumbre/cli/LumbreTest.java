@@ -41,7 +41,14 @@ class LumbreTest {
         "render s.json --bits 12        | --bits: expected 8 or 16, found 12",
         "render s.json -o p.gif         | p.gif: expected a name that ends in one of .png",
         "render s.json -o s.json        | one of .png",
-        "render s.json --strict --lenient | mutually exclusive",
+        "render s.json --strict --lenient | lumbre: --strict, --lenient are mutually exclusive",
+        "render s.json --seed 1.5       | expected an integer up to 9223372036854775807, found"
+            + " '1.5'",
+        "render s.json --depth 3000000000 | expected an integer up to 2147483647, found"
+            + " '3000000000'",
+        "render s.json --clamp much     | expected a number, found 'much'",
+        "compare a.png b.png --tolerance rmse=x | expected a number, found 'x'",
+        "help nothing                   | 'nothing' (see",
         "check                          | SCENE",
         "check s.json -s 4              | -s",
       })

@@ -214,7 +214,7 @@ class TradeCommandTest {
   @Test
   void wrongFlagsAreNamed() throws IOException {
     trade("--knobs", "depth,colour")
-        .assertFailed(ExitCodes.USAGE, "--knobs: expected of sampler,lights,", "found colour");
+        .assertFailed(ExitCodes.USAGE, "--knobs: expected some of sampler,lights,", "found colour");
     trade("--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds: expected 3 to 1000");
     trade("-o", "page.txt").assertFailed(ExitCodes.USAGE, "-o: expected a name that ends in .html");
     trade("-o", directory + "/none/a.html").assertFailed(ExitCodes.OUTPUT, "does not exist");
