@@ -21,17 +21,27 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
    *
    * @param samples per pixel
    * @param relativeMse of the pictures
-   * @param cpuSeconds for all samples up to these
+   * @param cpuSeconds for all samples up to these; 0 if the clock has not ticked meanwhile
    */
   public record Cost(int samples, List<Double> relativeMse, List<Double> cpuSeconds) {
     /** What is left at least of an error, lest chance leaves nothing of it. */
     private static final double LEAST_SHARE = .1;
+
+    private static final double LEAST_SECONDS = 1e-9;
 
     /** Returns the same without the noise of the reference, as a relative mean squared error. */
     Cost less(double referenceNoise) {
       List<Double> own =
           relativeMse.stream().map(e -> Math.max(e - referenceNoise, LEAST_SHARE * e)).toList();
       return new Cost(samples, own, cpuSeconds);
+    }
+
+    /** Returns one seed's time or, where a time is too short for the clock, the mean of all. */
+    private double positiveSeconds(int seed) {
+      boolean isTold = cpuSeconds.stream().allMatch(seconds -> seconds > 0);
+      return isTold
+          ? cpuSeconds.get(seed)
+          : Math.max(LEAST_SECONDS, Interval.ofMean(cpuSeconds).value());
     }
   }
 
@@ -48,7 +58,7 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
     for (int i = 0; i < seeds; i++) {
       int seed = i;
       samples.add(reach(rows, seed, relativeMse, Cost::samples));
-      seconds.add(reach(rows, seed, relativeMse, row -> Math.max(1e-9, row.cpuSeconds.get(seed))));
+      seconds.add(reach(rows, seed, relativeMse, row -> row.positiveSeconds(seed)));
     }
     return new TimeToError(
         Interval.ofGeometricMean(samples),

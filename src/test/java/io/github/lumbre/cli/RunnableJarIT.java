@@ -75,7 +75,7 @@ class RunnableJarIT {
         bad("width 0", exchanged("\"width\": 16", "\"width\": 0"), ExitCodes.SCENE, "width"),
         bad("samples 0", exchanged("\"samples\": 2", "\"samples\": 0"), 3, "samples"),
         bad("too large", sized(60000), ExitCodes.LIMIT, "60000x60000"),
-        bad("beyond the heap", sized(16000), ExitCodes.LIMIT, "512 MiB"),
+        bad("beyond the heap", sized(16000), ExitCodes.LIMIT, "16000x16000 pixels need"),
         bad("deep nesting", "[".repeat(5000), ExitCodes.LIMIT, "tiny.json"),
         bad("truncated base64", textured("iVBORw0KGgo"), ExitCodes.ASSET, "base64PNG"),
         bad("lying PNG", textured(base64(pngOfSize(20000))), ExitCodes.LIMIT, "base64PNG"),
