@@ -86,7 +86,7 @@ final class TradeTables {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("setting", row.setting());
     values.put("time_ratio", row.timeRatio());
-    values.put("cpu_ratio", row.cpuRatio());
+    row.cpuRatio().ifPresent(ratio -> values.put("cpu_ratio", ratio));
     values.put("same_picture", row.isSamePicture());
     return values;
   }

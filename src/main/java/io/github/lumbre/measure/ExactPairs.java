@@ -9,7 +9,9 @@ import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
+import java.util.stream.Stream;
 
 /**
  * Compares settings that must not change the picture: renders in pairs, whose order changes from
@@ -80,10 +82,12 @@ final class ExactPairs {
       same &= Arrays.equals(first.picture.rgb(), second.picture.rgb());
     }
     return new ExactRow(
-        name,
-        Interval.ofRatios(otherSeconds, baseSeconds),
-        Interval.ofRatios(otherCpu, baseCpu),
-        same);
+        name, Interval.ofRatios(otherSeconds, baseSeconds), cpuRatio(otherCpu, baseCpu), same);
+  }
+
+  private static Optional<Interval> cpuRatio(List<Double> over, List<Double> under) {
+    boolean isTold = Stream.concat(over.stream(), under.stream()).allMatch(time -> time > 0);
+    return isTold ? Optional.of(Interval.ofRatios(over, under)) : Optional.empty();
   }
 
   private Timed timed(Side side) throws InterruptedException {
@@ -93,8 +97,7 @@ final class ExactPairs {
     long start = System.nanoTime();
     TradeClimb.climb(renderer, film, samples);
     double seconds = (System.nanoTime() - start) * 1e-9;
-    // A clock that is too coarse for a tiny picture must not make a ratio of nothing.
-    double used = Math.max(1e-9, cpuSeconds.getAsDouble() - cpu);
+    double used = cpuSeconds.getAsDouble() - cpu;
     return new Timed(seconds, used, film.develop());
   }
 }

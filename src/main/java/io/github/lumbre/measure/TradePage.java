@@ -13,6 +13,9 @@ import java.util.Map;
  * {@link TradeCharts} and {@link TradePictures} make its parts.
  */
 public final class TradePage {
+  /** In place of a ratio of times that the processor's clock does not tell. */
+  private static final String TOO_SHORT = "too short to tell";
+
   private final Map<String, String> facts;
   private final TradeResult result;
   private final Html html = new Html();
@@ -86,7 +89,7 @@ public final class TradePage {
               List.of(
                   isUsual ? "usual" : setting.label(),
                   isUsual ? "1" : TradeText.ratio(result.gainByRays(setting)),
-                  isUsual ? "1" : TradeText.ratio(result.gain(setting)),
+                  isUsual ? "1" : result.gain(setting).map(TradeText::ratio).orElse(TOO_SHORT),
                   TradeText.rootPercent(most.relativeMse().value()),
                   TradeText.seconds(most.cpuTime()),
                   TradeText.number(work.rays() + work.shadowRays()),
@@ -175,7 +178,7 @@ public final class TradePage {
                         new Row(
                             List.of(
                                 row.setting(),
-                                TradeText.ratio(row.cpuRatio()),
+                                row.cpuRatio().map(TradeText::ratio).orElse(TOO_SHORT),
                                 TradeText.ratio(row.timeRatio()),
                                 row.isSamePicture() ? "the same bits" : "DIFFERENT"),
                             row.isSamePicture() ? "" : "bad"))

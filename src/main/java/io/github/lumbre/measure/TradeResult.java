@@ -2,6 +2,7 @@ package io.github.lumbre.measure;
 
 import io.github.lumbre.image.Image;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * What a study found.
@@ -50,11 +51,15 @@ public record TradeResult(
 
   /**
    * Returns how many times as far as the usual setting another gets in the same processor time: the
-   * ratio of squared error times time, at the most samples of the other.
+   * ratio of squared error times time, at the most samples of the other. Empty if renders are too
+   * short for the processor's clock.
    */
-  public Interval gain(TradeSetting setting) {
+  public Optional<Interval> gain(TradeSetting setting) {
     TradeRow most = most(setting);
-    return Interval.ofRatios(usual(most.samples()).costs(), most.costs());
+    TradeRow usual = usual(most.samples());
+    return usual.isTimed() && most.isTimed()
+        ? Optional.of(Interval.ofRatios(usual.costs(), most.costs()))
+        : Optional.empty();
   }
 
   /** Returns the same gain for as many rays instead of time: it is that of every machine. */

@@ -55,6 +55,11 @@ public record TradeRow(
     return (work.rays() + work.shadowRays()) * samples * pixels;
   }
 
+  /** Tells whether the processor's clock has ticked in every render. */
+  boolean isTimed() {
+    return cpuSeconds.stream().allMatch(time -> time > 0);
+  }
+
   /** Returns each seed's relative mean squared error times its processor time. */
   List<Double> costs() {
     return IntStream.range(0, errors.size())

@@ -68,6 +68,27 @@ class TradeStudyTest {
     assertThat(bias.high()).isEqualTo(.01);
   }
 
+  private static TradeRow row(String value, Double... cpuSeconds) {
+    TradeSetting setting =
+        new TradeSetting("sampler", value, TradeSetting.Kind.NOISE, "", null, null, null, null);
+    PictureError error = new PictureError(.1, .01, 0, .3, .4, .9, .1);
+    List<Double> times = List.of(cpuSeconds);
+    List<PictureError> errors = times.stream().map(time -> error).toList();
+    TradeWork work = new TradeWork(2, 1, 5, 0);
+    return new TradeRow(setting, 16, times, times, errors, work, null, TRUTH);
+  }
+
+  /** Ratios of them would be anything, and their intervals from nothing to all. */
+  @Test
+  void gainsOfRendersThatAreTooShortForTheClockAreNotTold() {
+    TradeRow usual = row("sobol", .02, .02);
+    TradeRow slow = row("independent", .04, .04);
+    TradeRow brief = row("other", .01, 0.);
+    TradeResult result = new TradeResult(TRUTH, 64, null, List.of(usual, slow, brief), List.of());
+    assertThat(result.gain(slow.setting()).orElseThrow().value()).isCloseTo(.5, within(1e-12));
+    assertThat(result.gain(brief.setting())).isEmpty();
+  }
+
   @Test
   void intervalsAreStudents() {
     Interval interval = Interval.ofMean(List.of(1.0, 2.0, 3.0));
