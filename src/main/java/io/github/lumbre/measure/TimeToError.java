@@ -36,12 +36,10 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
       return new Cost(samples, own, cpuSeconds);
     }
 
-    /** Returns one seed's time or, where a time is too short for the clock, the mean of all. */
-    private double positiveSeconds(int seed) {
+    /** Returns one seed's time or, where a time is too short for the clock, what it would be. */
+    private double positiveSeconds(int seed, double secondsPerSample) {
       boolean isTold = cpuSeconds.stream().allMatch(seconds -> seconds > 0);
-      return isTold
-          ? cpuSeconds.get(seed)
-          : Math.max(LEAST_SECONDS, Interval.ofMean(cpuSeconds).value());
+      return isTold ? cpuSeconds.get(seed) : Math.max(LEAST_SECONDS, samples * secondsPerSample);
     }
   }
 
@@ -53,12 +51,15 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
    */
   public static TimeToError of(List<Cost> rows, double relativeMse) {
     int seeds = rows.get(0).relativeMse.size();
+    Cost most = rows.get(rows.size() - 1);
+    double secondsPerSample = Interval.ofMean(most.cpuSeconds).value() / most.samples;
     List<Double> samples = new ArrayList<>();
     List<Double> seconds = new ArrayList<>();
     for (int i = 0; i < seeds; i++) {
       int seed = i;
       samples.add(reach(rows, seed, relativeMse, Cost::samples));
-      seconds.add(reach(rows, seed, relativeMse, row -> row.positiveSeconds(seed)));
+      seconds.add(
+          reach(rows, seed, relativeMse, row -> row.positiveSeconds(seed, secondsPerSample)));
     }
     return new TimeToError(
         Interval.ofGeometricMean(samples),

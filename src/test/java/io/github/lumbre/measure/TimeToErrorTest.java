@@ -49,10 +49,10 @@ class TimeToErrorTest {
 
   /** The clock of a process ticks a hundred times a second, so that short renders take 0 or .01. */
   @Test
-  void timesTooShortForTheClockLieBetweenTheMeansOfTheirNeighbours() {
+  void timesTooShortForTheClockAreThoseOfTheMostSamplesInProportion() {
     List<TimeToError.Cost> rows =
         List.of(
-            new TimeToError.Cost(2, List.of(.4, .4, .4, .4), List.of(0., .01, 0., .01)),
+            new TimeToError.Cost(2, List.of(.4, .4, .4, .4), List.of(0., .01, 0., 0.)),
             new TimeToError.Cost(8, List.of(.1, .1, .1, .1), List.of(.02, .02, .02, .02)));
     TimeToError cost = TimeToError.of(rows, .2);
     assertThat(cost.samples().value()).isCloseTo(4, within(1e-9));
