@@ -51,7 +51,7 @@ public final class FilmMerge {
               films.get(j).file().header().parts().stream().filter(part::overlaps).findFirst();
           if (other.isPresent()) {
             throw new FilmMismatchException(
-                "samples: "
+                "samples in common: "
                     + films.get(j).name()
                     + " has "
                     + other.get()

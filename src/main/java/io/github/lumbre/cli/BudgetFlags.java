@@ -45,7 +45,7 @@ final class BudgetFlags {
       names = "--confidence",
       paramLabel = "P",
       converter = FlagConverters.OfShare.class,
-      description = "How sure that is to be (95%%).")
+      description = "How sure the bound of the noise is to be (95%%).")
   private Optional<Double> sureness = Optional.empty();
 
   /**

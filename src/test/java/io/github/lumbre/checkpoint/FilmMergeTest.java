@@ -63,8 +63,8 @@ class FilmMergeTest {
     assertThatThrownBy(() -> FilmMerge.of(List.of(a, b)))
         .isInstanceOf(FilmMismatchException.class)
         .hasMessage(
-            "samples: a has samples 0 to 4 of 12x7 pixels at 0,0, and b has samples 4 to 5 of 1x1"
-                + " pixels at 11,6");
+            "samples in common: a has samples 0 to 4 of 12x7 pixels at 0,0, and b has samples 4 to"
+                + " 5 of 1x1 pixels at 11,6");
   }
 
   @Test

@@ -169,7 +169,7 @@ class FilmCommandsTest {
     assertDone(Outcome.of("merge", path("b"), path("c"), "-o", path("bc")));
     assertDone(Outcome.of("resume", path("c"), "-s", "20"));
     Outcome.of("merge", path("a"), path("bc"), path("c"), "-o", path("no"))
-        .assertFailed(ExitCodes.SCENE, "samples: ");
+        .assertFailed(ExitCodes.SCENE, "samples in common: ");
     assertDone(Outcome.of("merge", path("b"), path("a"), path("c"), "-o", path("all.pfm")));
     assertDone(Outcome.of("merge", path("c"), path("a"), path("b"), "-o", path("all")));
     assertSamePicture("all.pfm");
