@@ -181,6 +181,10 @@ record RenderJob(
         ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
   }
 
+  private String stoppedBy() {
+    return monitor.isOutOfTime() ? "timeout" : "signal";
+  }
+
   private void finish(
       Film film, RenderResult result, NoiseReport noise, LightReport light, double seconds)
       throws CommandException {
@@ -189,7 +193,7 @@ record RenderJob(
     Map<String, String> metadata = PictureMetadata.of(scene, file, settings, seconds);
     if (!result.complete()) {
       metadata.put("Partial", summary.progress());
-      report.put("stopped_by", monitor.isOutOfTime() ? "timeout" : "signal");
+      report.put("stopped_by", stoppedBy());
     }
     noise.putInto(metadata);
     light.putInto(metadata);
@@ -201,6 +205,9 @@ record RenderJob(
     report.put("output", picture.target().toString());
     report.putResult(result, seconds);
     noise.putInto(report);
+    if (!result.complete()) {
+      report.put("ended_by", stoppedBy());
+    }
     light.putInto(report);
     if (keeper.failure().isPresent()) {
       throw new CommandException(ExitCodes.OUTPUT, keeper.failure().get());

@@ -54,6 +54,7 @@ class JsonSummaryTest {
     JsonObject object = object(render(TinyScene.JSON, "-s", "1000000000", "--timeout", "0.7s"));
     assertThat(object.get("complete").getAsBoolean()).isFalse();
     assertThat(object.get("stopped_by").getAsString()).isEqualTo("timeout");
+    assertThat(object.get("ended_by").getAsString()).isEqualTo("timeout");
   }
 
   @Test
