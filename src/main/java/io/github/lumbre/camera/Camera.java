@@ -41,12 +41,25 @@ public abstract sealed class Camera
    *     lens and by no other
    */
   public final Optional<Ray> rayFor(Point2 film, Sampler sampler) {
-    Optional<Ray> local = localRay(film, sampler);
-    if (local.isEmpty()) {
-      return local;
+    CameraRay ray = new CameraRay();
+    return aim(film.x(), film.y(), sampler, ray) ? Optional.of(ray.toRay()) : Optional.empty();
+  }
+
+  /**
+   * Aims the ray of unit direction that lights a film point; returns false where nothing is imaged:
+   * outside the circle of a fisheye.
+   *
+   * @param u of the film, in [0,1)
+   * @param v of the film, in [0,1), down
+   * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
+   *     lens and by no other
+   */
+  public final boolean aim(double u, double v, Sampler sampler, CameraRay ray) {
+    if (!aimLocally(u, v, sampler, ray)) {
+      return false;
     }
-    Vec3 origin = position.plus(axes.toWorld(local.get().origin()));
-    return Optional.of(new Ray(origin, axes.toWorld(local.get().direction()).normalized()));
+    ray.place(position, axes);
+    return true;
   }
 
   /** Tells whether some film points have no ray. */
@@ -54,8 +67,8 @@ public abstract sealed class Camera
     return false;
   }
 
-  /** Returns the ray in camera space; its direction need not be of unit length. */
-  abstract Optional<Ray> localRay(Point2 film, Sampler sampler);
+  /** Does the same in camera space, where the direction need not be of unit length. */
+  abstract boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray);
 
   /** Returns the film's width over its height. */
   final double aspect() {

@@ -2,11 +2,8 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
-import java.util.Optional;
 
 /** A panorama of 360° on an upright cylinder; the film's centre looks along +z. */
 public final class CylindricalCamera extends Camera {
@@ -28,14 +25,11 @@ public final class CylindricalCamera extends Camera {
   }
 
   @Override
-  Optional<Ray> localRay(Point2 film, Sampler sampler) {
-    double turns = film.x() - .5;
-    return Optional.of(
-        new Ray(
-            Vec3.ZERO,
-            new Vec3(
-                Elementary.sinTurns(turns),
-                (1 - 2 * film.y()) * halfHeight,
-                Elementary.cosTurns(turns))));
+  boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray) {
+    double turns = u - .5;
+    ray.set(
+        Vec3.ZERO,
+        new Vec3(Elementary.sinTurns(turns), (1 - 2 * v) * halfHeight, Elementary.cosTurns(turns)));
+    return true;
   }
 }

@@ -2,11 +2,8 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
-import java.util.Optional;
 
 /**
  * A circle in which the distance from the centre is proportional to the angle from the axis
@@ -33,19 +30,21 @@ public final class FishEyeCamera extends Camera {
   }
 
   @Override
-  Optional<Ray> localRay(Point2 film, Sampler sampler) {
+  boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray) {
     // The circle touches the shorter pair of the film's sides.
-    double x = (2 * film.x() - 1) * Math.max(1, aspect());
-    double y = (1 - 2 * film.y()) * Math.max(1, 1 / aspect());
+    double x = (2 * u - 1) * Math.max(1, aspect());
+    double y = (1 - 2 * v) * Math.max(1, 1 / aspect());
     double r = Math.sqrt(x * x + y * y);
     if (r > 1) {
-      return Optional.empty();
+      return false;
     }
     if (r == 0) {
-      return Optional.of(new Ray(Vec3.ZERO, Vec3.Z));
+      ray.set(Vec3.ZERO, Vec3.Z);
+      return true;
     }
     double turns = r * angleDegrees / 720;
     double s = Elementary.sinTurns(turns) / r;
-    return Optional.of(new Ray(Vec3.ZERO, new Vec3(s * x, s * y, Elementary.cosTurns(turns))));
+    ray.set(Vec3.ZERO, new Vec3(s * x, s * y, Elementary.cosTurns(turns)));
+    return true;
   }
 }

@@ -2,11 +2,8 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
-import java.util.Optional;
 
 /** Perspective without a lens: everything is in focus. */
 public final class PinholeCamera extends Camera {
@@ -21,13 +18,14 @@ public final class PinholeCamera extends Camera {
   }
 
   @Override
-  Optional<Ray> localRay(Point2 film, Sampler sampler) {
-    return Optional.of(new Ray(Vec3.ZERO, direction(film, aspect(), halfHeight)));
+  boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray) {
+    ray.set(Vec3.ZERO, direction(u, v, aspect(), halfHeight));
+    return true;
   }
 
   /** Returns the direction through a film point at distance 1; not of unit length. */
-  static Vec3 direction(Point2 film, double aspect, double halfHeight) {
-    return new Vec3((2 * film.x() - 1) * aspect * halfHeight, (1 - 2 * film.y()) * halfHeight, 1);
+  static Vec3 direction(double u, double v, double aspect, double halfHeight) {
+    return new Vec3((2 * u - 1) * aspect * halfHeight, (1 - 2 * v) * halfHeight, 1);
   }
 
   /** Returns half the height of the film at distance 1. */

@@ -2,11 +2,8 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
-import java.util.Optional;
 
 /** All directions, 360° by 180°, in equal steps of longitude and latitude; the centre is +z. */
 public final class SphericalCamera extends Camera {
@@ -15,16 +12,16 @@ public final class SphericalCamera extends Camera {
   }
 
   @Override
-  Optional<Ray> localRay(Point2 film, Sampler sampler) {
-    double longitude = film.x() - .5;
-    double latitude = (.5 - film.y()) / 2;
+  boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray) {
+    double longitude = u - .5;
+    double latitude = (.5 - v) / 2;
     double across = Elementary.cosTurns(latitude);
-    return Optional.of(
-        new Ray(
-            Vec3.ZERO,
-            new Vec3(
-                across * Elementary.sinTurns(longitude),
-                Elementary.sinTurns(latitude),
-                across * Elementary.cosTurns(longitude))));
+    ray.set(
+        Vec3.ZERO,
+        new Vec3(
+            across * Elementary.sinTurns(longitude),
+            Elementary.sinTurns(latitude),
+            across * Elementary.cosTurns(longitude)));
+    return true;
   }
 }

@@ -2,11 +2,9 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import java.util.Objects;
-import java.util.Optional;
 
 /**
  * Perspective through a lens of some width: points off the plane of focus blur into the form of the
@@ -51,11 +49,12 @@ public final class ThinLensCamera extends Camera {
   }
 
   @Override
-  Optional<Ray> localRay(Point2 film, Sampler sampler) {
-    Vec3 chief = PinholeCamera.direction(film, aspect(), halfHeight);
+  boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray) {
+    Vec3 chief = PinholeCamera.direction(u, v, aspect(), halfHeight);
     Point2 lens = aperture.sample(sampler);
     Vec3 origin = new Vec3(lens.x() * apertureSize, lens.y() * apertureSize, 0);
-    return Optional.of(new Ray(origin, towardsFocus(chief, origin)));
+    ray.set(origin, towardsFocus(chief, origin));
+    return true;
   }
 
   /** Returns the direction from a lens point to focusDistance·chief, of whatever length is safe. */

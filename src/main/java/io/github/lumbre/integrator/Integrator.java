@@ -1,5 +1,6 @@
 package io.github.lumbre.integrator;
 
+import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
@@ -14,4 +15,13 @@ public interface Integrator {
    * @param scratch the calling thread's own
    */
   Rgb radiance(Ray ray, Sampler sampler, Scratch scratch);
+
+  /**
+   * Returns the same for a ray that a camera has aimed.
+   *
+   * @param ray not changed here
+   */
+  default Rgb radiance(CameraRay ray, Sampler sampler, Scratch scratch) {
+    return radiance(ray.toRay(), sampler, scratch);
+  }
 }

@@ -48,9 +48,9 @@ public final class PathRecorder extends PathTracer implements Recorder {
   }
 
   @Override
-  public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
+  Rgb follow(Sampler sampler, Scratch scratch) {
     vertices.clear();
-    return super.radiance(cameraRay, sampler, scratch);
+    return super.follow(sampler, scratch);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package io.github.lumbre.integrator;
 
+import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
@@ -78,10 +79,21 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   }
 
   @Override
-  public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
+  public Rgb radiance(Ray ray, Sampler sampler, Scratch scratch) {
+    scratch.hit.aim(ray);
+    return follow(sampler, scratch);
+  }
+
+  @Override
+  public Rgb radiance(CameraRay ray, Sampler sampler, Scratch scratch) {
+    scratch.hit.aim(ray.toRay());
+    return follow(sampler, scratch);
+  }
+
+  /** Follows a path along the ray that {@code scratch.hit} was just aimed by. */
+  Rgb follow(Sampler sampler, Scratch scratch) {
     Path path = scratch.path;
     path.begin();
-    scratch.hit.aim(cameraRay);
     int depth = 0;
     while (extend(depth, sampler, scratch)) {
       depth++;

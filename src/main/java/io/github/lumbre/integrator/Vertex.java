@@ -81,7 +81,8 @@ final class Vertex {
     Vec3 wi = light.wi();
     Vec3 local = surface.toLocal(wi);
     if (isConsistent(wi, local)) {
-      bsdf.evaluate(wo(), local, value);
+      value.ask(outX, outY, outZ, local.x(), local.y(), local.z());
+      bsdf.evaluate(value);
     } else {
       value.clear();
     }
@@ -89,7 +90,8 @@ final class Vertex {
 
   /** Draws a direction; the sample's wi is in world space. */
   void sample(double uLobe, Point2 u, BsdfSample drawn) {
-    bsdf.sample(wo(), uLobe, u, drawn);
+    drawn.ask(outX, outY, outZ, uLobe, u);
+    bsdf.sample(drawn);
     if (drawn.isAbsorbed()) {
       return;
     }

@@ -15,30 +15,48 @@ public interface Bsdf {
   /** Returns the density per solid angle with which {@link #sample} draws wi, delta lobes aside. */
   double pdf(Vec3 wo, Vec3 wi);
 
-  /** Sets what {@link #eval} and {@link #pdf} return, at the price of one. */
-  default void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+  /**
+   * Sets what {@link #eval} and {@link #pdf} return, at the price of one.
+   *
+   * @param value asked for two directions; takes the result
+   */
+  default void evaluate(BsdfValue value) {
+    Vec3 wo = value.wo();
+    Vec3 wi = value.wi();
     value.set(eval(wo, wi), pdf(wo, wi));
+  }
+
+  /** Returns what {@link #eval} and {@link #pdf} return, as a new value. */
+  default BsdfValue evaluate(Vec3 wo, Vec3 wi) {
+    BsdfValue value = new BsdfValue();
+    value.ask(wo.x(), wo.y(), wo.z(), wi.x(), wi.y(), wi.z());
+    evaluate(value);
+    return value;
   }
 
   /**
    * Draws a direction.
    *
-   * @param uLobe uniform in [0,1): chooses among lobes, if {@link #choosesLobe} says so
-   * @param u uniform in [0,1)²
-   * @param drawn takes the result; {@linkplain BsdfSample#isAbsorbed absorbed} if the light ends
-   *     here
+   * @param drawn asked for a viewer and random numbers; takes the result, {@linkplain
+   *     BsdfSample#isAbsorbed absorbed} if the light ends here
    */
-  void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn);
+  void sample(BsdfSample drawn);
 
   /** Tells whether {@link #sample} looks at the number that chooses among lobes. */
   default boolean choosesLobe() {
     return false;
   }
 
-  /** Draws a direction into a new sample. */
+  /**
+   * Draws a direction into a new sample.
+   *
+   * @param uLobe uniform in [0,1): chooses among lobes, if {@link #choosesLobe} says so
+   * @param u uniform in [0,1)²
+   */
   default BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
     BsdfSample drawn = new BsdfSample();
-    sample(wo, uLobe, u, drawn);
+    drawn.ask(wo.x(), wo.y(), wo.z(), uLobe, u);
+    sample(drawn);
     return drawn;
   }
 

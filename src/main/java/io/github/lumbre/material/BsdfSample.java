@@ -1,19 +1,63 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A direction drawn from a {@link Bsdf}, or none if the light ends there. Mutable: each thread
- * fills one and the same again and again.
+ * A direction drawn from a {@link Bsdf}, or none if the light ends there; and what it is drawn for.
+ * Mutable, in plain numbers: each thread fills one and the same again and again, and no object is
+ * made for a question or its answer.
  */
 public final class BsdfSample {
+  private double outX, outY, outZ = 1;
+  private double uLobe;
+  private double u, v;
   private double x, y, z = 1;
   private double r, g, b;
   private double pdf;
 
+  /** Memory for what is scattered into the direction. */
+  private final BsdfValue value = new BsdfValue();
+
   /** Makes a sample in which the light ends. */
   public BsdfSample() {}
+
+  /**
+   * Asks for a direction.
+   *
+   * @param woX of the direction to the viewer: local, of unit length
+   * @param newULobe uniform in [0,1): chooses among lobes, if {@link Bsdf#choosesLobe} says so
+   * @param newU uniform in [0,1)²
+   */
+  public void ask(double woX, double woY, double woZ, double newULobe, Point2 newU) {
+    outX = woX;
+    outY = woY;
+    outZ = woZ;
+    uLobe = newULobe;
+    u = newU.x();
+    v = newU.y();
+  }
+
+  /** Returns the direction to the viewer, local and of unit length. */
+  public Vec3 wo() {
+    return new Vec3(outX, outY, outZ);
+  }
+
+  /** Returns the z of {@link #wo}. */
+  double cosine() {
+    return outZ;
+  }
+
+  /** Returns the uniform number in [0,1) that chooses among lobes. */
+  public double uLobe() {
+    return uLobe;
+  }
+
+  /** Returns the uniform point of [0,1)² that chooses the direction. */
+  public Point2 u() {
+    return new Point2(u, v);
+  }
 
   /** Says that the light ends here. */
   public void absorb() {
@@ -41,7 +85,9 @@ public final class BsdfSample {
   }
 
   /** Sets weight and density by what is scattered into the direction; absorbs it if nothing is. */
-  void weighBy(BsdfValue value) {
+  void weighBy(Bsdf bsdf) {
+    value.ask(outX, outY, outZ, x, y, z);
+    bsdf.evaluate(value);
     if (value.pdf() > 0 && value.pdf() < Double.POSITIVE_INFINITY) {
       set(wi(), value.f().times(1 / value.pdf()), value.pdf());
     } else {

@@ -1,7 +1,6 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -19,7 +18,8 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
   }
 
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+  public void sample(BsdfSample drawn) {
+    Vec3 wo = drawn.wo();
     double fresnel = reflected(wo);
     double reflect = fresnel * reflectance.max();
     double pass = (1 - fresnel) * transmittance.max();
@@ -28,7 +28,7 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
       return;
     }
     double probability = reflect / (reflect + pass);
-    if (uLobe < probability) {
+    if (drawn.uLobe() < probability) {
       drawn.setSpecular(SpecularReflection.reflect(wo), reflectance.times(fresnel / probability));
     } else {
       drawn.setSpecular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));

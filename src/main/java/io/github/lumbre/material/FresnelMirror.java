@@ -1,7 +1,6 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -13,13 +12,14 @@ import io.github.lumbre.math.Vec3;
  */
 record FresnelMirror(Rgb specular, double ior) implements SpecularBsdf, Lobe {
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+  public void sample(BsdfSample drawn) {
+    Vec3 wo = drawn.wo();
     Rgb weight = specular.times(Fresnel.dielectric(Math.abs(wo.z()), ior));
     drawn.setSpecular(SpecularReflection.reflect(wo), weight);
   }
 
   @Override
-  public double importance(Vec3 wo) {
-    return specular.max() * Fresnel.dielectric(Math.abs(wo.z()), ior);
+  public double importance(double cosine) {
+    return specular.max() * Fresnel.dielectric(Math.abs(cosine), ior);
   }
 }

@@ -2,7 +2,6 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Warp;
 
@@ -23,7 +22,9 @@ public record Lambertian(Rgb albedo) implements Lobe {
   }
 
   @Override
-  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+  public void evaluate(BsdfValue value) {
+    Vec3 wo = value.wo();
+    Vec3 wi = value.wi();
     if (wo.z() * wi.z() > 0) {
       double pdf = Warp.cosineHemispherePdf(Math.abs(wi.z()));
       value.set(albedo.r() * pdf, albedo.g() * pdf, albedo.b() * pdf, pdf);
@@ -33,8 +34,9 @@ public record Lambertian(Rgb albedo) implements Lobe {
   }
 
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
-    Vec3 up = Warp.cosineHemisphere(u);
+  public void sample(BsdfSample drawn) {
+    Vec3 wo = drawn.wo();
+    Vec3 up = Warp.cosineHemisphere(drawn.u());
     if (up.z() == 0 || wo.z() == 0) {
       drawn.absorb();
       return;
@@ -44,7 +46,7 @@ public record Lambertian(Rgb albedo) implements Lobe {
   }
 
   @Override
-  public double importance(Vec3 wo) {
+  public double importance(double cosine) {
     return albedo.max();
   }
 

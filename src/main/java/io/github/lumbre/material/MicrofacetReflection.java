@@ -1,7 +1,6 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -16,20 +15,18 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     implements Lobe {
   @Override
   public Rgb eval(Vec3 wo, Vec3 wi) {
-    BsdfValue value = new BsdfValue();
-    evaluate(wo, wi, value);
-    return value.f();
+    return evaluate(wo, wi).f();
   }
 
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
-    BsdfValue value = new BsdfValue();
-    evaluate(wo, wi, value);
-    return value.pdf();
+    return evaluate(wo, wi).pdf();
   }
 
   @Override
-  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+  public void evaluate(BsdfValue value) {
+    Vec3 wo = value.wo();
+    Vec3 wi = value.wi();
     if (!(wo.z() * wi.z() > 0)) {
       value.clear();
       return;
@@ -46,28 +43,27 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
   }
 
   @Override
-  public boolean draw(Vec3 wo, Point2 u, BsdfSample drawn) {
+  public boolean draw(BsdfSample drawn) {
+    Vec3 wo = drawn.wo();
     Vec3 o = up(wo);
-    Vec3 m = facets.sampleVisible(o, u);
+    Vec3 m = facets.sampleVisible(o, drawn.u());
     Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
     drawn.setDirection(wo.z() > 0 ? i : i.negated());
     return wo.z() != 0 && i.z() > 0;
   }
 
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
-    if (draw(wo, u, drawn)) {
-      BsdfValue value = new BsdfValue();
-      evaluate(wo, drawn.wi(), value);
-      drawn.weighBy(value);
+  public void sample(BsdfSample drawn) {
+    if (draw(drawn)) {
+      drawn.weighBy(this);
     } else {
       drawn.absorb();
     }
   }
 
   @Override
-  public double importance(Vec3 wo) {
-    return specular.max() * Fresnel.dielectric(Math.abs(wo.z()), ior);
+  public double importance(double cosine) {
+    return specular.max() * Fresnel.dielectric(Math.abs(cosine), ior);
   }
 
   /** Returns the direction turned to the upper side; from behind, the surface is turned over. */

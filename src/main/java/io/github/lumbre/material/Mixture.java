@@ -1,7 +1,6 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -16,17 +15,17 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
 
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
-    double share = shareOfFirst(wo);
+    double share = shareOfFirst(wo.z());
     return share * first.pdf(wo, wi) + (1 - share) * second.pdf(wo, wi);
   }
 
   @Override
-  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
-    double share = shareOfFirst(wo);
-    first.evaluate(wo, wi, value);
+  public void evaluate(BsdfValue value) {
+    double share = shareOfFirst(value.cosine());
+    first.evaluate(value);
     Rgb f = value.f();
     double pdf = share * value.pdf();
-    second.evaluate(wo, wi, value);
+    second.evaluate(value);
     value.set(f.plus(value.f()), pdf + (1 - share) * value.pdf());
   }
 
@@ -36,25 +35,23 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   }
 
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
-    double share = shareOfFirst(wo);
-    boolean drawsFirst = uLobe < share;
+  public void sample(BsdfSample drawn) {
+    double share = shareOfFirst(drawn.cosine());
+    boolean drawsFirst = drawn.uLobe() < share;
     Lobe chosen = drawsFirst ? first : second;
-    if (!chosen.draw(wo, u, drawn)) {
+    if (!chosen.draw(drawn)) {
       drawn.absorb();
     } else if (chosen.isSpecular()) {
       drawn.setSpecular(drawn.wi(), drawn.weight().times(1 / (drawsFirst ? share : 1 - share)));
     } else {
       // Both lobes count for the direction that one of them gave.
-      BsdfValue value = new BsdfValue();
-      evaluate(wo, drawn.wi(), value);
-      drawn.weighBy(value);
+      drawn.weighBy(this);
     }
   }
 
-  private double shareOfFirst(Vec3 wo) {
-    double one = first.importance(wo);
-    double sum = one + second.importance(wo);
+  private double shareOfFirst(double cosine) {
+    double one = first.importance(cosine);
+    double sum = one + second.importance(cosine);
     return sum == 0 ? .5 : one / sum;
   }
 

@@ -39,7 +39,9 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   }
 
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+  public void sample(BsdfSample drawn) {
+    Vec3 wo = drawn.wo();
+    Point2 u = drawn.u();
     // cos α = (1−u)^(1/(n+1)), and the sine without cancellation.
     double logCos = Elementary.log1p(-u.x()) / (exponent + 1);
     double cos = Elementary.exp(logCos);
@@ -56,7 +58,7 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   }
 
   @Override
-  public double importance(Vec3 wo) {
+  public double importance(double cosine) {
     return specular.max();
   }
 }

@@ -1,7 +1,6 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -23,16 +22,12 @@ public record RoughDielectric(
 
   @Override
   public Rgb eval(Vec3 wo, Vec3 wi) {
-    BsdfValue value = new BsdfValue();
-    evaluate(wo, wi, value);
-    return value.f();
+    return evaluate(wo, wi).f();
   }
 
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
-    BsdfValue value = new BsdfValue();
-    evaluate(wo, wi, value);
-    return value.pdf();
+    return evaluate(wo, wi).pdf();
   }
 
   /**
@@ -43,7 +38,9 @@ public record RoughDielectric(
    * densities hang on the last digits of the facet.
    */
   @Override
-  public void evaluate(Vec3 wo, Vec3 wi, BsdfValue value) {
+  public void evaluate(BsdfValue value) {
+    Vec3 wo = value.wo();
+    Vec3 wi = value.wi();
     double sides = wo.z() * wi.z();
     if (sides > 0) {
       reflect(wo, wi, value);
@@ -124,18 +121,19 @@ public record RoughDielectric(
   }
 
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
+  public void sample(BsdfSample drawn) {
+    Vec3 wo = drawn.wo();
     if (wo.z() == 0) {
       drawn.absorb();
       return;
     }
     Vec3 o = up(wo, wo);
-    Vec3 m = facets.sampleVisible(o, u);
+    Vec3 m = facets.sampleVisible(o, drawn.u());
     double cosO = Math.min(1, o.dot(m));
     double eta = eta(wo);
     double fresnel = Fresnel.dielectric(cosO, eta);
     double all = scattered(fresnel);
-    boolean reflects = uLobe * all < fresnel * reflectance.max();
+    boolean reflects = drawn.uLobe() * all < fresnel * reflectance.max();
     Vec3 i =
         reflects
             ? m.times(2 * cosO).minus(o).normalized()
@@ -147,9 +145,7 @@ public record RoughDielectric(
       return;
     }
     drawn.setDirection(up(i, wo));
-    BsdfValue value = new BsdfValue();
-    evaluate(wo, drawn.wi(), value);
-    drawn.weighBy(value);
+    drawn.weighBy(this);
   }
 
   private double eta(Vec3 wo) {

@@ -1,7 +1,6 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -11,8 +10,8 @@ import io.github.lumbre.math.Vec3;
  */
 public record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   @Override
-  public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
-    drawn.setSpecular(reflect(wo), reflectance);
+  public void sample(BsdfSample drawn) {
+    drawn.setSpecular(reflect(drawn.wo()), reflectance);
   }
 
   /** Returns the mirror direction in the local frame. */

@@ -1,9 +1,9 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.Scratch;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -32,6 +32,7 @@ final class BucketWorker implements Runnable {
   private final double limit;
 
   private final Sampler sampler;
+  private final CameraRay ray = new CameraRay();
   private final Scratch scratch = new Scratch();
   private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
 
@@ -123,12 +124,11 @@ final class BucketWorker implements Runnable {
   private void renderSample(int x, int y, int sample, int pixel) {
     scratch.startSample();
     samples++;
-    Optional<Ray> ray = CameraSamples.start(scene, settings, sampler, x, y, sample);
-    if (ray.isEmpty()) {
+    if (!CameraSamples.start(scene, settings, sampler, x, y, sample, ray)) {
       film.add(pixel, Rgb.BLACK, false);
       return;
     }
-    Rgb radiance = accepted(integrator.radiance(ray.get(), sampler, scratch), x, y, sample);
+    Rgb radiance = accepted(integrator.radiance(ray, sampler, scratch), x, y, sample);
     film.add(pixel, radiance, scratch.metSomething() || !settings.transparent());
   }
 

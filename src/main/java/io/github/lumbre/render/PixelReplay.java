@@ -1,12 +1,12 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.PathRecorder;
 import io.github.lumbre.integrator.PathVertex;
 import io.github.lumbre.integrator.RayRecorder;
 import io.github.lumbre.integrator.Recorder;
 import io.github.lumbre.integrator.Scratch;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
@@ -14,7 +14,6 @@ import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * Repeats single samples of a render, to the bit, and tells how they came about. Mutable, and
@@ -25,6 +24,7 @@ public final class PixelReplay {
   private final RenderSettings settings;
   private final Sampler sampler;
   private final Recorder recorder;
+  private final CameraRay ray = new CameraRay();
   private final Scratch scratch = new Scratch();
 
   /**
@@ -91,11 +91,10 @@ public final class PixelReplay {
    */
   public Sample sample(int x, int y, int number) {
     scratch.startSample();
-    Optional<Ray> ray = CameraSamples.start(scene, settings, sampler, x, y, number);
-    if (ray.isEmpty()) {
+    if (!CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {
       return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false);
     }
-    Rgb radiance = recorder.radiance(ray.get(), sampler, scratch);
+    Rgb radiance = recorder.radiance(ray, sampler, scratch);
     boolean rejected = CameraSamples.isRejected(radiance);
     return new Sample(
         number, recorder.vertices(), radiance, rejected ? Rgb.BLACK : radiance, rejected);

@@ -46,7 +46,7 @@ class ThinLensCameraTest {
 
   /** Returns where the ray of the lens's centre meets the plane at a depth. */
   private static Vec3 chief(Point2 film, double depth) {
-    Vec3 d = PinholeCamera.direction(film, 1.5, PinholeCamera.halfHeight(FOV));
+    Vec3 d = PinholeCamera.direction(film.x(), film.y(), 1.5, PinholeCamera.halfHeight(FOV));
     return d.times(depth);
   }
 

@@ -115,13 +115,13 @@ class MixtureTest {
           }
 
           @Override
-          public void sample(Vec3 wo, double uLobe, Point2 u, BsdfSample drawn) {
-            draws.sample(wo, uLobe, u, drawn);
+          public void sample(BsdfSample drawn) {
+            draws.sample(drawn);
             drawn.set(drawn.wi(), Rgb.BLACK, drawn.pdf());
           }
 
           @Override
-          public double importance(Vec3 wo) {
+          public double importance(double cosine) {
             return 1;
           }
         };

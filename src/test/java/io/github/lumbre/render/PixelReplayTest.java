@@ -3,6 +3,7 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
@@ -13,7 +14,6 @@ import io.github.lumbre.integrator.PathVertex.Gathered;
 import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.integrator.RayTracer;
 import io.github.lumbre.integrator.Scratch;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.sampling.Sampler;
@@ -22,7 +22,6 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,14 +57,16 @@ class PixelReplayTest {
     PixelReplay replay = new PixelReplay(file.scene(), settings);
     Sampler sampler = new SobolSampler(settings.seed());
     Scratch scratch = new Scratch();
+    CameraRay ray = new CameraRay();
     for (int y = 0; y < HEIGHT; y += 3) {
       for (int x = 0; x < WIDTH; x++) {
         if (!file.scene().camera().leavesBlanks()) {
           assertThat(replay.pixel(x, y, 2).mean()).isEqualTo(image.pixel(x, y));
         }
         for (int sample = 0; sample < settings.samples(); sample++) {
-          Optional<Ray> ray = CameraSamples.start(file.scene(), settings, sampler, x, y, sample);
-          Rgb expected = ray.map(r -> integrator.radiance(r, sampler, scratch)).orElse(Rgb.BLACK);
+          boolean isImaged =
+              CameraSamples.start(file.scene(), settings, sampler, x, y, sample, ray);
+          Rgb expected = isImaged ? integrator.radiance(ray, sampler, scratch) : Rgb.BLACK;
           PixelReplay.Sample replayed = replay.sample(x, y, sample);
           assertThat(replayed.film()).isEqualTo(expected);
           assertAddsUp(replayed, mode);
