@@ -40,6 +40,36 @@ public final class CameraRay {
     return new Vec3(directionX, directionY, directionZ);
   }
 
+  /** Returns the x of {@link #origin}. */
+  public double originX() {
+    return originX;
+  }
+
+  /** Returns the y of {@link #origin}. */
+  public double originY() {
+    return originY;
+  }
+
+  /** Returns the z of {@link #origin}. */
+  public double originZ() {
+    return originZ;
+  }
+
+  /** Returns the x of {@link #direction}. */
+  public double directionX() {
+    return directionX;
+  }
+
+  /** Returns the y of {@link #direction}. */
+  public double directionY() {
+    return directionY;
+  }
+
+  /** Returns the z of {@link #direction}. */
+  public double directionZ() {
+    return directionZ;
+  }
+
   /** Returns the same ray, which does not change with this. */
   public Ray toRay() {
     return new Ray(origin(), direction());

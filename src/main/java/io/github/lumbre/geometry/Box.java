@@ -166,7 +166,9 @@ public final class Box implements Shape {
 
   /** {@inheritDoc} Points are uniform by area on the faces that the reference sees. */
   @Override
-  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
+  public void sample(SurfaceSample drawn) {
+    Vec3 reference = drawn.reference();
+    Point2 u = drawn.random();
     Vec3 from = toWorld.inversePoint(reference);
     double visible = visibleArea(from);
     drawn.clear();

@@ -1,7 +1,6 @@
 package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Bounds3;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
@@ -75,8 +74,8 @@ public final class Mesh implements Shape {
 
   /** {@inheritDoc} Points are uniform by area, also where the mesh hides itself. */
   @Override
-  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
-    surface.sample(reference, u, drawn);
+  public void sample(SurfaceSample drawn) {
+    surface.sample(drawn);
   }
 
   @Override

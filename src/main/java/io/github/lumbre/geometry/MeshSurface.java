@@ -143,7 +143,9 @@ final class MeshSurface {
     return known;
   }
 
-  void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
+  void sample(SurfaceSample drawn) {
+    Vec3 reference = drawn.reference();
+    Point2 u = drawn.random();
     drawn.clear();
     if (!(area() > 0)) {
       return;

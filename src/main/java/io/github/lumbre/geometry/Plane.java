@@ -2,7 +2,6 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
@@ -82,7 +81,7 @@ public final class Plane implements Shape {
   }
 
   @Override
-  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
+  public void sample(SurfaceSample drawn) {
     throw new UnsupportedOperationException("an infinite plane cannot be sampled");
   }
 

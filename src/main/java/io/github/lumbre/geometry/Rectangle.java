@@ -143,7 +143,9 @@ public final class Rectangle implements Shape {
    * one-way rectangle there are none.
    */
   @Override
-  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
+  public void sample(SurfaceSample drawn) {
+    Vec3 reference = drawn.reference();
+    Point2 u = drawn.random();
     Vec3 from = axes.toLocal(reference.minus(centre));
     if (isNear(from)) {
       SphericalRectangle seen = seenFrom(from);

@@ -35,19 +35,23 @@ public interface Shape {
   }
 
   /**
-   * Draws a point of the surface to light {@code reference} from, or none (pdf 0) where none can be
-   * seen. Which points are drawn, and how often, is the shape's choice; the density says.
+   * Draws a point of the surface to light a reference from, or none (pdf 0) where none can be seen.
+   * Which points are drawn, and how often, is the shape's choice; the density says.
    *
-   * @param u uniform in [0,1)²
-   * @param drawn takes the result
+   * @param drawn asked for a reference; takes the result
    * @throws UnsupportedOperationException if {@link #area} is infinite
    */
-  void sample(Vec3 reference, Point2 u, SurfaceSample drawn);
+  void sample(SurfaceSample drawn);
 
-  /** Draws a point into a new sample. */
+  /**
+   * Draws a point into a new sample.
+   *
+   * @param u uniform in [0,1)²
+   */
   default SurfaceSample sample(Vec3 reference, Point2 u) {
     SurfaceSample drawn = new SurfaceSample();
-    sample(reference, u, drawn);
+    drawn.ask(reference.x(), reference.y(), reference.z(), u);
+    sample(drawn);
     return drawn;
   }
 

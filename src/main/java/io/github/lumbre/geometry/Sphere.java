@@ -137,7 +137,9 @@ public final class Sphere implements Shape {
    * from how the map spreads directions.
    */
   @Override
-  public void sample(Vec3 reference, Point2 u, SurfaceSample drawn) {
+  public void sample(SurfaceSample drawn) {
+    Vec3 reference = drawn.reference();
+    Point2 u = drawn.random();
     Vec3 from = toWorld.inversePoint(reference).times(1 / radius);
     double distance = from.length();
     double oneMinusCosMax = oneMinusCosMax(distance);

@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 
@@ -8,6 +9,8 @@ import io.github.lumbre.texture.TexturePoint;
  * thread fills one and the same again and again.
  */
 public final class SurfaceSample {
+  private double referenceX, referenceY, referenceZ;
+  private double randomX, randomY;
   private double x, y, z;
   private double normalX, normalY, normalZ = 1;
   private double u, v;
@@ -16,6 +19,30 @@ public final class SurfaceSample {
 
   /** Makes a sample of nothing. */
   public SurfaceSample() {}
+
+  /**
+   * Asks for a point that a reference may see.
+   *
+   * @param fromX of the reference, in world space
+   * @param u uniform in [0,1)²: chooses the point
+   */
+  public void ask(double fromX, double fromY, double fromZ, Point2 u) {
+    referenceX = fromX;
+    referenceY = fromY;
+    referenceZ = fromZ;
+    randomX = u.x();
+    randomY = u.y();
+  }
+
+  /** Returns the point, in world space, that is to see what is drawn. */
+  public Vec3 reference() {
+    return new Vec3(referenceX, referenceY, referenceZ);
+  }
+
+  /** Returns the uniform point of [0,1)² that chooses what is drawn. */
+  public Point2 random() {
+    return new Point2(randomX, randomY);
+  }
 
   /** Says that nothing can be seen. */
   public void clear() {

@@ -150,9 +150,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
   @Override
   Rgb ambient(Vertex vertex) {
     Rgb light = super.ambient(vertex);
-    if (!scene.ambient().isBlack()) {
-      gathered.add(Recorder.ambient(scene.ambient(), light, throughput));
-    }
+    gathered.add(Recorder.ambient(scene.ambient(), light, throughput));
     return light;
   }
 

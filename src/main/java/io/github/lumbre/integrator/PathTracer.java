@@ -46,6 +46,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   private final Strategy strategy;
   private final int firstRoulette;
   private final boolean hasChoice;
+  private final boolean hasAmbient;
 
   /** Whether vertices ask emitters for light. */
   private final boolean asks;
@@ -68,6 +69,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     maxDepth = options.maxDepth();
     strategy = options.strategy();
     firstRoulette = options.firstRoulette();
+    hasAmbient = !scene.ambient().isBlack();
     hasChoice = !scene.takes(Shortcut.ONE_EMITTER);
     emitters = scene.emitters().toArray(Light[]::new);
     domes =
@@ -86,7 +88,14 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
 
   @Override
   public Rgb radiance(CameraRay ray, Sampler sampler, Scratch scratch) {
-    scratch.hit.aim(ray.toRay());
+    scratch.hit.aim(
+        ray.originX(),
+        ray.originY(),
+        ray.originZ(),
+        ray.directionX(),
+        ray.directionY(),
+        ray.directionZ(),
+        Double.POSITIVE_INFINITY);
     return follow(sampler, scratch);
   }
 
@@ -131,7 +140,9 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     // Add the light that comes here straight from an emitter.
     Vertex vertex = scratch.vertex;
     vertex.moveTo(surface, primitive.material());
-    path.gather(ambient(vertex));
+    if (hasAmbient) {
+      path.gather(ambient(vertex));
+    }
     if (asks && !vertex.bsdf().isSpecular()) {
       direct(vertex, sampler, Sampler.vertex(depth), scratch);
     }
@@ -178,8 +189,8 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     } else {
       choice.setOnly();
     }
-    emitters[choice.emitter()].sample(
-        choice.point(), sampler.get2d(dimension + Sampler.LIGHT_POINT), light);
+    light.ask(choice, sampler.get2d(dimension + Sampler.LIGHT_POINT));
+    emitters[choice.emitter()].sample(light);
     if (light.isEmpty()) {
       return;
     }

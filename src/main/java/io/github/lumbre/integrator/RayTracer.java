@@ -112,7 +112,8 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
       LightSample light = scratch.light;
-      lights.get(i).sample(vertex.surface().position(), sampler.get2d(dimension), light);
+      light.ask(vertex.surface().position(), sampler.get2d(dimension));
+      lights.get(i).sample(light);
       if (!light.isEmpty()) {
         sum = sum.plus(arriving(i, light, vertex, scratch));
       }

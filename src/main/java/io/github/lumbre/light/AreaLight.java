@@ -3,7 +3,6 @@ package io.github.lumbre.light;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
@@ -21,13 +20,14 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
   }
 
   @Override
-  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
+  public void sample(LightSample drawn) {
     SurfaceSample point = drawn.surface();
-    shape.sample(reference, u, point);
+    shape.sample(point);
     drawn.clear();
     if (!(point.pdf() > 0)) {
       return;
     }
+    Vec3 reference = drawn.reference();
     Rgb radiance = emission.towards(reference, point);
     if (!radiance.isBlack()) {
       drawn.setSurface(point.position().minus(reference).normalized(), radiance);

@@ -1,7 +1,6 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 
@@ -18,7 +17,7 @@ public record DirectionalLight(Vec3 direction, Rgb irradiance) implements Light 
   }
 
   @Override
-  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
+  public void sample(LightSample drawn) {
     drawn.setInfinite(direction.negated(), irradiance, Double.POSITIVE_INFINITY);
   }
 

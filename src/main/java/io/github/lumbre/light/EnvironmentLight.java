@@ -105,7 +105,8 @@ public final class EnvironmentLight implements Light {
   }
 
   @Override
-  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
+  public void sample(LightSample drawn) {
+    Point2 u = drawn.random();
     if (distribution.isEmpty()) {
       Vec3 wi = Warp.uniformSphere(u);
       drawn.setInfinite(wi, from(wi), Warp.INV_FOUR_PI);

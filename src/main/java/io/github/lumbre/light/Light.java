@@ -10,15 +10,19 @@ public sealed interface Light
   /**
    * Draws light that may arrive at a point, or none.
    *
-   * @param u uniform in [0,1)²; delta lights ignore it
-   * @param drawn takes the result
+   * @param drawn asked for a point; takes the result. Delta lights ignore its random numbers
    */
-  void sample(Vec3 reference, Point2 u, LightSample drawn);
+  void sample(LightSample drawn);
 
-  /** Draws light into a new sample; empty if none can arrive. */
+  /**
+   * Draws light into a new sample; empty if none can arrive.
+   *
+   * @param u uniform in [0,1)²
+   */
   default Optional<LightSample> sample(Vec3 reference, Point2 u) {
     LightSample drawn = new LightSample();
-    sample(reference, u, drawn);
+    drawn.ask(reference, u);
+    sample(drawn);
     return drawn.isEmpty() ? Optional.empty() : Optional.of(drawn);
   }
 

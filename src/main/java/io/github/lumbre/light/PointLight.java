@@ -2,7 +2,6 @@ package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Bounds3;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
@@ -16,8 +15,8 @@ public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implemen
   }
 
   @Override
-  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
-    Vec3 way = position.minus(reference);
+  public void sample(LightSample drawn) {
+    Vec3 way = position.minus(drawn.reference());
     double distanceSquared = way.lengthSquared();
     if (distanceSquared == 0) {
       drawn.clear();

@@ -1,7 +1,6 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.math.Elementary;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
@@ -39,8 +38,8 @@ public final class SpotLight implements Light {
   }
 
   @Override
-  public void sample(Vec3 reference, Point2 u, LightSample drawn) {
-    source.sample(reference, u, drawn);
+  public void sample(LightSample drawn) {
+    source.sample(drawn);
     drawn.dim(share(drawn.wi().cross(axis).length(), -drawn.wi().dot(axis)));
   }
 
