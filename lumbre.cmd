@@ -75,11 +75,16 @@ if not defined JAVA_HOME for %%a in (java.exe) do set "LUMBRE_BIN=%%~dp$PATH:a"
 set "LUMBRE_VECTORS="
 findstr /c:"jdk.incubator.vector" "%LUMBRE_BIN%..\release" >nul 2>nul && set "LUMBRE_VECTORS=--add-modules jdk.incubator.vector"
 
-rem Where the compiler takes the sum of two lobes into a bounce, it has no room left for the rest of it.
-set "LUMBRE_MIXTURE=-XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::"
+rem A bounce is more than the compiler takes in at once, so it gets it in parts.
+set "LUMBRE_PARTS=-XX:CompileCommand=quiet"
+set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.scene.Scene::surfaceAt"
+set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.integrator.Vertex::moveTo"
+set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.integrator.PathTracer::direct"
+set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::sample"
+set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::evaluate"
 
 rem The options of the virtual machine, all of them.
 set "LUMBRE_NATIVE="
 if %LUMBRE_MAJOR% GEQ 22 set "LUMBRE_NATIVE=--enable-native-access=ALL-UNNAMED"
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto -XX:CompileCommand=quiet %LUMBRE_MIXTURE%sample %LUMBRE_MIXTURE%evaluate %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_PARTS% %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
 exit /b %ERRORLEVEL%

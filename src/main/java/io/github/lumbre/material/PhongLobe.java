@@ -28,6 +28,19 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
     return wo.z() * wi.z() > 0 ? density(cosinePower(wo, wi)) : 0;
   }
 
+  @Override
+  public void evaluate(BsdfValue value) {
+    Vec3 wo = value.wo();
+    Vec3 wi = value.wi();
+    if (wo.z() * wi.z() > 0) {
+      double power = cosinePower(wo, wi);
+      double f = (exponent + 2) / Elementary.TWO_PI * power * Math.abs(wi.z());
+      value.set(specular.r() * f, specular.g() * f, specular.b() * f, density(power));
+    } else {
+      value.clear();
+    }
+  }
+
   private double density(double cosinePower) {
     return (exponent + 1) / Elementary.TWO_PI * cosinePower;
   }

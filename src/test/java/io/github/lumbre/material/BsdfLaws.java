@@ -56,11 +56,19 @@ final class BsdfLaws {
       assertUsable(sample);
       Rgb value = bsdf.eval(wo, sample.wi());
       double pdf = bsdf.pdf(wo, sample.wi());
+      assertEvaluatesAlike(bsdf, wo, sample.wi());
       assertThat(relative(sample.pdf(), pdf)).isLessThan(tolerance);
       assertThat(relative(sample.weight().r(), value.r() / pdf)).isLessThan(tolerance);
       assertThat(relative(sample.weight().g(), value.g() / pdf)).isLessThan(tolerance);
       assertThat(relative(sample.weight().b(), value.b() / pdf)).isLessThan(tolerance);
     }
+  }
+
+  /** Checks that what is told at the price of one is the same to the last bit. */
+  private static void assertEvaluatesAlike(Bsdf bsdf, Vec3 wo, Vec3 wi) {
+    BsdfValue value = bsdf.evaluate(wo, wi);
+    assertThat(value.f()).isEqualTo(bsdf.eval(wo, wi));
+    assertThat(value.pdf()).isEqualTo(bsdf.pdf(wo, wi));
   }
 
   private static void assertUsable(BsdfSample sample) {
@@ -91,6 +99,7 @@ final class BsdfLaws {
           };
           for (Vec3 each : related) {
             assertHarmless(bsdf.eval(wo, each));
+            assertEvaluatesAlike(bsdf, wo, each);
             assertThat(bsdf.pdf(wo, each)).isNotNegative().isFinite();
             if (cosO == 0 || each.z() == 0) {
               assertThat(bsdf.eval(wo, each).isBlack()).isTrue();
