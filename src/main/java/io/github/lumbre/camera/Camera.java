@@ -53,6 +53,7 @@ public abstract sealed class Camera
    * @param v of the film, in [0,1), down
    * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
    *     lens and by no other
+   * @param ray takes the result; as it was where nothing is imaged
    */
   public final boolean aim(double u, double v, Sampler sampler, CameraRay ray) {
     if (!aimLocally(u, v, sampler, ray)) {
@@ -67,7 +68,7 @@ public abstract sealed class Camera
     return false;
   }
 
-  /** Does the same in camera space, where the direction need not be of unit length. */
+  /** Does what {@link #aim} does, in camera space; the direction need not be of unit length. */
   abstract boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray);
 
   /** Returns the film's width over its height. */

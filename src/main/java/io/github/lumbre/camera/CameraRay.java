@@ -15,7 +15,7 @@ public final class CameraRay {
   /** Makes a ray to be aimed. */
   public CameraRay() {}
 
-  /** Sets both. */
+  /** Sets where the ray begins and its direction, of any length but 0. */
   void set(Vec3 origin, Vec3 direction) {
     originX = origin.x();
     originY = origin.y();

@@ -55,7 +55,7 @@ public final class BsdfSample {
   }
 
   /** Returns the uniform point of [0,1)² that chooses the direction. */
-  public Point2 u() {
+  public Point2 random() {
     return new Point2(u, v);
   }
 

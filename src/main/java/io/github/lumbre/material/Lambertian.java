@@ -36,7 +36,7 @@ public record Lambertian(Rgb albedo) implements Lobe {
   @Override
   public void sample(BsdfSample drawn) {
     Vec3 wo = drawn.wo();
-    Vec3 up = Warp.cosineHemisphere(drawn.u());
+    Vec3 up = Warp.cosineHemisphere(drawn.random());
     if (up.z() == 0 || wo.z() == 0) {
       drawn.absorb();
       return;

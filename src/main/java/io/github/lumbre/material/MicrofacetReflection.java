@@ -46,7 +46,7 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
   public boolean draw(BsdfSample drawn) {
     Vec3 wo = drawn.wo();
     Vec3 o = up(wo);
-    Vec3 m = facets.sampleVisible(o, drawn.u());
+    Vec3 m = facets.sampleVisible(o, drawn.random());
     Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
     drawn.setDirection(wo.z() > 0 ? i : i.negated());
     return wo.z() != 0 && i.z() > 0;

@@ -54,7 +54,7 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   @Override
   public void sample(BsdfSample drawn) {
     Vec3 wo = drawn.wo();
-    Point2 u = drawn.u();
+    Point2 u = drawn.random();
     // cos α = (1−u)^(1/(n+1)), and the sine without cancellation.
     double logCos = Elementary.log1p(-u.x()) / (exponent + 1);
     double cos = Elementary.exp(logCos);

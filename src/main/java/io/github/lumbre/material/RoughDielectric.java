@@ -128,7 +128,7 @@ public record RoughDielectric(
       return;
     }
     Vec3 o = up(wo, wo);
-    Vec3 m = facets.sampleVisible(o, drawn.u());
+    Vec3 m = facets.sampleVisible(o, drawn.random());
     double cosO = Math.min(1, o.dot(m));
     double eta = eta(wo);
     double fresnel = Fresnel.dielectric(cosO, eta);
