@@ -14,7 +14,6 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.sampling.Hash;
 import io.github.lumbre.sampling.Warp;
 import io.github.lumbre.scene.Primitive;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -67,7 +66,7 @@ final class GlassCheck implements Check {
 
   private static boolean bends(Material material) {
     return Surfaces.flat(material) instanceof Glass glass
-        && !(glass.ior().isConstant() && glass.ior().at(new TexturePoint(0, 0)) == 1);
+        && !(glass.ior().isConstant() && glass.ior().at(0, 0) == 1);
   }
 
   private static boolean meet(Bounds3 a, Bounds3 b) {

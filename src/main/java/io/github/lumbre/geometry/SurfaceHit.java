@@ -138,6 +138,16 @@ public final class SurfaceHit {
     return new TexturePoint(u, v);
   }
 
+  /** Returns the first texture coordinate. */
+  public double u() {
+    return u;
+  }
+
+  /** Returns the second texture coordinate. */
+  public double v() {
+    return v;
+  }
+
   /** Returns the unit direction back to where the ray came from. */
   public Vec3 wo() {
     return new Vec3(outX, outY, outZ);

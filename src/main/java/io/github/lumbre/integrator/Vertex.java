@@ -36,7 +36,7 @@ final class Vertex {
       surface.shadeBy(Frame.around(surface.geometricNormal()));
       lookBack();
     }
-    bsdf = material.at(surface.texture());
+    bsdf = material.at(surface.u(), surface.v());
   }
 
   private void lookBack() {

@@ -8,7 +8,6 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Distribution2d;
 import io.github.lumbre.sampling.Warp;
 import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -17,8 +16,6 @@ import java.util.Optional;
  * An image reads unmirrored from inside, its centre towards the dome's +z, its top up. Immutable.
  */
 public final class EnvironmentLight implements Light {
-  private static final TexturePoint CENTRE = new TexturePoint(.5, .5);
-
   /** Textures repeat: at 1 the zenith would show the nadir. */
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
@@ -79,7 +76,7 @@ public final class EnvironmentLight implements Light {
         // Just inside the cell, so that an unfiltered neighbour does not count.
         double u = (column + .001 + .998 * dx) / columns;
         double v = (row + .001 + .998 * dy) / rows;
-        most = Math.max(most, radiance.at(new TexturePoint(u, v)).max());
+        most = Math.max(most, radiance.at(u, v).max());
       }
     }
     return most;
@@ -87,7 +84,11 @@ public final class EnvironmentLight implements Light {
 
   /** Returns the radiance that arrives from a unit direction. */
   public Rgb from(Vec3 direction) {
-    return radiance.at(texturePoint(axes.toLocal(direction)));
+    if (distribution.isEmpty()) {
+      return radiance.at(.5, .5);
+    }
+    Vec3 d = axes.toLocal(direction);
+    return radiance.at(u(d), v(d));
   }
 
   /** Returns the density per solid angle with which {@link #sample} draws a unit direction. */
@@ -100,8 +101,7 @@ public final class EnvironmentLight implements Light {
     if (cosLatitude == 0) {
       return 0;
     }
-    TexturePoint p = texturePoint(d);
-    return perSolidAngle(distribution.get().pdf(new Point2(p.u(), p.v())), cosLatitude);
+    return perSolidAngle(distribution.get().pdf(new Point2(u(d), v(d))), cosLatitude);
   }
 
   @Override
@@ -128,7 +128,7 @@ public final class EnvironmentLight implements Light {
                 across * Elementary.sinTurns(longitude),
                 Elementary.sinTurns(latitude),
                 across * Elementary.cosTurns(longitude)));
-    drawn.setInfinite(wi, radiance.at(new TexturePoint(p.x(), p.y())), pdf);
+    drawn.setInfinite(wi, radiance.at(p.x(), p.y()), pdf);
   }
 
   /** From per area of the image: dω is 2π² cos latitude times the area element. */
@@ -136,15 +136,15 @@ public final class EnvironmentLight implements Light {
     return pdf / (2 * Math.PI * Math.PI * cosLatitude);
   }
 
-  /** Returns where in the image, in [0,1)², a direction of the dome's own space lies. */
-  private TexturePoint texturePoint(Vec3 d) {
-    if (distribution.isEmpty()) {
-      return CENTRE;
-    }
-    double u = .5 + Elementary.atan2(d.x(), d.z()) / Elementary.TWO_PI;
+  /** Returns how far to the right in the image, in [0,1), a direction of the dome's space lies. */
+  private static double u(Vec3 d) {
+    return Math.min(.5 + Elementary.atan2(d.x(), d.z()) / Elementary.TWO_PI, BELOW_ONE);
+  }
+
+  /** Returns how far up in the image, in [0,1), a direction of the dome's space lies. */
+  private static double v(Vec3 d) {
     // An arc sine would lose half the digits near the poles.
-    double v = .5 + Elementary.atan2(d.y(), cosLatitude(d)) / Math.PI;
-    return new TexturePoint(Math.min(u, BELOW_ONE), Math.min(v, BELOW_ONE));
+    return Math.min(.5 + Elementary.atan2(d.y(), cosLatitude(d)) / Math.PI, BELOW_ONE);
   }
 
   private static double cosLatitude(Vec3 d) {

@@ -3,7 +3,6 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -44,10 +43,10 @@ public record CookTorrance(
   }
 
   @Override
-  public Bsdf at(TexturePoint point) {
-    Reflectances colours = Reflectances.of(diffuse.at(point), specular.at(point));
-    double alpha = roughness.at(point);
-    double index = ior.at(point);
+  public Bsdf at(double u, double v) {
+    Reflectances colours = Reflectances.of(diffuse.at(u, v), specular.at(u, v));
+    double alpha = roughness.at(u, v);
+    double index = ior.at(u, v);
     return colours.with(
         alpha < SMOOTH
             ? new FresnelMirror(colours.specular(), index)

@@ -3,7 +3,6 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -40,11 +39,11 @@ public record Glass(
   }
 
   @Override
-  public Bsdf at(TexturePoint point) {
-    Rgb reflected = reflectance.at(point).clampedToOne();
-    Rgb passed = transmittance.at(point).clampedToOne();
-    double index = ior.at(point);
-    double alpha = roughness.at(point);
+  public Bsdf at(double u, double v) {
+    Rgb reflected = reflectance.at(u, v).clampedToOne();
+    Rgb passed = transmittance.at(u, v).clampedToOne();
+    double index = ior.at(u, v);
+    double alpha = roughness.at(u, v);
     return alpha < CookTorrance.SMOOTH || Math.abs(index - 1) < LEAST_CONTRAST
         ? new Dielectric(reflected, passed, index)
         : new RoughDielectric(reflected, passed, index, new Ggx(alpha));

@@ -5,15 +5,25 @@ import io.github.lumbre.texture.TexturePoint;
 
 /** What a surface is made of: reads its textures at a hit. Immutable. */
 public interface Material {
+  /**
+   * Returns how the surface scatters at a point of it, in the hit's shading frame.
+   *
+   * @param u texture coordinate, any finite number
+   * @param v likewise
+   */
+  Bsdf at(double u, double v);
+
   /** Returns how the surface scatters at a point of it, in the hit's shading frame. */
-  Bsdf at(TexturePoint point);
+  default Bsdf at(TexturePoint point) {
+    return at(point.u(), point.v());
+  }
 
   /** Tells whether the surface is known to scatter everywhere alike, in its frame. */
   boolean isUniform();
 
   /** Returns a material that looks the same and does no work twice. */
   default Material simplified() {
-    return isUniform() ? new UniformMaterial(at(new TexturePoint(0, 0))) : this;
+    return isUniform() ? new UniformMaterial(at(0, 0)) : this;
   }
 
   /** Turns the hit's shading frame, if a normal map bends it. */

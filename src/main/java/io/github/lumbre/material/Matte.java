@@ -2,7 +2,6 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -24,7 +23,7 @@ public record Matte(Texture<Rgb> albedo) implements Material {
   }
 
   @Override
-  public Bsdf at(TexturePoint point) {
-    return new Lambertian(albedo.at(point).clampedToOne());
+  public Bsdf at(double u, double v) {
+    return new Lambertian(albedo.at(u, v).clampedToOne());
   }
 }

@@ -2,7 +2,6 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -21,7 +20,7 @@ public record Mirror(Texture<Rgb> reflectance) implements Material {
   }
 
   @Override
-  public Bsdf at(TexturePoint point) {
-    return new SpecularReflection(reflectance.at(point).clampedToOne());
+  public Bsdf at(double u, double v) {
+    return new SpecularReflection(reflectance.at(u, v).clampedToOne());
   }
 }

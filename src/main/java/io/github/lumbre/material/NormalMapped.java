@@ -2,7 +2,6 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.texture.NormalMap;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /** Any material on a surface whose normals a map bends. */
@@ -18,8 +17,8 @@ public record NormalMapped(Material material, NormalMap map) implements Material
   }
 
   @Override
-  public Bsdf at(TexturePoint point) {
-    return material.at(point);
+  public Bsdf at(double u, double v) {
+    return material.at(u, v);
   }
 
   @Override

@@ -3,7 +3,6 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
@@ -33,8 +32,8 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
   }
 
   @Override
-  public Bsdf at(TexturePoint point) {
-    Reflectances colours = Reflectances.of(diffuse.at(point), specular.at(point));
-    return colours.with(new PhongLobe(colours.specular(), Math.min(exponent.at(point), SHARPEST)));
+  public Bsdf at(double u, double v) {
+    Reflectances colours = Reflectances.of(diffuse.at(u, v), specular.at(u, v));
+    return colours.with(new PhongLobe(colours.specular(), Math.min(exponent.at(u, v), SHARPEST)));
   }
 }

@@ -1,11 +1,9 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.texture.TexturePoint;
-
 /** A material that scatters everywhere alike. */
 record UniformMaterial(Bsdf bsdf) implements Material {
   @Override
-  public Bsdf at(TexturePoint point) {
+  public Bsdf at(double u, double v) {
     return bsdf;
   }
 

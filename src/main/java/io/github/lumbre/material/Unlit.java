@@ -1,7 +1,5 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.texture.TexturePoint;
-
 /** A surface that scatters nothing: of a lamp, or of anything that shows its own colour only. */
 public enum Unlit implements Material {
   INSTANCE;
@@ -12,7 +10,7 @@ public enum Unlit implements Material {
   }
 
   @Override
-  public Bsdf at(TexturePoint point) {
+  public Bsdf at(double u, double v) {
     return Absorber.BLACK;
   }
 }

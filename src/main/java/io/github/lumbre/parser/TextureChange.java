@@ -34,9 +34,9 @@ record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
       return texture;
     }
     LongAdder adder = lookUps.get();
-    return p -> {
+    return (u, v) -> {
       adder.increment();
-      return texture.at(p);
+      return texture.at(u, v);
     };
   }
 }

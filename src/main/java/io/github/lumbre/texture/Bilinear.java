@@ -11,17 +11,15 @@ package io.github.lumbre.texture;
  * @param t share of the upper two, in [0,1]
  */
 record Bilinear(int x0, int x1, int y0, int y1, double s, double t) {
-  private static final TexturePoint ORIGIN = new TexturePoint(0, 0);
-
   /** Returns what surrounds a point; one that is not finite is counted, and taken as (0, 0). */
-  static Bilinear around(TexturePoint p, int width, int height) {
-    if (!Texel.isFinite(p)) {
+  static Bilinear around(double u, double v, int width, int height) {
+    boolean isReadable = Texel.isFinite(u, v);
+    if (!isReadable) {
       UnreadablePoints.count();
-      return around(ORIGIN, width, height);
     }
     // Count from the centres of the left column and the bottom row.
-    double column = width * Texel.fraction(p.u()) - .5;
-    double row = height * Texel.fraction(p.v()) - .5;
+    double column = width * (isReadable ? Texel.fraction(u) : 0) - .5;
+    double row = height * (isReadable ? Texel.fraction(v) : 0) - .5;
     double left = Math.floor(column);
     double bottom = Math.floor(row);
     int x0 = left < 0 ? width - 1 : (int) left;

@@ -13,8 +13,8 @@ public record BilinearTexture(TexelTexture texels) implements Texture<Rgb> {
   }
 
   @Override
-  public Rgb at(TexturePoint p) {
-    Bilinear around = Bilinear.around(p, texels.width(), texels.height());
+  public Rgb at(double u, double v) {
+    Bilinear around = Bilinear.around(u, v, texels.width(), texels.height());
     Rgb v00 = texels.texel(around.x0(), around.y0());
     Rgb v10 = texels.texel(around.x1(), around.y0());
     Rgb v01 = texels.texel(around.x0(), around.y1());

@@ -14,7 +14,7 @@ public record Constant<T>(T value) implements Texture<T> {
   }
 
   @Override
-  public T at(TexturePoint p) {
+  public T at(double u, double v) {
     return value;
   }
 }

@@ -93,18 +93,18 @@ public final class ImageTexture implements Texture<Rgb> {
   }
 
   @Override
-  public Rgb at(TexturePoint p) {
-    return filter == Filter.NEAREST ? nearest(p) : bilinear(p);
+  public Rgb at(double u, double v) {
+    return filter == Filter.NEAREST ? nearest(u, v) : bilinear(u, v);
   }
 
-  private Rgb nearest(TexturePoint p) {
-    int x = Texel.column(p, pixels.width());
-    int y = Texel.row(p, pixels.height());
+  private Rgb nearest(double u, double v) {
+    int x = Texel.column(u, v, pixels.width());
+    int y = Texel.row(u, v, pixels.height());
     return new Rgb(tint.r() * texel(x, y, 0), tint.g() * texel(x, y, 1), tint.b() * texel(x, y, 2));
   }
 
-  private Rgb bilinear(TexturePoint p) {
-    Bilinear around = Bilinear.around(p, pixels.width(), pixels.height());
+  private Rgb bilinear(double u, double v) {
+    Bilinear around = Bilinear.around(u, v, pixels.width(), pixels.height());
     return new Rgb(
         tint.r() * blend(around, 0), tint.g() * blend(around, 1), tint.b() * blend(around, 2));
   }

@@ -44,7 +44,7 @@ public final class NormalMap {
    * @param geometricNormal of the true surface, of unit length, on the side of the shading normal
    */
   public Frame perturb(Frame shading, Vec3 geometricNormal, TexturePoint p) {
-    Rgb n = normals.at(mapping.apply(p));
+    Rgb n = normals.at(mapping.u(p.u()), mapping.v(p.v()));
     double x = n.r() * strength * Math.signum(mapping.scaleX());
     double y = n.g() * strength * Math.signum(mapping.scaleY());
     if (x == 0 && y == 0 && n.b() > 0) {

@@ -25,7 +25,7 @@ public record RedChannel(Texture<Rgb> texture, double factor, double min, double
   }
 
   @Override
-  public double at(TexturePoint p) {
-    return Math.max(min, Math.min(factor * texture.at(p).r(), max));
+  public double at(double u, double v) {
+    return Math.max(min, Math.min(factor * texture.at(u, v).r(), max));
   }
 }

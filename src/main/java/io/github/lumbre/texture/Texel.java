@@ -7,25 +7,25 @@ final class Texel {
   private Texel() {}
 
   /** Returns the column, counted from the left; counts points that are not finite. */
-  static int column(TexturePoint p, int width) {
-    if (!isFinite(p)) {
+  static int column(double u, double v, int width) {
+    if (!isFinite(u, v)) {
       UnreadablePoints.count();
       return 0;
     }
-    return index(p.u(), width);
+    return index(u, width);
   }
 
   /** Returns the row, counted from the <b>top</b>. */
-  static int row(TexturePoint p, int height) {
-    return height - 1 - (isFinite(p) ? index(p.v(), height) : 0);
+  static int row(double u, double v, int height) {
+    return height - 1 - (isFinite(u, v) ? index(v, height) : 0);
   }
 
   private static int index(double u, int size) {
     return Math.min((int) (size * fraction(u)), size - 1);
   }
 
-  static boolean isFinite(TexturePoint p) {
-    return Double.isFinite(p.u()) && Double.isFinite(p.v());
+  static boolean isFinite(double u, double v) {
+    return Double.isFinite(u) && Double.isFinite(v);
   }
 
   /** Returns u - floor(u), in [0,1]: of a tiny negative u it rounds to 1. */

@@ -24,7 +24,7 @@ public interface TexelTexture extends Texture<Rgb> {
   Rgb texel(int column, int row);
 
   @Override
-  default Rgb at(TexturePoint p) {
-    return texel(Texel.column(p, width()), Texel.row(p, height()));
+  default Rgb at(double u, double v) {
+    return texel(Texel.column(u, v, width()), Texel.row(u, v, height()));
   }
 }

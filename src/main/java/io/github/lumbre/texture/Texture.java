@@ -3,7 +3,13 @@ package io.github.lumbre.texture;
 /** A value at each point of a surface, in practice a colour. */
 @FunctionalInterface
 public interface Texture<T> {
-  T at(TexturePoint p);
+  /** Returns the value at any finite (u, v): in plain numbers, so that asking makes no object. */
+  T at(double u, double v);
+
+  /** Returns the value at a point. */
+  default T at(TexturePoint p) {
+    return at(p.u(), p.v());
+  }
 
   /** Tells whether the texture is known to have one value everywhere. */
   default boolean isConstant() {

@@ -25,7 +25,7 @@ public record TintedTexture(Rgb tint, Texture<Rgb> texture) implements Texture<R
   }
 
   @Override
-  public Rgb at(TexturePoint p) {
-    return texture.at(p).times(tint);
+  public Rgb at(double u, double v) {
+    return texture.at(u, v).times(tint);
   }
 }

@@ -21,13 +21,23 @@ public record UvMapping(double offsetX, double offsetY, double scaleX, double sc
 
   /** Returns where a point of the surface lies in the texture. */
   public TexturePoint apply(TexturePoint p) {
-    return new TexturePoint(p.u() * scaleX + offsetX, p.v() * scaleY + offsetY);
+    return new TexturePoint(u(p.u()), v(p.v()));
+  }
+
+  /** Returns the texture's u of the surface's. */
+  double u(double u) {
+    return u * scaleX + offsetX;
+  }
+
+  /** Returns the texture's v of the surface's. */
+  double v(double v) {
+    return v * scaleY + offsetY;
   }
 
   /** Returns the texture, read through this mapping. */
   public <T> Texture<T> over(Texture<T> texture) {
     Objects.requireNonNull(texture, "texture");
-    return equals(IDENTITY) ? texture : p -> texture.at(apply(p));
+    return equals(IDENTITY) ? texture : (u, v) -> texture.at(u(u), v(v));
   }
 
   private static void requireFinite(double value, String name) {

@@ -146,7 +146,7 @@ class EnclosureTest {
   @ParameterizedTest
   @CsvSource({".5, .5", ".9, .9", ".2, .8", ".95, .1"})
   void hemispheresOfDifferentReflectanceLightEachOther(double upper, double lower) {
-    Texture<Rgb> halves = p -> Rgb.grey(p.v() < .5 ? upper : lower);
+    Texture<Rgb> halves = (u, v) -> Rgb.grey(v < .5 ? upper : lower);
 
     Scene scene =
         empty().add(sphere(0, 0, 0, 1), new Matte(halves)).add(point(Vec3.ZERO, Math.PI)).build();

@@ -202,7 +202,7 @@ class LightTransportTest {
     EnvironmentLight dome =
         EnvironmentLight.image(
             Frame.WORLD,
-            p -> Rgb.grey(p.v() < .5 ? 0 : Math.pow(Math.sin((p.v() - .5) * Math.PI), n)),
+            (u, v) -> Rgb.grey(v < .5 ? 0 : Math.pow(Math.sin((v - .5) * Math.PI), n)),
             64,
             rows);
     Scene scene = empty().add(floor(), matte(ALBEDO)).add(dome).build();

@@ -88,7 +88,7 @@ class SamplingVarianceTest {
     EnvironmentLight dome =
         EnvironmentLight.image(
             Frame.WORLD,
-            p -> Rgb.grey(p.v() > .9 && p.v() < .92 && p.u() > .3 && p.u() < .32 ? 1000 : 0),
+            (u, v) -> Rgb.grey(v > .9 && v < .92 && u > .3 && u < .32 ? 1000 : 0),
             100,
             100);
     Scene scene = empty().add(floor(), matte(ALBEDO)).add(dome).build();

@@ -99,7 +99,7 @@ class StrategiesTest {
                 scene.add(
                     EnvironmentLight.image(
                         Frame.WORLD,
-                        p -> Rgb.grey(p.v() > .5 && p.u() > .4 && p.u() < .8 ? 2 : .1),
+                        (u, v) -> Rgb.grey(v > .5 && u > .4 && u < .8 ? 2 : .1),
                         20,
                         10))));
     lights.add(

@@ -23,7 +23,7 @@ class EnvironmentLightTest {
   private final SplittableRandom random = new SplittableRandom(40);
 
   /** Tells the texture coordinates it was asked for. */
-  private static final Texture<Rgb> COORDINATES = p -> new Rgb(p.u(), p.v(), 1);
+  private static final Texture<Rgb> COORDINATES = (u, v) -> new Rgb(u, v, 1);
 
   private Point2 point() {
     return new Point2(random.nextDouble(), random.nextDouble());
@@ -38,9 +38,9 @@ class EnvironmentLightTest {
 
   /** An image without filter, repeated at the borders as all textures are. */
   private static Texture<Rgb> image(double[][] rows) {
-    return p -> {
-      int row = Math.floorMod((int) Math.floor(p.v() * rows.length), rows.length);
-      int column = Math.floorMod((int) Math.floor(p.u() * rows[0].length), rows[0].length);
+    return (u, v) -> {
+      int row = Math.floorMod((int) Math.floor(v * rows.length), rows.length);
+      int column = Math.floorMod((int) Math.floor(u * rows[0].length), rows[0].length);
       return Rgb.grey(rows[row][column]);
     };
   }
@@ -200,7 +200,7 @@ class EnvironmentLightTest {
   void horizontalPlaneUnderACosineDomeReceivesItsIntegral() {
     // Radiance sin^n of the latitude: E = 2π/(n + 2), tabulated in fine rows.
     for (int n : new int[] {1, 2, 10}) {
-      Texture<Rgb> sky = p -> Rgb.grey(Math.pow(Math.max(0, Math.sin(Math.PI * (p.v() - .5))), n));
+      Texture<Rgb> sky = (u, v) -> Rgb.grey(Math.pow(Math.max(0, Math.sin(Math.PI * (v - .5))), n));
       EnvironmentLight light = EnvironmentLight.image(Frame.WORLD, sky, 4, 256);
       double exact = 2 * Math.PI / (n + 2);
       // Samples in proportion to the light differ by the cosine alone: at n = 1 by .354 E, and

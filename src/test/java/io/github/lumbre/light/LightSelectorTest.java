@@ -89,7 +89,7 @@ class LightSelectorTest {
   @Test
   void powerOfAPicturedDomeIsItsMeanOverTheSphere() {
     EnvironmentLight half =
-        EnvironmentLight.image(Frame.WORLD, p -> p.v() > .5 ? TWO : Rgb.BLACK, 16, 8);
+        EnvironmentLight.image(Frame.WORLD, (u, v) -> v > .5 ? TWO : Rgb.BLACK, 16, 8);
 
     assertThat(half.power(3)).isCloseTo(9 * Math.PI * Math.PI, within(1e-9));
   }

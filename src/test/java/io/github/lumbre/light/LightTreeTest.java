@@ -218,7 +218,7 @@ class LightTreeTest {
   @Test
   void oneLampIsChosenByPlaceAgainstASky() {
     EnvironmentLight sky =
-        EnvironmentLight.image(Frame.WORLD, p -> p.v() > .5 ? Rgb.WHITE : Rgb.BLACK, 16, 8);
+        EnvironmentLight.image(Frame.WORLD, (u, v) -> v > .5 ? Rgb.WHITE : Rgb.BLACK, 16, 8);
     Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(2 * Math.PI), Falloff.INVERSE_SQUARE);
     LightSelector selector = LightSelector.over(List.of(sky, bulb));
 

@@ -151,9 +151,7 @@ class PictureLawsTest {
     Scene scene =
         empty()
             .add(ball(0, 1, 1), material)
-            .add(
-                EnvironmentLight.image(
-                    Frame.WORLD, p -> new Rgb(p.u() * (1 - p.u()), p.v(), .5), 32, 32))
+            .add(EnvironmentLight.image(Frame.WORLD, (u, v) -> new Rgb(u * (1 - u), v, .5), 32, 32))
             .build();
     return picture(scene, Effort.count(64, 4096), 1).rgb();
   }

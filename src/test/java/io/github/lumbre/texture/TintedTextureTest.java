@@ -14,7 +14,7 @@ class TintedTextureTest {
 
   @Test
   void theConstantMultipliesEachComponent() {
-    Texture<Rgb> texture = p -> new Rgb(p.u(), p.v(), 1);
+    Texture<Rgb> texture = (u, v) -> new Rgb(u, v, 1);
     assertThat(TintedTexture.of(TINT, texture).at(ANYWHERE))
         .isEqualTo(new Rgb(.5 * .3, .25 * .8, 2));
   }
@@ -32,7 +32,7 @@ class TintedTextureTest {
 
   @Test
   void whiteAddsNothing() {
-    Texture<Rgb> texture = p -> Rgb.BLACK;
+    Texture<Rgb> texture = (u, v) -> Rgb.BLACK;
     assertThat(TintedTexture.of(new Rgb(1, 1, 1), texture)).isSameAs(texture);
   }
 }

@@ -14,7 +14,7 @@ class UvMappingTest {
 
   @Test
   void aTextureIsReadAtTheMappedPoint() {
-    Texture<TexturePoint> where = p -> p;
+    Texture<TexturePoint> where = TexturePoint::new;
     UvMapping mapping = new UvMapping(1, 2, 3, 4);
     TexturePoint p = new TexturePoint(.5, .25);
     assertThat(mapping.over(where).at(p)).isEqualTo(mapping.apply(p));
@@ -22,7 +22,7 @@ class UvMappingTest {
 
   @Test
   void theIdentityAddsNothing() {
-    Texture<TexturePoint> where = p -> p;
+    Texture<TexturePoint> where = TexturePoint::new;
     assertThat(new UvMapping(0, 0, 1, 1).over(where)).isSameAs(where);
   }
 
