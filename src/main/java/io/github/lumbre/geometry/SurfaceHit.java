@@ -65,15 +65,38 @@ public final class SurfaceHit {
 
   /** Replaces the frame to shade with, as normal maps do. */
   public void shadeBy(Frame frame) {
-    tangentX = frame.tangent().x();
-    tangentY = frame.tangent().y();
-    tangentZ = frame.tangent().z();
-    bitangentX = frame.bitangent().x();
-    bitangentY = frame.bitangent().y();
-    bitangentZ = frame.bitangent().z();
-    normalX = frame.normal().x();
-    normalY = frame.normal().y();
-    normalZ = frame.normal().z();
+    shadeBy(frame.tangent(), frame.bitangent(), frame.normal());
+  }
+
+  /** Replaces the frame to shade with by one around the true normal. */
+  public void shadeFlat() {
+    Vec3 normal = geometricNormal();
+    shadeBy(Frame.tangentAround(normal), Frame.bitangentAround(normal), normal);
+  }
+
+  /** Turns the frame to shade with to another unit normal, as {@link Frame#around} does. */
+  public void bendTo(Vec3 normal) {
+    Vec3 u = new Vec3(tangentX, tangentY, tangentZ);
+    Vec3 v = new Vec3(bitangentX, bitangentY, bitangentZ);
+    // No frame is made: the compiler would not do without it, chosen from two.
+    if (Frame.isAlong(normal, u)) {
+      shadeBy(Frame.tangentAround(normal), Frame.bitangentAround(normal), normal);
+    } else {
+      Vec3 tangent = Frame.tangentAround(normal, u);
+      shadeBy(tangent, Frame.bitangentAround(normal, tangent, v), normal);
+    }
+  }
+
+  private void shadeBy(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
+    tangentX = tangent.x();
+    tangentY = tangent.y();
+    tangentZ = tangent.z();
+    bitangentX = bitangent.x();
+    bitangentY = bitangent.y();
+    bitangentZ = bitangent.z();
+    normalX = normal.x();
+    normalY = normal.y();
+    normalZ = normal.z();
   }
 
   /** Returns the point of the surface. */

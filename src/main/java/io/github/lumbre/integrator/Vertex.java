@@ -8,7 +8,6 @@ import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Material;
-import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
@@ -33,7 +32,7 @@ final class Vertex {
     // A viewer behind the bent plane but before the true one sees the true one.
     lookBack();
     if (surface.wo().dot(surface.geometricNormal()) * outZ <= 0) {
-      surface.shadeBy(Frame.around(surface.geometricNormal()));
+      surface.shadeFlat();
       lookBack();
     }
     bsdf = material.at(surface.u(), surface.v());

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
 
@@ -24,7 +25,12 @@ public record NormalMapped(Material material, NormalMap map) implements Material
   @Override
   public void bend(SurfaceHit hit) {
     material.bend(hit);
-    hit.shadeBy(map.perturb(hit.shading(), hit.geometricNormal(), hit.texture()));
+    Vec3 local = map.normal(hit.u(), hit.v());
+    if (local.maxAbs() != 0) {
+      // Normalize first, lest sums of huge components overflow.
+      Vec3 normal = hit.toWorld(local.normalized()).normalized();
+      hit.bendTo(NormalMap.raised(normal, hit.geometricNormal()));
+    }
   }
 
   @Override

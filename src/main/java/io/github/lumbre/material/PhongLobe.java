@@ -60,7 +60,9 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
     double cos = Elementary.exp(logCos);
     double sin = Math.sqrt(-Elementary.expm1(2 * logCos));
     Vec3 around = new Vec3(sin * Elementary.cosTurns(u.y()), sin * Elementary.sinTurns(u.y()), cos);
-    Vec3 wi = Frame.around(SpecularReflection.reflect(wo)).toWorld(around).normalized();
+    Vec3 axis = SpecularReflection.reflect(wo);
+    Vec3 across = Frame.tangentAround(axis);
+    Vec3 wi = Frame.toWorld(across, Frame.bitangentAround(axis), axis, around).normalized();
     double pdf = pdf(wo, wi);
     if (!(pdf > 0)) {
       drawn.absorb();

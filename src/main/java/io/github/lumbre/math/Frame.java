@@ -14,32 +14,56 @@ public record Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
    * <p>Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
    */
   public static Frame around(Vec3 normal) {
+    return new Frame(tangentAround(normal), bitangentAround(normal), normal);
+  }
+
+  /** Returns the tangent of {@link #around(Vec3)}, for those who need no frame to be made. */
+  public static Vec3 tangentAround(Vec3 normal) {
     double sign = Math.copySign(1, normal.z());
     double a = -1 / (sign + normal.z());
     double b = normal.x() * normal.y() * a;
-    return new Frame(
-        new Vec3(1 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()),
-        new Vec3(b, sign + normal.y() * normal.y() * a, -normal.y()),
-        normal);
+    return new Vec3(1 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x());
+  }
+
+  /** Returns the bitangent of {@link #around(Vec3)}. */
+  public static Vec3 bitangentAround(Vec3 normal) {
+    double sign = Math.copySign(1, normal.z());
+    double a = -1 / (sign + normal.z());
+    double b = normal.x() * normal.y() * a;
+    return new Vec3(b, sign + normal.y() * normal.y() * a, -normal.y());
   }
 
   /**
    * Returns the frame around a unit normal that keeps the given tangents as well as it can: the
    * tangent is {@code u} without its part along the normal, the bitangent lies on the side of
-   * {@code v}. If {@code u} is zero, not finite, or along the normal, the result is {@link
-   * #around}.
+   * {@code v}. If {@code u} is {@linkplain #isAlong along the normal}, the result is {@link
+   * #around(Vec3)}.
    */
   public static Frame around(Vec3 normal, Vec3 u, Vec3 v) {
-    double length = u.length();
-    Vec3 tangent = u.plus(-u.dot(normal), normal);
-    if (!(tangent.length() > 1e-12 * length) || !tangent.isFinite()) {
+    if (isAlong(normal, u)) {
       return around(normal);
     }
+    Vec3 tangent = tangentAround(normal, u);
+    return new Frame(tangent, bitangentAround(normal, tangent, v), normal);
+  }
+
+  /** Tells whether a vector is no tangent: zero, not finite, or along the unit normal. */
+  public static boolean isAlong(Vec3 normal, Vec3 u) {
+    Vec3 tangent = u.plus(-u.dot(normal), normal);
+    return !(tangent.length() > 1e-12 * u.length()) || !tangent.isFinite();
+  }
+
+  /** Returns the unit tangent nearest to {@code u}, which is not {@link #isAlong}. */
+  public static Vec3 tangentAround(Vec3 normal, Vec3 u) {
+    Vec3 tangent = u.plus(-u.dot(normal), normal).normalized();
     // A second projection removes what cancellation left in the first.
-    tangent = tangent.normalized();
-    tangent = tangent.plus(-tangent.dot(normal), normal).normalized();
+    return tangent.plus(-tangent.dot(normal), normal).normalized();
+  }
+
+  /** Returns the direction across a normal and its tangent that lies on the side of {@code v}. */
+  public static Vec3 bitangentAround(Vec3 normal, Vec3 tangent, Vec3 v) {
     Vec3 bitangent = normal.cross(tangent);
-    return new Frame(tangent, bitangent.times(bitangent.dot(v) < 0 ? -1 : 1), normal);
+    return bitangent.times(bitangent.dot(v) < 0 ? -1 : 1);
   }
 
   public Vec3 toLocal(Vec3 world) {
@@ -47,6 +71,11 @@ public record Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
   }
 
   public Vec3 toWorld(Vec3 local) {
+    return toWorld(tangent, bitangent, normal, local);
+  }
+
+  /** Returns {@link #toWorld(Vec3)} of a frame that need not be made. */
+  public static Vec3 toWorld(Vec3 tangent, Vec3 bitangent, Vec3 normal, Vec3 local) {
     return new Vec3(
         tangent.x() * local.x() + bitangent.x() * local.y() + normal.x() * local.z(),
         tangent.y() * local.x() + bitangent.y() * local.y() + normal.y() * local.z(),

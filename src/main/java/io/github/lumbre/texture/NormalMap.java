@@ -1,7 +1,6 @@
 package io.github.lumbre.texture;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 
@@ -37,30 +36,41 @@ public final class NormalMap {
   }
 
   /**
-   * Returns the frame around the bent normal. A normal below the true surface is bent back to just
-   * above it.
+   * Returns the bent normal in the frame of the surface, along growing u, growing v and outward; of
+   * any length, and zero where the surface keeps its own.
    *
-   * @param shading frame with tangents along growing u and v
-   * @param geometricNormal of the true surface, of unit length, on the side of the shading normal
+   * @param u of the surface, before the mapping
+   * @param v likewise
    */
-  public Frame perturb(Frame shading, Vec3 geometricNormal, TexturePoint p) {
-    Rgb n = normals.at(mapping.u(p.u()), mapping.v(p.v()));
+  public Vec3 normal(double u, double v) {
+    Rgb n = normals.at(mapping.u(u), mapping.v(v));
     double x = n.r() * strength * Math.signum(mapping.scaleX());
     double y = n.g() * strength * Math.signum(mapping.scaleY());
-    if (x == 0 && y == 0 && n.b() > 0) {
-      return shading;
-    }
-    Vec3 local = new Vec3(x, y, n.b());
-    if (local.maxAbs() == 0) {
-      return shading;
-    }
-    // Normalize first, lest sums of huge components overflow.
-    Vec3 normal = shading.toWorld(local.normalized()).normalized();
+    boolean isFlat = x == 0 && y == 0 && n.b() > 0;
+    return new Vec3(x, y, isFlat ? 0 : n.b());
+  }
+
+  /**
+   * Returns a bent normal, but one below the true surface bent back to just above it.
+   *
+   * @param normal of unit length, in the world
+   * @param geometricNormal of the true surface, of unit length, on the side of the normal that was
+   *     bent
+   */
+  public static Vec3 raised(Vec3 normal, Vec3 geometricNormal) {
+    double x = normal.x();
+    double y = normal.y();
+    double z = normal.z();
     double height = normal.dot(geometricNormal);
+    // One place makes the result, so that the compiler need not make it at all.
     if (height < LOWEST_COSINE) {
-      normal = normal.plus(LOWEST_COSINE - height, geometricNormal);
-      normal = normal.lengthSquared() < LOWEST_COSINE ? geometricNormal : normal.normalized();
+      Vec3 sum = normal.plus(LOWEST_COSINE - height, geometricNormal);
+      boolean isLost = sum.lengthSquared() < LOWEST_COSINE;
+      Vec3 raised = sum.normalized();
+      x = isLost ? geometricNormal.x() : raised.x();
+      y = isLost ? geometricNormal.y() : raised.y();
+      z = isLost ? geometricNormal.z() : raised.z();
     }
-    return Frame.around(normal, shading.tangent(), shading.bitangent());
+    return new Vec3(x, y, z);
   }
 }
