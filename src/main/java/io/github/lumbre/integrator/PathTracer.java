@@ -242,15 +242,19 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   /** Returns the light from beyond everything, each dome with its own share. */
   Rgb escaped(Scratch scratch, Vec3 direction) {
     double pdf = scratch.path.pdf();
-    if (pdf == Double.POSITIVE_INFINITY || !asks) {
-      return scene.background(direction);
-    }
-    Rgb sum = Rgb.BLACK;
+    boolean isWeighed = asks && pdf != Double.POSITIVE_INFINITY;
+    double r = 0;
+    double g = 0;
+    double b = 0;
     for (int emitter : domes) {
       EnvironmentLight dome = (EnvironmentLight) emitters[emitter];
-      double lightPdf = lightPdf(emitter, scratch, dome.pdf(direction));
-      sum = sum.plus(dome.from(direction).times(strategy.bsdfWeight(pdf, lightPdf)));
+      double weight =
+          isWeighed ? strategy.bsdfWeight(pdf, lightPdf(emitter, scratch, dome.pdf(direction))) : 1;
+      Rgb light = dome.from(direction);
+      r += light.r() * weight;
+      g += light.g() * weight;
+      b += light.b() * weight;
     }
-    return sum;
+    return new Rgb(r, g, b);
   }
 }
