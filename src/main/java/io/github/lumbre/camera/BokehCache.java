@@ -44,14 +44,15 @@ public final class BokehCache implements Aperture {
     Point2 u = sampler.get2d(Sampler.LENS);
     int x = (int) (u.x() * width);
     int y = (int) (u.y() * height);
-    return white[y * width + x] ? new Point2(u.x() - .5, u.y() - .5) : replacement(sampler);
-  }
-
-  private Point2 replacement(Sampler sampler) {
-    int texel = whiteTexels[(int) (sampler.get1d(Sampler.MASK) * whiteTexels.length)];
-    Point2 jitter = sampler.get2d(Sampler.MASK + 1);
-    int column = texel % width;
-    int row = texel / width;
-    return new Point2((column + jitter.x()) / width - .5, (row + jitter.y()) / height - .5);
+    double fromLeft = u.x();
+    double fromBottom = u.y();
+    if (!white[y * width + x]) {
+      int texel = whiteTexels[(int) (sampler.get1d(Sampler.MASK) * whiteTexels.length)];
+      Point2 jitter = sampler.get2d(Sampler.MASK + 1);
+      fromLeft = (texel % width + jitter.x()) / width;
+      fromBottom = (texel / width + jitter.y()) / height;
+    }
+    // One place makes the result, so that the compiler need not make it at all.
+    return new Point2(fromLeft - .5, fromBottom - .5);
   }
 }

@@ -122,7 +122,7 @@ public final class RayRecorder extends RayTracer implements Recorder {
             emitterOfLight[number],
             light.wi(),
             light.radiance(),
-            vertex.eval(light.wi()),
+            scratch.value.f(),
             light.isDelta() ? 1 : light.pdf(),
             0,
             1,

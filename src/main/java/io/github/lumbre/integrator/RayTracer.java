@@ -5,8 +5,8 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
-import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Dielectric;
 import io.github.lumbre.material.RoughDielectric;
 import io.github.lumbre.math.Elementary;
@@ -16,7 +16,6 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
-import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
@@ -59,13 +58,19 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
 
   @Override
   public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
-    Deque<Branch> pending = new ArrayDeque<>();
+    Deque<Branch> pending = scratch.branches;
+    pending.clear();
     pending.push(new Branch(cameraRay, Rgb.WHITE, 0, 0));
-    Rgb radiance = Rgb.BLACK;
+    double r = 0;
+    double g = 0;
+    double b = 0;
     for (int number = 0; !pending.isEmpty(); number++) {
-      radiance = radiance.plus(follow(pending.pop(), number, sampler, scratch, pending));
+      Rgb light = follow(pending.pop(), number, sampler, scratch, pending);
+      r += light.r();
+      g += light.g();
+      b += light.b();
     }
-    return radiance;
+    return new Rgb(r, g, b);
   }
 
   /** Returns the light that a branch finds at its end, and adds the branches that begin there. */
@@ -107,18 +112,23 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
   }
 
   private Rgb direct(Vertex vertex, int number, Sampler sampler, Scratch scratch) {
-    Bsdf bsdf = vertex.bsdf();
-    Rgb sum = scene.ambient().times(bsdf.diffuseAlbedo()).times(Elementary.INV_PI);
+    Rgb ambient = scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
+    double r = ambient.r();
+    double g = ambient.g();
+    double b = ambient.b();
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
       LightSample light = scratch.light;
       light.ask(vertex.surface().position(), sampler.get2d(dimension));
       lights.get(i).sample(light);
       if (!light.isEmpty()) {
-        sum = sum.plus(arriving(i, light, vertex, scratch));
+        Rgb arriving = arriving(i, light, vertex, scratch);
+        r += arriving.r();
+        g += arriving.g();
+        b += arriving.b();
       }
     }
-    return sum;
+    return new Rgb(r, g, b);
   }
 
   /**
@@ -127,11 +137,16 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
    * @param number of the light in the scene's list of lights
    */
   Rgb arriving(int number, LightSample light, Vertex vertex, Scratch scratch) {
-    Rgb scattered = vertex.eval(light.wi()).times(light.radiance());
-    if (scattered.isBlack() || scratch.isOccluded(scene, vertex.surface())) {
-      return Rgb.BLACK;
-    }
-    return light.isDelta() ? scattered : scattered.times(1 / light.pdf());
+    BsdfValue value = scratch.value;
+    vertex.evaluate(light, value);
+    double r = value.r() * light.r();
+    double g = value.g() * light.g();
+    double b = value.b() * light.b();
+    boolean isBlack = r == 0 && g == 0 && b == 0;
+    boolean arrives = !isBlack && !scratch.isOccluded(scene, vertex.surface());
+    // One place makes the result, so that the compiler need not make it at all.
+    double weight = light.isDelta() ? 1 : 1 / light.pdf();
+    return new Rgb(arrives ? r * weight : 0, arrives ? g * weight : 0, arrives ? b * weight : 0);
   }
 
   private void reflect(Branch branch, Scratch scratch, Deque<Branch> pending) {

@@ -7,6 +7,8 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.scene.Scene;
+import java.util.ArrayDeque;
+import java.util.Deque;
 
 /** Memory and counters that a thread reuses from sample to sample. Mutable, one for each thread. */
 public final class Scratch {
@@ -17,6 +19,7 @@ public final class Scratch {
   final BsdfValue value = new BsdfValue();
   final LightChoice choice = new LightChoice();
   final LightSample light = new LightSample();
+  final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();
   long rays;
   boolean metSomething;

@@ -1,7 +1,6 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
@@ -69,17 +68,11 @@ final class Vertex {
     choice.moveTo(surface.position(), surface.shadingNormal().times(side));
   }
 
-  /** Returns f·|cos θi| for a unit world direction. */
-  Rgb eval(Vec3 wi) {
-    Vec3 local = surface.toLocal(wi);
-    return isConsistent(wi, local) ? bsdf.eval(wo(), local) : Rgb.BLACK;
-  }
-
   /** Sets f·|cos θi| and the density of the unit world direction that light comes from. */
   void evaluate(LightSample light, BsdfValue value) {
     Vec3 wi = light.wi();
     Vec3 local = surface.toLocal(wi);
-    if (isConsistent(wi, local)) {
+    if (isConsistent(wi.x(), wi.y(), wi.z(), local.z())) {
       value.ask(outX, outY, outZ, local.x(), local.y(), local.z());
       bsdf.evaluate(value);
     } else {
@@ -105,10 +98,6 @@ final class Vertex {
     } else {
       drawn.absorb();
     }
-  }
-
-  private boolean isConsistent(Vec3 wi, Vec3 local) {
-    return isConsistent(wi.x(), wi.y(), wi.z(), local.z());
   }
 
   /** Tells whether a world direction, of which the local z is given, may see the viewer. */
