@@ -31,7 +31,8 @@ record Ggx(double alpha) implements MicrofacetDistribution {
   public Vec3 sampleVisible(Vec3 wo, Point2 u) {
     Vec3 v = new Vec3(alpha * wo.x(), alpha * wo.y(), wo.z()).normalized();
     double across = Math.sqrt(v.x() * v.x() + v.y() * v.y());
-    Vec3 t1 = across > 0 ? new Vec3(-v.y() / across, v.x() / across, 0) : Vec3.X;
+    boolean isSlanted = across > 0;
+    Vec3 t1 = new Vec3(isSlanted ? -v.y() / across : 1, isSlanted ? v.x() / across : 0, 0);
     Vec3 t2 = v.cross(t1);
     Point2 p = Warp.concentricDisk(u);
     double s = .5 * (1 + v.z());

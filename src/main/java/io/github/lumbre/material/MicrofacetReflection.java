@@ -48,7 +48,7 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     Vec3 o = up(wo);
     Vec3 m = facets.sampleVisible(o, drawn.random());
     Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
-    drawn.setDirection(wo.z() > 0 ? i : i.negated());
+    drawn.setDirection(i.times(side(wo)));
     return wo.z() != 0 && i.z() > 0;
   }
 
@@ -66,8 +66,13 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     return specular.max() * Fresnel.dielectric(Math.abs(cosine), ior);
   }
 
+  /** Returns 1 of directions above the surface, else -1. */
+  private static double side(Vec3 w) {
+    return w.z() > 0 ? 1 : -1;
+  }
+
   /** Returns the direction turned to the upper side; from behind, the surface is turned over. */
   private static Vec3 up(Vec3 w) {
-    return w.z() > 0 ? w : w.negated();
+    return w.times(side(w));
   }
 }

@@ -112,7 +112,7 @@ public record RoughDielectric(
   }
 
   private static Vec3 outward(Vec3 m) {
-    return m.z() < 0 ? m.negated() : m;
+    return m.times(m.z() < 0 ? -1 : 1);
   }
 
   @Override
@@ -154,6 +154,6 @@ public record RoughDielectric(
 
   /** Returns w with the surface turned so that wo is above it; the same call turns back. */
   private static Vec3 up(Vec3 w, Vec3 wo) {
-    return wo.z() > 0 ? w : new Vec3(w.x(), w.y(), -w.z());
+    return new Vec3(w.x(), w.y(), wo.z() > 0 ? w.z() : -w.z());
   }
 }
