@@ -1,12 +1,46 @@
 package io.github.lumbre.math;
 
+import java.util.Objects;
+
 /**
  * Three unit vectors at right angles, the axes of a local space whose +z is {@code normal}. Either
- * handedness may occur: a mirrored texture has a mirrored frame.
+ * handedness may occur: a mirrored texture has a mirrored frame. Immutable.
+ *
+ * <p>Plain numbers, not three vectors: the compiler can do without an object that it has just made,
+ * but hardly without those inside it.
  */
-public record Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
+public final class Frame {
   /** The world's own axes. */
   public static final Frame WORLD = new Frame(Vec3.X, Vec3.Y, Vec3.Z);
+
+  private final double tangentX, tangentY, tangentZ;
+  private final double bitangentX, bitangentY, bitangentZ;
+  private final double normalX, normalY, normalZ;
+
+  /** Makes a frame of three unit vectors at right angles. */
+  public Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
+    tangentX = tangent.x();
+    tangentY = tangent.y();
+    tangentZ = tangent.z();
+    bitangentX = bitangent.x();
+    bitangentY = bitangent.y();
+    bitangentZ = bitangent.z();
+    normalX = normal.x();
+    normalY = normal.y();
+    normalZ = normal.z();
+  }
+
+  public Vec3 tangent() {
+    return new Vec3(tangentX, tangentY, tangentZ);
+  }
+
+  public Vec3 bitangent() {
+    return new Vec3(bitangentX, bitangentY, bitangentZ);
+  }
+
+  public Vec3 normal() {
+    return new Vec3(normalX, normalY, normalZ);
+  }
 
   /**
    * Returns a frame around a unit normal; its tangents are arbitrary but fixed.
@@ -67,11 +101,11 @@ public record Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
   }
 
   public Vec3 toLocal(Vec3 world) {
-    return new Vec3(world.dot(tangent), world.dot(bitangent), world.dot(normal));
+    return new Vec3(world.dot(tangent()), world.dot(bitangent()), world.dot(normal()));
   }
 
   public Vec3 toWorld(Vec3 local) {
-    return toWorld(tangent, bitangent, normal, local);
+    return toWorld(tangent(), bitangent(), normal(), local);
   }
 
   /** Returns {@link #toWorld(Vec3)} of a frame that need not be made. */
@@ -80,5 +114,23 @@ public record Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
         tangent.x() * local.x() + bitangent.x() * local.y() + normal.x() * local.z(),
         tangent.y() * local.x() + bitangent.y() * local.y() + normal.y() * local.z(),
         tangent.z() * local.x() + bitangent.z() * local.y() + normal.z() * local.z());
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Frame frame
+        && tangent().equals(frame.tangent())
+        && bitangent().equals(frame.bitangent())
+        && normal().equals(frame.normal());
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(tangent(), bitangent(), normal());
+  }
+
+  @Override
+  public String toString() {
+    return "Frame[" + tangent() + ", " + bitangent() + ", " + normal() + "]";
   }
 }
