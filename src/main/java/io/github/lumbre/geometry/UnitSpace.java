@@ -6,6 +6,12 @@ package io.github.lumbre.geometry;
  * the scene is.
  */
 final class UnitSpace {
+  /** Origins no farther from the centre, by each coordinate, are inside, or barely outside. */
+  static final double INSIDE = 1 + 0x1p-4;
+
+  /** Beyond this distance floats tell nothing. */
+  static final double REACH = 0x1p40;
+
   final double centreX;
   final double centreY;
   final double centreZ;
@@ -15,6 +21,12 @@ final class UnitSpace {
 
   /** The largest coordinate of the centre, in units of this space. */
   final double centreReach;
+
+  /** A bound of what an origin inside was computed from: its coordinates and the centre's. */
+  final double worldReach;
+
+  /** Whether that is in the reach of floats. */
+  final boolean isInReach;
 
   /**
    * @param box minimum and maximum on x, y, z of all there is
@@ -26,6 +38,8 @@ final class UnitSpace {
     double half = Math.max(box[1] - centreX, Math.max(box[3] - centreY, box[5] - centreZ));
     scale = Math.scalb(1.0, -1 - Math.getExponent(half));
     centreReach = scale * Axes.largest(centreX, centreY, centreZ);
+    worldReach = 2 * (centreReach + INSIDE);
+    isInReach = worldReach <= REACH;
   }
 
   double centre(int axis) {

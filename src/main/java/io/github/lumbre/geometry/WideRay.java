@@ -20,9 +20,6 @@ final class WideRay {
   /** A t beyond all; its depth times the size of a triangle is finite. */
   private static final float FAR = 0x1p100f;
 
-  /** Beyond this distance all boxes and triangles are looked at. */
-  private static final double REACH = 0x1p40;
-
   /** The lengths of directions that floats take as they are, as most are. */
   private static final double SHORT = 0x1p-10;
 
@@ -99,6 +96,12 @@ final class WideRay {
 
   float lastDepth;
 
+  /** What coordinates of boxes and origins may be wrong by. */
+  private float slack;
+
+  /** The space for all rays from inside of which the errors are set; null if they are others. */
+  private UnitSpace inside;
+
   /** A t's way to the tree's space. */
   private double tScale;
 
@@ -122,6 +125,40 @@ final class WideRay {
       double dx,
       double dy,
       double dz) {
+    double px = (ox - space.centreX) * space.scale;
+    double py = (oy - space.centreY) * space.scale;
+    double pz = (oz - space.centreZ) * space.scale;
+    double longest = Axes.largest(dx, dy, dz);
+    double reach = Axes.largest(px, py, pz);
+    if (reach <= UnitSpace.INSIDE && longest >= SHORT && longest <= LONG && space.isInReach) {
+      // As nearly all rays: what floats may be wrong by is the same for all of them.
+      if (inside != space) {
+        setErrors(UnitSpace.INSIDE, space.worldReach);
+        tScale = space.scale * GROWTH;
+        tOffset = 0;
+        inside = space;
+      }
+      depth = (float) longest * GROWTH;
+      setSlabs(px, py, pz, atLeast(dx), atLeast(dy), atLeast(dz));
+      if (hasTriangles) {
+        shear(ox, oy, oz, dx, dy, dz, px, py, pz);
+      }
+      return true;
+    }
+    return aimAnyhow(space, hasTriangles, ox, oy, oz, dx, dy, dz);
+  }
+
+  /** Takes a ray of any length from anywhere, as {@link #aim} does. */
+  private boolean aimAnyhow(
+      UnitSpace space,
+      boolean hasTriangles,
+      double ox,
+      double oy,
+      double oz,
+      double dx,
+      double dy,
+      double dz) {
+    inside = null;
     double px = (ox - space.centreX) * space.scale;
     double py = (oy - space.centreY) * space.scale;
     double pz = (oz - space.centreZ) * space.scale;
@@ -152,15 +189,10 @@ final class WideRay {
     // A product, since the compiler keeps a number made of bits in a copy for each of its uses.
     tScale = perUnit * space.scale * GROWTH;
     tOffset = start * (0x1p-48 - GROWTH);
-    double size = 1 + reach + 0x1p-24 * worldReach;
-    float slack = (float) (0x1p-22 * (1 + reach) + 0x1p-46 * worldReach);
-    tolerance = (float) (0x1p-17 * size);
-    floor = (float) (0x1p-37 * size * size);
+    setErrors(reach, worldReach);
     depth = (float) (longest * unit) * GROWTH;
-    depthSlack = 4 * slack;
-    depthRoom = (float) (8 * size);
-    if (!(worldReach <= REACH && isOfLength)) {
-      slack = lookAtAll();
+    if (!(worldReach <= UnitSpace.REACH && isOfLength)) {
+      lookAtAll();
       px = 0;
       py = 0;
       pz = 0;
@@ -168,25 +200,41 @@ final class WideRay {
       uy = 1;
       uz = 1;
     }
-    setSlabs(px, py, pz, ux, uy, uz, slack);
+    setSlabs(px, py, pz, ux, uy, uz);
     if (hasTriangles) {
       shear(ox, oy, oz, dx, dy, dz, px, py, pz);
     }
     return true;
   }
 
-  /** Takes a ray that is out of the reach of floats: returns the slack that makes up for all. */
-  private float lookAtAll() {
+  /**
+   * Sets what floats may be wrong by.
+   *
+   * @param reach how far the origin is from the centre of the tree's space, by its largest
+   *     coordinate, or a bound of it
+   * @param worldReach the largest of the coordinates that the origin was computed from, in units of
+   *     that space, or a bound of it
+   */
+  private void setErrors(double reach, double worldReach) {
+    double size = 1 + reach + 0x1p-24 * worldReach;
+    slack = (float) (0x1p-22 * (1 + reach) + 0x1p-46 * worldReach);
+    tolerance = (float) (0x1p-17 * size);
+    floor = (float) (0x1p-37 * size * size);
+    depthSlack = 4 * slack;
+    depthRoom = (float) (8 * size);
+  }
+
+  /** Takes a ray that is out of the reach of floats: a slack makes up for all. */
+  private void lookAtAll() {
     tScale = Double.POSITIVE_INFINITY;
     tOffset = 0;
     tolerance = 0;
     floor = Float.POSITIVE_INFINITY;
     depth = 1;
-    return 0x1p60f;
+    slack = 0x1p60f;
   }
 
-  private void setSlabs(
-      double px, double py, double pz, double ux, double uy, double uz, float slack) {
+  private void setSlabs(double px, double py, double pz, double ux, double uy, double uz) {
     signX = -Axes.sign(ux);
     signY = -Axes.sign(uy);
     signZ = -Axes.sign(uz);
