@@ -18,14 +18,19 @@ public final class Warp {
    * <p>Shirley &amp; Chiu 1997, "A Low Distortion Map Between Disk and Square".
    */
   public static Point2 concentricDisk(Point2 u) {
-    double a = 2 * u.x() - 1;
-    double b = 2 * u.y() - 1;
-    boolean isWide = Math.abs(a) > Math.abs(b);
-    double radius = isWide ? a : b;
-    double phi = radius == 0 ? 0 : QUARTER_PI * ((isWide ? b : a) / radius);
+    long a = Double.doubleToRawLongBits(2 * u.x() - 1);
+    long b = Double.doubleToRawLongBits(2 * u.y() - 1);
+    // Chosen by bits: of two halves of the square a branch goes either way as often.
+    long isWide = (b & Long.MAX_VALUE) - (a & Long.MAX_VALUE) >> 63;
+    long swap = (a ^ b) & isWide;
+    double radius = Double.longBitsToDouble(b ^ swap);
+    double phi = radius == 0 ? 0 : QUARTER_PI * (Double.longBitsToDouble(a ^ swap) / radius);
     double along = radius * Elementary.cosSmall(phi);
     double across = radius * Elementary.sinSmall(phi);
-    return new Point2(isWide ? along : across, isWide ? across : along);
+    long x = Double.doubleToRawLongBits(across);
+    long y = Double.doubleToRawLongBits(along);
+    swap = (x ^ y) & isWide;
+    return new Point2(Double.longBitsToDouble(x ^ swap), Double.longBitsToDouble(y ^ swap));
   }
 
   /** Returns a unit direction around +z with density cos θ / π (Malley's method). */
