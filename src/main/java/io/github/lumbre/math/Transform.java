@@ -127,6 +127,11 @@ public final class Transform {
         m20 * p.x() + m21 * p.y() + m22 * p.z() + tz);
   }
 
+  /** Returns the world position of (x, 0, z): {@link #point}, with no work for the zero. */
+  public Vec3 pointInPlane(double x, double z) {
+    return new Vec3(m00 * x + m02 * z + tx, m10 * x + m12 * z + ty, m20 * x + m22 * z + tz);
+  }
+
   /**
    * Returns a bound for the distance, along a unit world normal, between {@link #point}{@code (p)}
    * as computed and the exact surface that p stands for, p itself being right to a few ulp.
