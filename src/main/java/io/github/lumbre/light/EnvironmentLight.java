@@ -113,9 +113,8 @@ public final class EnvironmentLight implements Light {
       return;
     }
     Distribution2d.Sample texel = distribution.get().sample(u);
-    Point2 p = texel.point();
-    double longitude = p.x() - .5;
-    double latitude = (p.y() - .5) / 2;
+    double longitude = texel.x() - .5;
+    double latitude = (texel.y() - .5) / 2;
     double across = Elementary.cosTurns(latitude);
     double pdf = across > 0 ? perSolidAngle(texel.pdf(), across) : 0;
     if (pdf == 0) {
@@ -128,7 +127,7 @@ public final class EnvironmentLight implements Light {
                 across * Elementary.sinTurns(longitude),
                 Elementary.sinTurns(latitude),
                 across * Elementary.cosTurns(longitude)));
-    drawn.setInfinite(wi, radiance.at(p.x(), p.y()), pdf);
+    drawn.setInfinite(wi, radiance.at(texel.x(), texel.y()), pdf);
   }
 
   /** From per area of the image: dω is 2π² cos latitude times the area element. */

@@ -28,11 +28,17 @@ public final class Distribution2d {
   /**
    * A point drawn from the density.
    *
-   * @param point in [0,1)²
+   * @param x in [0,1)
+   * @param y in [0,1)
    * @param pdf the density of the cell that was chosen, per unit of the square's area; positive,
    *     even where rounding put the point on the border of a cell of density 0
    */
-  public record Sample(Point2 point, double pdf) {}
+  public record Sample(double x, double y, double pdf) {
+    /** Returns the point of the square. */
+    public Point2 point() {
+      return new Point2(x, y);
+    }
+  }
 
   /** Returns a point of the square, drawn from the density by a uniform one. */
   public Sample sample(Point2 u) {
@@ -41,7 +47,7 @@ public final class Distribution2d {
     int column = cells.choose(u.x());
     double x = (column + cells.remainder(column, u.x())) / cells.size();
     double y = (row + rows.remainder(row, u.y())) / rows.size();
-    return new Sample(new Point2(Math.min(x, BELOW_ONE), Math.min(y, BELOW_ONE)), pdf(row, column));
+    return new Sample(Math.min(x, BELOW_ONE), Math.min(y, BELOW_ONE), pdf(row, column));
   }
 
   /** Returns the density at a point of the square, per unit of its area. */
