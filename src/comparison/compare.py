@@ -455,6 +455,9 @@ def main():
     parser.add_argument("--core", default="1", help="the processor to run on (1)")
     parser.add_argument("--sunflow", default=SUNFLOW, help="class path of Sunflow")
     options = parser.parse_args()
+    for part in options.parts:
+        if part not in parts:
+            parser.error("PART: expected one of %s, found %s" % (", ".join(parts), part))
     options.java = options.java or ["java"]
     comparison = Comparison(options)
     for part in options.parts or parts:
