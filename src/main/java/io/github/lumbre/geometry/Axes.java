@@ -22,9 +22,9 @@ final class Axes {
     return notX * (isLess(ay, ax) * 2 + (1 - isLess(ay, ax)) * z2);
   }
 
-  /** Returns the largest of three numbers' sizes. */
+  /** Returns the largest of three numbers' sizes; NaN if one is NaN. */
   static double largest(double x, double y, double z) {
-    return Double.longBitsToDouble(Math.max(size(x), Math.max(size(y), size(z))));
+    return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
   }
 
   /** Returns the axis after another: y after x, z after y, x after z. */

@@ -28,7 +28,7 @@ final class BinaryTraversal implements Traversal {
     root = store(tree, leaves);
     nodes = Arrays.copyOf(nodes, nodeCount * NODE_SIZE);
     children = Arrays.copyOf(children, nodeCount * 2);
-    triangles = items.triangles(leaves.triangles(), true);
+    triangles = items.triangles(leaves.triangles());
     shapes = items.shapes(leaves.shapes());
     hasTriangles = leaves.triangles().length > 0;
   }
@@ -52,7 +52,7 @@ final class BinaryTraversal implements Traversal {
     return number;
   }
 
-  /** {@inheritDoc} All state is in local variables on purpose. */
+  /** {@inheritDoc} All state of the loop is in local variables on purpose. */
   @Override
   public boolean traverse(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
@@ -79,33 +79,9 @@ final class BinaryTraversal implements Traversal {
     double outX = ox - Math.copySign(margin, ix);
     double outY = oy - Math.copySign(margin, iy);
     double outZ = oz - Math.copySign(margin, iz);
-    int kx = 0;
-    int ky = 0;
-    int kz = 0;
-    double okx = 0;
-    double oky = 0;
-    double okz = 0;
-    double sx = 0;
-    double sy = 0;
-    double sz = 0;
+    ShearedRay sheared = nearest.wideRay();
     if (hasTriangles) {
-      // Shear the longest axis onto the ray; a branch for each choice would be mispredicted.
-      double[] axes = nearest.axes;
-      axes[0] = dx;
-      axes[1] = dy;
-      axes[2] = dz;
-      axes[3] = ox;
-      axes[4] = oy;
-      axes[5] = oz;
-      kz = Axes.longest(dx, dy, dz);
-      kx = Axes.next(kz);
-      ky = Axes.next(kx);
-      sz = 1 / axes[kz];
-      sx = axes[kx] / axes[kz];
-      sy = axes[ky] / axes[kz];
-      okx = axes[3 + kx];
-      oky = axes[3 + ky];
-      okz = axes[3 + kz];
+      sheared.shear(ox, oy, oz, dx, dy, dz);
     }
     boolean found = false;
     int best = rank(nearest.t);
@@ -157,7 +133,7 @@ final class BinaryTraversal implements Traversal {
         boolean hit =
             LeafRef.isOfShapes(node)
                 ? shapes.intersect(node, nearest)
-                : triangles.intersect(node, kx, ky, kz, okx, oky, okz, sx, sy, sz, nearest);
+                : triangles.intersect(node, sheared, nearest);
         if (hit) {
           found = true;
           best = rank(nearest.t);

@@ -52,7 +52,7 @@ final class BvhItems {
         for (int element = 0; element < data.triangleCount(); element++, item++) {
           triangleShape[item] = shape;
           triangleElement[item] = element;
-          data.copyVertices(element, scratch, 0);
+          data.copyVertices(element, scratch);
           storeTriangle(item);
         }
       }
@@ -145,15 +145,11 @@ final class BvhItems {
   /** Copies the nine coordinates of a triangle, given by its item number. */
   void copyVertices(int item, double[] target) {
     Mesh mesh = (Mesh) all.get(triangleShape[item]);
-    mesh.triangles().copyVertices(triangleElement[item], target, 0);
+    mesh.triangles().copyVertices(triangleElement[item], target);
   }
 
-  /**
-   * Returns the triangles in a given order of their item numbers.
-   *
-   * @param copied whether they keep a copy of their vertices
-   */
-  Triangles triangles(int[] order, boolean copied) {
+  /** Returns the triangles in a given order of their item numbers. */
+  Triangles triangles(int[] order) {
     TriangleMesh[] meshes = new TriangleMesh[all.size()];
     for (int i = 0; i < meshes.length; i++) {
       if (all.get(i) instanceof Mesh mesh) {
@@ -166,9 +162,7 @@ final class BvhItems {
       shape[i] = triangleShape[order[i]];
       element[i] = triangleElement[order[i]];
     }
-    return copied
-        ? Triangles.copied(meshes, shape, element)
-        : Triangles.indexed(meshes, shape, element);
+    return new Triangles(meshes, shape, element);
   }
 
   /** Returns the bounded shapes in a given order of their item numbers. */

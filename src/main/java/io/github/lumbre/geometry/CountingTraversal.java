@@ -21,7 +21,7 @@ final class CountingTraversal implements Traversal {
   CountingTraversal(BvhNode tree, int[] order, BvhItems items, LongAdder visits) {
     LeafOrder leaves = new LeafOrder(order, items.triangleCount());
     root = copy(tree, leaves);
-    triangles = items.triangles(leaves.triangles(), true);
+    triangles = items.triangles(leaves.triangles());
     shapes = items.shapes(leaves.shapes());
     this.visits = visits;
   }
@@ -47,12 +47,14 @@ final class CountingTraversal implements Traversal {
     private final double[] direction;
     private final NearestHit nearest;
     private final double margin;
+    private final ShearedRay sheared = new ShearedRay();
 
     Search(double[] origin, double[] direction, NearestHit nearest) {
       this.origin = origin;
       this.direction = direction;
       this.nearest = nearest;
       margin = BvhItems.MARGIN * Axes.largest(origin[0], origin[1], origin[2]);
+      sheared.shear(origin[0], origin[1], origin[2], direction[0], direction[1], direction[2]);
     }
 
     /** Tells whether something below the node was hit and stored. */
@@ -92,21 +94,7 @@ final class CountingTraversal implements Traversal {
       if (LeafRef.isOfShapes(leaf)) {
         return shapes.intersect(leaf, nearest);
       }
-      int kz = Axes.longest(direction[0], direction[1], direction[2]);
-      int kx = Axes.next(kz);
-      int ky = Axes.next(kx);
-      return triangles.intersect(
-          leaf,
-          kx,
-          ky,
-          kz,
-          origin[kx],
-          origin[ky],
-          origin[kz],
-          direction[kx] / direction[kz],
-          direction[ky] / direction[kz],
-          1 / direction[kz],
-          nearest);
+      return triangles.intersect(leaf, sheared, nearest);
     }
   }
 }

@@ -52,9 +52,6 @@ public final class NearestHit {
   /** Whether the search is in a hierarchy that is a shape of another. */
   boolean inPart;
 
-  /** Coordinates of a ray, to be chosen from by an axis' number without a branch. */
-  final double[] axes = new double[6];
-
   /** The ray in a hierarchy of floats, and in one that is a shape of another. */
   private final WideRay wideRay = new WideRay();
 

@@ -219,9 +219,9 @@ public final class TriangleMesh {
   }
 
   /** Copies the nine coordinates of a triangle. */
-  void copyVertices(int triangle, double[] target, int offset) {
+  void copyVertices(int triangle, double[] target) {
     for (int corner = 0; corner < 3; corner++) {
-      System.arraycopy(positions, 3 * vertex(triangle, corner), target, offset + 3 * corner, 3);
+      System.arraycopy(positions, 3 * vertex(triangle, corner), target, 3 * corner, 3);
     }
   }
 

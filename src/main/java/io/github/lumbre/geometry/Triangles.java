@@ -14,10 +14,10 @@ import java.util.Objects;
  * vertices, and so with the same size and opposite signs.
  */
 final class Triangles {
-  /** Coordinates of vertices: the triangles' own, nine each, or all those of the meshes. */
+  /** Coordinates of the vertices of all meshes. */
   private final double[] positions;
 
-  /** Where each triangle's three vertices are among the positions; empty if they are its own. */
+  /** Where each triangle's three vertices are among the positions. */
   private final int[] corners;
 
   /** Which shape, and which element of it, a triangle is. */
@@ -25,41 +25,27 @@ final class Triangles {
 
   private final int[] element;
 
-  private Triangles(double[] positions, int[] corners, int[] shape, int[] element) {
-    this.positions = positions;
-    this.corners = corners;
-    this.shape = shape;
-    this.element = element;
-  }
-
   /**
-   * Returns triangles with vertices of their own, which is faster to read and takes 72 bytes each.
+   * Takes triangles, which share the vertices of their meshes.
    *
    * @param meshes by the number of their shape
    * @param shape the triangles' shapes, as element are their numbers in them
    */
-  static Triangles copied(TriangleMesh[] meshes, int[] shape, int[] element) {
-    double[] vertices = new double[Math.multiplyExact(9, shape.length)];
-    for (int i = 0; i < shape.length; i++) {
-      meshes[shape[i]].copyVertices(element[i], vertices, 9 * i);
-    }
-    return new Triangles(vertices, new int[0], shape, element);
-  }
-
-  /** Returns triangles that share their vertices: 12 bytes each, and what joining meshes takes. */
-  static Triangles indexed(TriangleMesh[] meshes, int[] shape, int[] element) {
+  Triangles(TriangleMesh[] meshes, int[] shape, int[] element) {
     int[] start = new int[meshes.length];
     int end = 0;
     for (int i = 0; i < meshes.length; i++) {
       start[i] = end;
       end = Math.addExact(end, meshes[i] == null ? 0 : meshes[i].positions().length);
     }
-    int[] corners = new int[Math.multiplyExact(3, shape.length)];
+    positions = joined(meshes, end);
+    corners = new int[Math.multiplyExact(3, shape.length)];
     for (int k = 0; k < corners.length; k++) {
       int i = k / 3;
       corners[k] = start[shape[i]] + 3 * meshes[shape[i]].vertex(element[i], k % 3);
     }
-    return new Triangles(joined(meshes, end), corners, shape, element);
+    this.shape = shape;
+    this.element = element;
   }
 
   /** Returns the positions of all meshes, which are so many; of a single one, its own array. */
@@ -81,61 +67,31 @@ final class Triangles {
   /**
    * Looks for hits with the triangles of a leaf, from both sides, borders included, and stores
    * those that are nearest so far, or as near but of a lower shape and element.
-   *
-   * @param kx the axis that is sheared by sx, as ky by sy
-   * @param kz the axis along which the direction is longest
-   * @param sx direction along kx over that along kz
-   * @param sz reciprocal of the direction along kz
-   * @param ox origin along kx, as oy along ky and oz along kz
    */
-  boolean intersect(
-      int leaf,
-      int kx,
-      int ky,
-      int kz,
-      double ox,
-      double oy,
-      double oz,
-      double sx,
-      double sy,
-      double sz,
-      NearestHit nearest) {
+  boolean intersect(int leaf, ShearedRay ray, NearestHit nearest) {
     int first = LeafRef.first(leaf);
     int end = first + LeafRef.count(leaf);
     boolean found = false;
     for (int i = first; i < end; i++) {
-      found |=
-          intersectOne(i, 9 * i, 9 * i + 3, 9 * i + 6, kx, ky, kz, ox, oy, oz, sx, sy, sz, nearest);
+      found |= intersectOne(i, ray, nearest);
     }
     return found;
   }
 
-  /** The same for one triangle, given by its place in the order, of those that share vertices. */
-  boolean intersectIndexed(int i, WideRay ray, NearestHit nearest) {
+  /** The same for one triangle, given by its place in the order. */
+  boolean intersectOne(int i, ShearedRay ray, NearestHit nearest) {
     int a = corners[3 * i];
     int b = corners[3 * i + 1];
     int c = corners[3 * i + 2];
-    return intersectOne(
-        i, a, b, c, ray.kx, ray.ky, ray.kz, ray.ox, ray.oy, ray.oz, ray.sx, ray.sy, ray.sz,
-        nearest);
-  }
-
-  /** The same for vertices that begin at a, b and c of the positions. */
-  private boolean intersectOne(
-      int i,
-      int a,
-      int b,
-      int c,
-      int kx,
-      int ky,
-      int kz,
-      double ox,
-      double oy,
-      double oz,
-      double sx,
-      double sy,
-      double sz,
-      NearestHit nearest) {
+    int kx = ray.kx;
+    int ky = ray.ky;
+    int kz = ray.kz;
+    double ox = ray.ox;
+    double oy = ray.oy;
+    double oz = ray.oz;
+    double sx = ray.sx;
+    double sy = ray.sy;
+    double sz = ray.sz;
     double[] p = positions;
     // Move the origin to zero and shear the ray onto the axis kz.
     double az = p[a + kz] - oz;
@@ -147,11 +103,15 @@ final class Triangles {
     double by = p[b + ky] - oy - sy * bz;
     double cx = p[c + kx] - ox - sx * cz;
     double cy = p[c + ky] - oy - sy * cz;
-    // The origin is inside if the edge functions do not differ in sign.
+    // The origin is inside if the edge functions do not differ in sign: if not one is negative and
+    // another positive. Their bits tell, -0 made 0; a branch for each would go either way as often.
     double u = cx * by - cy * bx;
     double v = ax * cy - ay * cx;
     double w = bx * ay - by * ax;
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
+    long signU = Double.doubleToRawLongBits(u + 0.0);
+    long signV = Double.doubleToRawLongBits(v + 0.0);
+    long signW = Double.doubleToRawLongBits(w + 0.0);
+    if (((signU | signV | signW) & (-signU | -signV | -signW)) < 0) {
       return false;
     }
     // Weigh the vertices anew without cancellation: in slivers the signs alone are to be trusted.

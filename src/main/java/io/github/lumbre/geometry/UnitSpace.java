@@ -28,6 +28,9 @@ final class UnitSpace {
   /** Whether that is in the reach of floats. */
   final boolean isInReach;
 
+  /** What boxes are widened by, for rays from inside; 0 if that is out of reach. */
+  private final double slack;
+
   /**
    * @param box minimum and maximum on x, y, z of all there is
    */
@@ -40,9 +43,20 @@ final class UnitSpace {
     centreReach = scale * Axes.largest(centreX, centreY, centreZ);
     worldReach = 2 * (centreReach + INSIDE);
     isInReach = worldReach <= REACH;
+    slack = isInReach ? slack(INSIDE, worldReach) : 0;
   }
 
-  double centre(int axis) {
+  /**
+   * Returns what coordinates of boxes and of a ray's origin may be wrong by together.
+   *
+   * @param reach how far the origin is from the centre, by its largest coordinate
+   * @param worldReach the largest of the coordinates that the origin was computed from
+   */
+  static double slack(double reach, double worldReach) {
+    return 0x1p-22 * (1 + reach) + 0x1p-46 * worldReach;
+  }
+
+  private double centre(int axis) {
     return axis == 0 ? centreX : axis == 1 ? centreY : centreZ;
   }
 
@@ -51,16 +65,16 @@ final class UnitSpace {
     return (float) ((coordinate - centre(axis)) * scale);
   }
 
-  /** Returns a coordinate of this space, rounded down. */
+  /** Returns a coordinate of this space, below by what rays from inside may be wrong by. */
   float down(int axis, double coordinate) {
-    double x = (coordinate - centre(axis)) * scale;
+    double x = (coordinate - centre(axis)) * scale - slack;
     float rounded = (float) x;
     return rounded > x ? Math.nextDown(rounded) : rounded;
   }
 
-  /** Returns a coordinate of this space, rounded up. */
+  /** Returns a coordinate of this space, above by what rays from inside may be wrong by. */
   float up(int axis, double coordinate) {
-    double x = (coordinate - centre(axis)) * scale;
+    double x = (coordinate - centre(axis)) * scale + slack;
     float rounded = (float) x;
     return rounded < x ? Math.nextUp(rounded) : rounded;
   }

@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import jdk.incubator.vector.ByteVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
@@ -18,20 +19,25 @@ final class VectorTraversal implements Traversal {
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
   private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
 
-  /** A bit for each lane. */
-  private static final IntVector LANES =
-      IntVector.fromArray(INTS, new int[] {1, 2, 4, 8, 16, 32, 64, 128}, 0);
+  /** What a comparison makes of eight lanes: the bytes of a long, 1 or 0. */
+  private static final VectorSpecies<Byte> BYTES = ByteVector.SPECIES_128;
+
+  /** From a bit of that long to its lane. */
+  private static final int LANE_SHIFT = 3;
 
   private static final int WIDTH = WideTree.WIDTH;
+  private static final int CHILDREN = WideTree.CHILDREN;
 
-  /** Floats a node, over the step from one node's number to the next's. */
-  private static final int NODE_STEP = WideTree.NODE_SIZE / WIDTH;
+  /**
+   * What exits are put off by, in units of their last place, for the rounding of slabs: more than
+   * 2^-20 of a t.
+   */
+  private static final int GROWTH = 16;
 
   /** Below the stack: no node and no leaf. */
   private static final int NONE = Integer.MIN_VALUE;
 
-  private final float[] nodes;
-  private final int[] children;
+  private final int[] nodes;
   private final float[] leaves;
   private final Triangles triangles;
   private final LeafShapes shapes;
@@ -40,7 +46,6 @@ final class VectorTraversal implements Traversal {
 
   VectorTraversal(WideTree tree) {
     nodes = tree.nodes();
-    children = tree.children();
     leaves = tree.leaves();
     triangles = tree.triangles();
     shapes = tree.shapes();
@@ -114,8 +119,7 @@ final class VectorTraversal implements Traversal {
    * Goes down from a node to the nearest leaf and puts aside, the farthest first, what it passes.
    */
   private int nearestLeaf(int root, WideRay ray, NearestHit nearest) {
-    float[] boxes = nodes;
-    int[] links = children;
+    int[] tree = nodes;
     int[] stack = nearest.stack;
     int[] stackNear = nearest.stackNear;
     int[] lanes = nearest.lanes;
@@ -129,22 +133,18 @@ final class VectorTraversal implements Traversal {
     FloatVector inX = FloatVector.broadcast(FLOATS, ray.inX);
     FloatVector inY = FloatVector.broadcast(FLOATS, ray.inY);
     FloatVector inZ = FloatVector.broadcast(FLOATS, ray.inZ);
-    FloatVector jx = FloatVector.broadcast(FLOATS, ray.jx);
-    FloatVector jy = FloatVector.broadcast(FLOATS, ray.jy);
-    FloatVector jz = FloatVector.broadcast(FLOATS, ray.jz);
     FloatVector outX = FloatVector.broadcast(FLOATS, ray.outX);
     FloatVector outY = FloatVector.broadcast(FLOATS, ray.outY);
     FloatVector outZ = FloatVector.broadcast(FLOATS, ray.outZ);
     int last = ray.last;
     int node = root;
     while (node >= 0) {
-      int at = NODE_STEP * node;
-      IntVector minX = FloatVector.fromArray(FLOATS, boxes, at).reinterpretAsInts();
-      IntVector maxX = FloatVector.fromArray(FLOATS, boxes, at + WIDTH).reinterpretAsInts();
-      IntVector minY = FloatVector.fromArray(FLOATS, boxes, at + 2 * WIDTH).reinterpretAsInts();
-      IntVector maxY = FloatVector.fromArray(FLOATS, boxes, at + 3 * WIDTH).reinterpretAsInts();
-      IntVector minZ = FloatVector.fromArray(FLOATS, boxes, at + 4 * WIDTH).reinterpretAsInts();
-      IntVector maxZ = FloatVector.fromArray(FLOATS, boxes, at + 5 * WIDTH).reinterpretAsInts();
+      IntVector minX = IntVector.fromArray(INTS, tree, node);
+      IntVector maxX = IntVector.fromArray(INTS, tree, node + WIDTH);
+      IntVector minY = IntVector.fromArray(INTS, tree, node + 2 * WIDTH);
+      IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
+      IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
+      IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
       IntVector near =
           minX.lanewise(VectorOperators.BITWISE_BLEND, maxX, signX)
               .reinterpretAsFloats()
@@ -164,24 +164,28 @@ final class VectorTraversal implements Traversal {
       IntVector far =
           maxX.lanewise(VectorOperators.BITWISE_BLEND, minX, signX)
               .reinterpretAsFloats()
-              .fma(jx, outX)
+              .fma(ix, outX)
               .reinterpretAsInts()
               .min(
                   maxY.lanewise(VectorOperators.BITWISE_BLEND, minY, signY)
                       .reinterpretAsFloats()
-                      .fma(jy, outY)
+                      .fma(iy, outY)
                       .reinterpretAsInts())
               .min(
                   maxZ.lanewise(VectorOperators.BITWISE_BLEND, minZ, signZ)
                       .reinterpretAsFloats()
-                      .fma(jz, outZ)
+                      .fma(iz, outZ)
                       .reinterpretAsInts()
                       .min(last));
-      int hits =
-          LANES
-              .lanewise(
-                  VectorOperators.AND_NOT, far.sub(near).or(far).lanewise(VectorOperators.ASHR, 31))
-              .reduceLanes(VectorOperators.OR);
+      long hits =
+          ((ByteVector)
+                  far.sub(near.sub(GROWTH))
+                      .or(far)
+                      .not()
+                      .lanewise(VectorOperators.LSHR, 31)
+                      .convertShape(VectorOperators.I2B, BYTES, 0))
+              .reinterpretAsLongs()
+              .lane(0);
       if (hits == 0) {
         do {
           top--;
@@ -189,8 +193,8 @@ final class VectorTraversal implements Traversal {
         node = stack[top];
         continue;
       }
-      int lane = Integer.numberOfTrailingZeros(hits);
-      int child = links[node + lane];
+      int lane = Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT;
+      int child = tree[node + CHILDREN + lane];
       hits &= hits - 1;
       if (hits == 0) {
         node = child;
@@ -198,8 +202,8 @@ final class VectorTraversal implements Traversal {
       }
       near.intoArray(lanes, 0);
       int distance = lanes[lane];
-      int other = Integer.numberOfTrailingZeros(hits);
-      int otherChild = links[node + other];
+      int other = Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT;
+      int otherChild = tree[node + CHILDREN + other];
       int otherDistance = lanes[other];
       hits &= hits - 1;
       boolean ordered = distance <= otherDistance;
@@ -213,7 +217,7 @@ final class VectorTraversal implements Traversal {
       stack[top] = ordered ? child : otherChild;
       stackNear[top++] = Math.min(distance, otherDistance);
       do {
-        lane = Integer.numberOfTrailingZeros(hits);
+        lane = Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT;
         distance = lanes[lane];
         int place = top++;
         while (place > first && stackNear[place - 1] < distance) {
@@ -222,7 +226,7 @@ final class VectorTraversal implements Traversal {
           place--;
         }
         stackNear[place] = distance;
-        stack[place] = links[node + lane];
+        stack[place] = tree[node + CHILDREN + lane];
         hits &= hits - 1;
       } while (hits != 0);
       node = stack[--top];
@@ -233,8 +237,7 @@ final class VectorTraversal implements Traversal {
 
   /** Goes down from a node to any leaf and puts aside what it passes. */
   private int anyLeaf(int root, WideRay ray, NearestHit nearest) {
-    float[] boxes = nodes;
-    int[] links = children;
+    int[] tree = nodes;
     int[] stack = nearest.stack;
     int top = nearest.stackTop;
     IntVector signX = IntVector.broadcast(INTS, ray.signX);
@@ -246,22 +249,18 @@ final class VectorTraversal implements Traversal {
     FloatVector inX = FloatVector.broadcast(FLOATS, ray.inX);
     FloatVector inY = FloatVector.broadcast(FLOATS, ray.inY);
     FloatVector inZ = FloatVector.broadcast(FLOATS, ray.inZ);
-    FloatVector jx = FloatVector.broadcast(FLOATS, ray.jx);
-    FloatVector jy = FloatVector.broadcast(FLOATS, ray.jy);
-    FloatVector jz = FloatVector.broadcast(FLOATS, ray.jz);
     FloatVector outX = FloatVector.broadcast(FLOATS, ray.outX);
     FloatVector outY = FloatVector.broadcast(FLOATS, ray.outY);
     FloatVector outZ = FloatVector.broadcast(FLOATS, ray.outZ);
     int last = ray.last;
     int node = root;
     while (node >= 0) {
-      int at = NODE_STEP * node;
-      IntVector minX = FloatVector.fromArray(FLOATS, boxes, at).reinterpretAsInts();
-      IntVector maxX = FloatVector.fromArray(FLOATS, boxes, at + WIDTH).reinterpretAsInts();
-      IntVector minY = FloatVector.fromArray(FLOATS, boxes, at + 2 * WIDTH).reinterpretAsInts();
-      IntVector maxY = FloatVector.fromArray(FLOATS, boxes, at + 3 * WIDTH).reinterpretAsInts();
-      IntVector minZ = FloatVector.fromArray(FLOATS, boxes, at + 4 * WIDTH).reinterpretAsInts();
-      IntVector maxZ = FloatVector.fromArray(FLOATS, boxes, at + 5 * WIDTH).reinterpretAsInts();
+      IntVector minX = IntVector.fromArray(INTS, tree, node);
+      IntVector maxX = IntVector.fromArray(INTS, tree, node + WIDTH);
+      IntVector minY = IntVector.fromArray(INTS, tree, node + 2 * WIDTH);
+      IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
+      IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
+      IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
       IntVector near =
           minX.lanewise(VectorOperators.BITWISE_BLEND, maxX, signX)
               .reinterpretAsFloats()
@@ -281,33 +280,37 @@ final class VectorTraversal implements Traversal {
       IntVector far =
           maxX.lanewise(VectorOperators.BITWISE_BLEND, minX, signX)
               .reinterpretAsFloats()
-              .fma(jx, outX)
+              .fma(ix, outX)
               .reinterpretAsInts()
               .min(
                   maxY.lanewise(VectorOperators.BITWISE_BLEND, minY, signY)
                       .reinterpretAsFloats()
-                      .fma(jy, outY)
+                      .fma(iy, outY)
                       .reinterpretAsInts())
               .min(
                   maxZ.lanewise(VectorOperators.BITWISE_BLEND, minZ, signZ)
                       .reinterpretAsFloats()
-                      .fma(jz, outZ)
+                      .fma(iz, outZ)
                       .reinterpretAsInts()
                       .min(last));
-      int hits =
-          LANES
-              .lanewise(
-                  VectorOperators.AND_NOT, far.sub(near).or(far).lanewise(VectorOperators.ASHR, 31))
-              .reduceLanes(VectorOperators.OR);
+      long hits =
+          ((ByteVector)
+                  far.sub(near.sub(GROWTH))
+                      .or(far)
+                      .not()
+                      .lanewise(VectorOperators.LSHR, 31)
+                      .convertShape(VectorOperators.I2B, BYTES, 0))
+              .reinterpretAsLongs()
+              .lane(0);
       if (hits == 0) {
         node = stack[--top];
         continue;
       }
       while ((hits & hits - 1) != 0) {
-        stack[top++] = links[node + Integer.numberOfTrailingZeros(hits)];
+        stack[top++] = tree[node + CHILDREN + (Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT)];
         hits &= hits - 1;
       }
-      node = links[node + Integer.numberOfTrailingZeros(hits)];
+      node = tree[node + CHILDREN + (Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT)];
     }
     nearest.stackTop = top;
     return node;
@@ -319,18 +322,18 @@ final class VectorTraversal implements Traversal {
       return shapes.intersect(leaf, nearest);
     }
     int first = LeafRef.first(leaf);
-    int candidates = candidates(first, LeafRef.count(leaf), ray);
+    long candidates = candidates(first, LeafRef.count(leaf), ray);
     boolean found = false;
     while (candidates != 0) {
-      int i = first + Integer.numberOfTrailingZeros(candidates);
+      int i = first + (Long.numberOfTrailingZeros(candidates) >>> LANE_SHIFT);
       candidates &= candidates - 1;
-      found |= triangles.intersectIndexed(i, ray, nearest);
+      found |= triangles.intersectOne(i, ray, nearest);
     }
     return found;
   }
 
-  /** Returns a bit for each triangle of a leaf that may be hit before the ray's end. */
-  private int candidates(int first, int count, WideRay ray) {
+  /** Returns a byte for each triangle of a leaf: 1 if it may be hit before the ray's end. */
+  private long candidates(int first, int count, WideRay ray) {
     float[] p = leaves;
     int base = first * WideTree.TRIANGLE_SIZE;
     int x = base + ray.kx * count;
@@ -377,14 +380,17 @@ final class VectorTraversal implements Traversal {
         size.reinterpretAsFloats().fma(slack, depthRoom).add(along).reinterpretAsInts();
     IntVector beyond =
         size.reinterpretAsFloats().fma(end, depthRoom).sub(along).reinterpretAsInts();
-    int misses =
-        below
-            .and(above)
-            .or(behind)
-            .or(beyond)
-            .lanewise(VectorOperators.ASHR, 31)
-            .and(LANES)
-            .reduceLanes(VectorOperators.OR);
-    return (1 << count) - 1 & ~misses;
+    long hits =
+        ((ByteVector)
+                below
+                    .and(above)
+                    .or(behind)
+                    .or(beyond)
+                    .not()
+                    .lanewise(VectorOperators.LSHR, 31)
+                    .convertShape(VectorOperators.I2B, BYTES, 0))
+            .reinterpretAsLongs()
+            .lane(0);
+    return hits & -1L >>> Long.SIZE - (count << LANE_SHIFT);
   }
 }

@@ -7,8 +7,8 @@ package io.github.lumbre.geometry;
  *
  * <p>The bounds of all errors are derived in docs/design.md.
  */
-final class WideRay {
-  /** Makes up for the rounding of slabs, less than 2^-21 of a t at each end. */
+final class WideRay extends ShearedRay {
+  /** Makes up for the rounding of a t. */
   private static final float GROWTH = 1 + 0x1p-20f;
 
   /** The least component of a direction. */
@@ -34,43 +34,25 @@ final class WideRay {
   int signY;
   int signZ;
 
-  /** What a coordinate of a box's near side is multiplied by, for its t, and what is then added. */
+  /** What a coordinate of a box is multiplied by, for its t. */
   float ix;
 
   float iy;
   float iz;
+
+  /** What is then added for the near sides. */
   float inX;
+
   float inY;
   float inZ;
 
-  /** The same for far sides. */
-  float jx;
-
-  float jy;
-  float jz;
+  /** What is added for the far sides. */
   float outX;
+
   float outY;
   float outZ;
 
-  /** The axis along which the direction is longest, and before it the two that are sheared. */
-  int kx;
-
-  int ky;
-  int kz;
-
-  /** The origin in the world, along these axes. */
-  double ox;
-
-  double oy;
-  double oz;
-
-  /** Direction along kx, and ky, over that along kz; and the reciprocal of that along kz. */
-  double sx;
-
-  double sy;
-  double sz;
-
-  /** The origin in the tree's space, along the same axes. */
+  /** The origin in the tree's space, along the axes of {@link ShearedRay}. */
   float x;
 
   float y;
@@ -96,7 +78,7 @@ final class WideRay {
 
   float lastDepth;
 
-  /** What coordinates of boxes and origins may be wrong by. */
+  /** What coordinates of boxes and of the origin may be wrong by. */
   private float slack;
 
   /** The space for all rays from inside of which the errors are set; null if they are others. */
@@ -107,8 +89,8 @@ final class WideRay {
 
   private double tOffset;
 
-  /** Coordinates, to be chosen from by an axis' number without a branch. */
-  private final double[] axes = new double[9];
+  /** The origin in the tree's space, to be chosen from by an axis' number without a branch. */
+  private final double[] axes = new double[3];
 
   /**
    * Takes a ray.
@@ -145,11 +127,11 @@ final class WideRay {
       }
       return true;
     }
-    return aimAnyhow(space, hasTriangles, ox, oy, oz, dx, dy, dz);
+    return aimFromAnywhere(space, hasTriangles, ox, oy, oz, dx, dy, dz);
   }
 
   /** Takes a ray of any length from anywhere, as {@link #aim} does. */
-  private boolean aimAnyhow(
+  private boolean aimFromAnywhere(
       UnitSpace space,
       boolean hasTriangles,
       double ox,
@@ -201,6 +183,7 @@ final class WideRay {
       uz = 1;
     }
     setSlabs(px, py, pz, ux, uy, uz);
+    widenSlabs();
     if (hasTriangles) {
       shear(ox, oy, oz, dx, dy, dz, px, py, pz);
     }
@@ -217,7 +200,7 @@ final class WideRay {
    */
   private void setErrors(double reach, double worldReach) {
     double size = 1 + reach + 0x1p-24 * worldReach;
-    slack = (float) (0x1p-22 * (1 + reach) + 0x1p-46 * worldReach);
+    slack = (float) UnitSpace.slack(reach, worldReach);
     tolerance = (float) (0x1p-17 * size);
     floor = (float) (0x1p-37 * size * size);
     depthSlack = 4 * slack;
@@ -234,6 +217,7 @@ final class WideRay {
     slack = 0x1p60f;
   }
 
+  /** Takes the ray for boxes that are widened by what it may be wrong by. */
   private void setSlabs(double px, double py, double pz, double ux, double uy, double uz) {
     signX = -Axes.sign(ux);
     signY = -Axes.sign(uy);
@@ -241,19 +225,25 @@ final class WideRay {
     ix = 1 / (float) ux;
     iy = 1 / (float) uy;
     iz = 1 / (float) uz;
-    inX = -ix * (float) px - slack * Math.abs(ix);
-    inY = -iy * (float) py - slack * Math.abs(iy);
-    inZ = -iz * (float) pz - slack * Math.abs(iz);
-    // Exits lie later by more than entries and exits are wrong.
-    jx = ix * GROWTH;
-    jy = iy * GROWTH;
-    jz = iz * GROWTH;
-    outX = slack * Math.abs(jx) - jx * (float) px;
-    outY = slack * Math.abs(jy) - jy * (float) py;
-    outZ = slack * Math.abs(jz) - jz * (float) pz;
+    inX = -ix * (float) px;
+    inY = -iy * (float) py;
+    inZ = -iz * (float) pz;
+    outX = inX;
+    outY = inY;
+    outZ = inZ;
   }
 
-  /** Shears the longest axis onto the ray; a branch for each choice would be mispredicted. */
+  /** Widens all boxes by the slack. */
+  private void widenSlabs() {
+    inX -= slack * Math.abs(ix);
+    inY -= slack * Math.abs(iy);
+    inZ -= slack * Math.abs(iz);
+    outX += slack * Math.abs(ix);
+    outY += slack * Math.abs(iy);
+    outZ += slack * Math.abs(iz);
+  }
+
+  /** Takes the ray for triangles, in the world and in the tree's space. */
   private void shear(
       double wx,
       double wy,
@@ -264,27 +254,13 @@ final class WideRay {
       double px,
       double py,
       double pz) {
-    axes[0] = dx;
-    axes[1] = dy;
-    axes[2] = dz;
-    axes[3] = wx;
-    axes[4] = wy;
-    axes[5] = wz;
-    axes[6] = px;
-    axes[7] = py;
-    axes[8] = pz;
-    kz = Axes.longest(dx, dy, dz);
-    kx = Axes.next(kz);
-    ky = Axes.next(kx);
-    sz = 1 / axes[kz];
-    sx = axes[kx] / axes[kz];
-    sy = axes[ky] / axes[kz];
-    ox = axes[3 + kx];
-    oy = axes[3 + ky];
-    oz = axes[3 + kz];
-    x = (float) axes[6 + kx];
-    y = (float) axes[6 + ky];
-    z = (float) axes[6 + kz];
+    shear(wx, wy, wz, dx, dy, dz);
+    axes[0] = px;
+    axes[1] = py;
+    axes[2] = pz;
+    x = (float) axes[kx];
+    y = (float) axes[ky];
+    z = (float) axes[kz];
     depthSign = Axes.sign(sz) << 31;
   }
 

@@ -10,8 +10,11 @@ final class WideTree {
   /** Children a node, and triangles a leaf. */
   static final int WIDTH = 8;
 
-  /** Floats a node: the minima of the children's boxes on x, then the maxima, then y, then z. */
-  static final int NODE_SIZE = 6 * WIDTH;
+  /** Where a node's children are, after their boxes: minima on x, then maxima, then y, then z. */
+  static final int CHILDREN = 6 * WIDTH;
+
+  /** Integers a node. */
+  private static final int NODE_SIZE = 7 * WIDTH;
 
   /** Floats a triangle: three vertices and the longest extent of an edge along an axis. */
   static final int TRIANGLE_SIZE = 10;
@@ -22,18 +25,16 @@ final class WideTree {
   private final Triangles triangles;
   private final LeafShapes shapes;
   private final float[] leaves;
-  private float[] nodes = new float[NODE_SIZE];
-  private int[] children = new int[WIDTH];
-  private int nodeCount;
+  private int[] nodes = new int[NODE_SIZE];
+  private int size;
 
   WideTree(BvhNode tree, int[] order, BvhItems items) {
     space = new UnitSpace(tree.box());
     LeafOrder leafOrder = new LeafOrder(order, items.triangleCount());
     leaves = new float[items.triangleCount() * TRIANGLE_SIZE + WIDTH];
     store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder, items);
-    nodes = Arrays.copyOf(nodes, nodeCount * NODE_SIZE);
-    children = Arrays.copyOf(children, nodeCount * WIDTH);
-    triangles = items.triangles(leafOrder.triangles(), false);
+    nodes = Arrays.copyOf(nodes, size);
+    triangles = items.triangles(leafOrder.triangles());
     shapes = items.shapes(leafOrder.shapes());
   }
 
@@ -42,14 +43,13 @@ final class WideTree {
     return space;
   }
 
-  /** Returns the children's boxes, {@link #NODE_SIZE} floats a node; the root is the first. */
-  float[] nodes() {
+  /**
+   * Returns the nodes, the root first: the bits of the floats of the children's boxes, eight minima
+   * on x, then the maxima, then y, then z, and after them, from {@link #CHILDREN} on, the children:
+   * where a node begins, or a {@link LeafRef}.
+   */
+  int[] nodes() {
     return nodes;
-  }
-
-  /** Returns eight children a node: a node's number times eight, or a {@link LeafRef}. */
-  int[] children() {
-    return children;
   }
 
   /**
@@ -70,31 +70,30 @@ final class WideTree {
 
   private int store(
       WideCollapse.Kept node, WideCollapse collapse, LeafOrder leafOrder, BvhItems items) {
-    int number = nodeCount++;
-    if (nodeCount * WIDTH > children.length) {
+    int start = size;
+    size += NODE_SIZE;
+    if (size > nodes.length) {
       nodes = Arrays.copyOf(nodes, nodes.length * 2);
-      children = Arrays.copyOf(children, children.length * 2);
     }
     WideCollapse.Kept[] lanes = collapse.children(node);
     for (int lane = 0; lane < WIDTH; lane++) {
-      storeBox(
-          number * NODE_SIZE + lane,
-          lane < lanes.length ? lanes[lane].node().box() : BvhNode.EMPTY);
+      storeBox(start + lane, lane < lanes.length ? lanes[lane].node().box() : BvhNode.EMPTY);
     }
     for (int lane = 0; lane < lanes.length; lane++) {
       int child =
           lanes[lane].node() instanceof BvhNode.Leaf leaf
               ? storeLeaf(leaf, leafOrder, items)
-              : WIDTH * store(lanes[lane], collapse, leafOrder, items);
-      children[number * WIDTH + lane] = child;
+              : store(lanes[lane], collapse, leafOrder, items);
+      nodes[start + CHILDREN + lane] = child;
     }
-    return number;
+    return start;
   }
 
   private void storeBox(int at, double[] box) {
     for (int axis = 0; axis < 3; axis++) {
-      nodes[at + 2 * axis * WIDTH] = space.down(axis, box[2 * axis]);
-      nodes[at + (2 * axis + 1) * WIDTH] = space.up(axis, box[2 * axis + 1]);
+      int minimum = at + 2 * axis * WIDTH;
+      nodes[minimum] = Float.floatToRawIntBits(space.down(axis, box[2 * axis]));
+      nodes[minimum + WIDTH] = Float.floatToRawIntBits(space.up(axis, box[2 * axis + 1]));
     }
   }
 

@@ -30,14 +30,17 @@ public final class Frame {
     normalZ = normal.z();
   }
 
+  /** Returns the local +x axis, a unit vector. */
   public Vec3 tangent() {
     return new Vec3(tangentX, tangentY, tangentZ);
   }
 
+  /** Returns the local +y axis, a unit vector. */
   public Vec3 bitangent() {
     return new Vec3(bitangentX, bitangentY, bitangentZ);
   }
 
+  /** Returns the local +z axis, a unit vector. */
   public Vec3 normal() {
     return new Vec3(normalX, normalY, normalZ);
   }

@@ -20,16 +20,16 @@ public final class Warp {
   public static Point2 concentricDisk(Point2 u) {
     long a = Double.doubleToRawLongBits(2 * u.x() - 1);
     long b = Double.doubleToRawLongBits(2 * u.y() - 1);
-    // Chosen by bits: of two halves of the square a branch goes either way as often.
-    long isWide = (b & Long.MAX_VALUE) - (a & Long.MAX_VALUE) >> 63;
-    long swap = (a ^ b) & isWide;
+    // All bits set in one half of the square: there a branch would go either way as often.
+    long wide = (b & Long.MAX_VALUE) - (a & Long.MAX_VALUE) >> 63;
+    long swap = (a ^ b) & wide;
     double radius = Double.longBitsToDouble(b ^ swap);
     double phi = radius == 0 ? 0 : QUARTER_PI * (Double.longBitsToDouble(a ^ swap) / radius);
     double along = radius * Elementary.cosSmall(phi);
     double across = radius * Elementary.sinSmall(phi);
     long x = Double.doubleToRawLongBits(across);
     long y = Double.doubleToRawLongBits(along);
-    swap = (x ^ y) & isWide;
+    swap = (x ^ y) & wide;
     return new Point2(Double.longBitsToDouble(x ^ swap), Double.longBitsToDouble(y ^ swap));
   }
 

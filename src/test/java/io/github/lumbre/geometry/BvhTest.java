@@ -162,7 +162,7 @@ class BvhTest {
 
   private static TriangleMesh doubled(TriangleMesh mesh) {
     double[] p = new double[9];
-    mesh.copyVertices(0, p, 0);
+    mesh.copyVertices(0, p);
     int[] f = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
     return TriangleMesh.of(p, new double[0], new double[0], f);
   }
