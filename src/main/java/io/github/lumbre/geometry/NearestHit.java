@@ -85,7 +85,7 @@ public final class NearestHit {
     inPart = false;
   }
 
-  /** Returns the memory for a search in a hierarchy of floats. */
+  /** Returns the memory for the ray of this search; one in doubles uses what it inherits alone. */
   WideRay wideRay() {
     return inPart ? widePartRay : wideRay;
   }

@@ -1,8 +1,8 @@
 package io.github.lumbre.geometry;
 
 /**
- * A ray as triangles are tested with it: its axes in another order, the last one the one along which
- * the direction is longest, sheared onto the ray. Mutable scratch memory.
+ * A ray as triangles are tested with it: its axes in another order, the last one the one along
+ * which the direction is longest, sheared onto the ray. Mutable scratch memory.
  */
 class ShearedRay {
   /** The axis along which the direction is longest, and before it the two that are sheared. */
@@ -26,7 +26,7 @@ class ShearedRay {
   /** Coordinates, to be chosen from by an axis' number without a branch. */
   private final double[] axes = new double[6];
 
-  /** Takes a ray. */
+  /** Takes a ray: its origin, and its direction, of any length but not zero. */
   final void shear(double x, double y, double z, double dx, double dy, double dz) {
     axes[0] = x;
     axes[1] = y;

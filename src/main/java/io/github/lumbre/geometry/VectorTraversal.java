@@ -29,10 +29,10 @@ final class VectorTraversal implements Traversal {
   private static final int CHILDREN = WideTree.CHILDREN;
 
   /**
-   * What exits are put off by, in units of their last place, for the rounding of slabs: more than
-   * 2^-20 of a t.
+   * What exits are put off by, in units of their last place: more than 2^-20 of a t, where the
+   * rounding of slabs makes less than 2^-21 at each end.
    */
-  private static final int GROWTH = 16;
+  private static final int EXIT_ULPS = 16;
 
   /** Below the stack: no node and no leaf. */
   private static final int NONE = Integer.MIN_VALUE;
@@ -179,7 +179,7 @@ final class VectorTraversal implements Traversal {
                       .min(last));
       long hits =
           ((ByteVector)
-                  far.sub(near.sub(GROWTH))
+                  far.sub(near.sub(EXIT_ULPS))
                       .or(far)
                       .not()
                       .lanewise(VectorOperators.LSHR, 31)
@@ -295,7 +295,7 @@ final class VectorTraversal implements Traversal {
                       .min(last));
       long hits =
           ((ByteVector)
-                  far.sub(near.sub(GROWTH))
+                  far.sub(near.sub(EXIT_ULPS))
                       .or(far)
                       .not()
                       .lanewise(VectorOperators.LSHR, 31)
