@@ -9,6 +9,7 @@ import io.github.lumbre.integrator.PathVertex.Scattering;
 import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Mis;
@@ -184,9 +185,9 @@ public final class PathRecorder extends PathTracer implements Recorder {
   }
 
   @Override
-  boolean scatter(int depth, Sampler sampler, Scratch scratch) {
+  boolean scatter(int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
     scatteringShape = scratch.hit.shape();
-    boolean goesOn = super.scatter(depth, sampler, scratch);
+    boolean goesOn = super.scatter(depth, uDirection, sampler, scratch);
     BsdfSample drawn = scratch.scattered;
     if (!drawn.isAbsorbed()) {
       double survival =

@@ -15,6 +15,7 @@ import io.github.lumbre.light.LightSelector;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
@@ -143,19 +144,26 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     if (hasAmbient) {
       path.gather(ambient(vertex));
     }
+    int dimension = Sampler.vertex(depth);
+    // Drawn before light is asked for: the processor works on both points at once.
+    Point2 uDirection = sampler.get2d(dimension + Sampler.DIRECTION);
     if (asks && !vertex.bsdf().isSpecular()) {
-      direct(vertex, sampler, Sampler.vertex(depth), scratch);
+      direct(vertex, sampler, dimension, scratch);
     }
-    return scatter(depth, sampler, scratch);
+    return scatter(depth, uDirection, sampler, scratch);
   }
 
-  /** Chooses where the path goes from its vertex; tells whether it goes on. */
-  boolean scatter(int depth, Sampler sampler, Scratch scratch) {
+  /**
+   * Chooses where the path goes from its vertex; tells whether it goes on.
+   *
+   * @param uDirection uniform in [0,1)²: chooses the direction
+   */
+  boolean scatter(int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
     Path path = scratch.path;
     int dimension = Sampler.vertex(depth);
     BsdfSample scattered = scratch.scattered;
     double lobe = scratch.vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
-    scratch.vertex.sample(lobe, sampler.get2d(dimension + Sampler.DIRECTION), scattered);
+    scratch.vertex.sample(lobe, uDirection, scattered);
     if (scattered.isAbsorbed()) {
       return false;
     }
