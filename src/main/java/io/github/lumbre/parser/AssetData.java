@@ -55,7 +55,7 @@ final class AssetData {
       return asset.string(FILE_KEY).flatMap(name -> file(asset, name));
     }
     if (!asset.has(base64Key)) {
-      asset.error(Kind.ASSET, base64Key, "expected " + base64Key + " or file, found neither");
+      asset.error(base64Key, "expected " + base64Key + " or file, found neither");
       return Optional.empty();
     }
     return asset.string(base64Key).flatMap(text -> decoded(asset, base64Key, text));

@@ -192,9 +192,10 @@ public final class SceneParser {
     }
     RenderSettings used = change.apply(inFile);
     if ((long) used.width() * used.height() > maxPixels) {
+      boolean isInFile = used.width() == inFile.width() && used.height() == inFile.height();
       problems.error(
           Kind.LIMIT,
-          () -> "$.renderOptions",
+          () -> isInFile ? "$.renderOptions" : "the size that replaces that of $.renderOptions",
           "expected width x height <= "
               + maxPixels
               + ", found "

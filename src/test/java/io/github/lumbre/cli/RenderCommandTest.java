@@ -204,7 +204,12 @@ class RenderCommandTest {
   @ParameterizedTest
   @ValueSource(strings = {"16385x16384", "65535x65535"})
   void picturesBeyondTheLimitAreRefused(String size) {
-    render(TinyScene.JSON, "--size", size).assertFailed(ExitCodes.LIMIT, size);
+    render(TinyScene.JSON, "--size", size)
+        .assertFailed(
+            ExitCodes.LIMIT,
+            "the size that replaces that of $.renderOptions: expected width x height <= 268435456,"
+                + " found "
+                + size);
   }
 
   @Test

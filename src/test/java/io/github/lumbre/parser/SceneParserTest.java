@@ -408,11 +408,13 @@ class SceneParserTest {
 
   @Test
   void meshesThatLackAssetsDataAreTold() {
-    assertThat(
-            fixture.refusal(
-                scene(
-                    json("{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2}"),
-                    json("{'id': 2, 'assetType': 'Mesh'}"))))
+    SceneFormatException refusal =
+        fixture.refusal(
+            scene(
+                json("{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2}"),
+                json("{'id': 2, 'assetType': 'Mesh'}")));
+    assertThat(refusal.kind()).isEqualTo(Kind.INVALID);
+    assertThat(refusal)
         .hasMessage("scene.json: $.assets[0].base64OBJ: expected base64OBJ or file, found neither");
   }
 
