@@ -19,13 +19,20 @@ import java.util.Optional;
 public final class CheckpointFile implements Closeable {
   private final Disk disk;
   private final Path path;
+  private final Closeable reservation;
   private OutputFile output;
-  private boolean reserved = true;
+  private boolean isOpen = true;
 
   private CheckpointFile(Path path, Disk disk) throws IOException {
     this.path = path;
     this.disk = disk;
-    output = OutputFile.open(path, disk);
+    reservation = OutputFile.reserve(path);
+    try {
+      output = OutputFile.open(path, disk);
+    } catch (IOException e) {
+      reservation.close();
+      throw e;
+    }
   }
 
   /**
@@ -53,21 +60,23 @@ public final class CheckpointFile implements Closeable {
    *     of the previous one
    */
   public void save(FilmFile film) throws IOException {
-    if (!reserved) {
+    if (!isOpen) {
       output = OutputFile.open(path, disk);
-      reserved = true;
+      isOpen = true;
     }
     film.write(output);
     output.commitKeepingPrevious();
-    reserved = false;
+    isOpen = false;
     output = OutputFile.open(path, disk);
-    reserved = true;
+    isOpen = true;
   }
 
   /** Gives the file free; what was saved stays. */
   @Override
   public void close() throws IOException {
-    output.close();
+    try (reservation) {
+      output.close();
+    }
   }
 
   /**

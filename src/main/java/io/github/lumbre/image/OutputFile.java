@@ -3,15 +3,11 @@ package io.github.lumbre.image;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Objects;
 
@@ -27,22 +23,17 @@ import java.util.Objects;
  * same target at once, and what a killed run left behind is used up by the next.
  */
 public final class OutputFile implements Closeable {
-  private static final int ATTEMPTS = 10;
-
   private final Disk disk;
   private final Path target;
   private final Path destination;
-  private final Path temporary;
-  private final FileChannel channel;
+  private final LockedFile temporary;
   private boolean done;
 
-  private OutputFile(
-      Disk disk, Path target, Path destination, Path temporary, FileChannel channel) {
+  private OutputFile(Disk disk, Path target, Path destination, LockedFile temporary) {
     this.disk = disk;
     this.target = target;
     this.destination = destination;
     this.temporary = temporary;
-    this.channel = channel;
   }
 
   /**
@@ -60,20 +51,22 @@ public final class OutputFile implements Closeable {
   /** Reserves a place for a file, to be written by a disk; see {@link #open(Path)}. */
   public static OutputFile open(Path target, Disk disk) throws IOException {
     Path destination = destination(Objects.requireNonNull(target, "target"));
-    Path temporary = destination.resolveSibling("." + destination.getFileName() + ".tmp");
-    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
-      FileChannel channel = openTemporary(target, temporary);
-      if (!lock(channel)) {
-        channel.close();
-        throw new IOException(target + ": another run is writing this file");
-      }
-      // Start over if a run that has just committed had given our file the target's name.
-      if (Files.exists(temporary, LinkOption.NOFOLLOW_LINKS)) {
-        return new OutputFile(disk, target, destination, temporary, channel);
-      }
-      channel.close();
-    }
-    throw new IOException(target + ": other runs keep writing this file");
+    LockedFile temporary = LockedFile.open(target, hidden(destination, ".tmp"));
+    return new OutputFile(disk, target, destination, temporary);
+  }
+
+  /**
+   * Reserves a place for files that are written one after the other, until what is returned is
+   * closed: between two of them {@link #open} would find it free.
+   *
+   * @throws IOException as {@link #open(Path)}
+   */
+  public static Closeable reserve(Path target) throws IOException {
+    return LockedFile.open(target, hidden(destination(target), ".lock"));
+  }
+
+  private static Path hidden(Path destination, String ending) {
+    return destination.resolveSibling("." + destination.getFileName() + ending);
   }
 
   /** Returns the file's path as it was given. */
@@ -89,7 +82,7 @@ public final class OutputFile implements Closeable {
    */
   public SeekableByteChannel restart() throws IOException {
     requireOpen();
-    return channel.truncate(0).position(0);
+    return temporary.channel().truncate(0).position(0);
   }
 
   /**
@@ -100,7 +93,7 @@ public final class OutputFile implements Closeable {
   public void write(ByteBuffer buffer) throws IOException {
     requireOpen();
     while (buffer.hasRemaining()) {
-      disk.write(channel, buffer);
+      disk.write(temporary.channel(), buffer);
     }
   }
 
@@ -115,7 +108,7 @@ public final class OutputFile implements Closeable {
    */
   public void commitKeepingPrevious() throws IOException {
     requireOpen();
-    disk.force(channel);
+    disk.force(temporary.channel());
     if (Files.exists(destination)) {
       disk.move(destination, previous(destination));
     }
@@ -131,17 +124,19 @@ public final class OutputFile implements Closeable {
    */
   public void commit() throws IOException {
     requireOpen();
-    disk.force(channel);
+    disk.force(temporary.channel());
     appear();
   }
 
   private void appear() throws IOException {
     // Rename while the lock is still held, lest another run starts over in our file. Hold it while
     // the disk takes its time, too: whoever writes the next version locks that at once.
-    disk.move(temporary, destination);
+    disk.move(temporary.path(), destination);
     done = true;
-    try (channel) {
+    try {
       disk.forceDirectory(destination.getParent());
+    } finally {
+      temporary.release();
     }
   }
 
@@ -152,9 +147,7 @@ public final class OutputFile implements Closeable {
       return;
     }
     done = true;
-    try (channel) {
-      Files.deleteIfExists(temporary);
-    }
+    temporary.close();
   }
 
   private void requireOpen() {
@@ -183,41 +176,12 @@ public final class OutputFile implements Closeable {
     } catch (NoSuchFileException e) {
       return absolute;
     } catch (FileSystemException e) {
-      throw new IOException(target + ": " + reason(e), e);
+      throw new IOException(target + ": " + LockedFile.reason(e), e);
     }
   }
 
   /** A file that another program replaces may be gone for a moment, which is no protection. */
   private static boolean isProtected(Path target) {
     return !Files.isWritable(target) && Files.exists(target) && !Files.isWritable(target);
-  }
-
-  private static FileChannel openTemporary(Path target, Path temporary) throws IOException {
-    try {
-      return FileChannel.open(
-          temporary,
-          StandardOpenOption.CREATE,
-          StandardOpenOption.WRITE,
-          LinkOption.NOFOLLOW_LINKS);
-    } catch (FileSystemException e) {
-      throw new IOException(
-          target + ": the directory " + temporary.getParent() + " cannot be written: " + reason(e),
-          e);
-    }
-  }
-
-  private static boolean lock(FileChannel channel) {
-    try {
-      return channel.tryLock() != null;
-    } catch (OverlappingFileLockException e) {
-      return false;
-    } catch (IOException e) {
-      // Some network file systems have no locks; the file can be written all the same.
-      return true;
-    }
-  }
-
-  private static String reason(FileSystemException e) {
-    return e.getReason() == null ? "permission denied" : e.getReason();
   }
 }

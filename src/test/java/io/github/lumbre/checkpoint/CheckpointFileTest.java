@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.checkpoint.FilmFixture.FailingDisk;
+import io.github.lumbre.image.Disk;
 import io.github.lumbre.image.OutputFile;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -54,6 +55,26 @@ class CheckpointFileTest {
     try (Stream<Path> files = Files.list(directory)) {
       assertThat(files).hasSize(2);
     }
+  }
+
+  /** The last film has just lost its hidden name, and the next one has none yet. */
+  @Test
+  void isReservedWhileFilmsAreGivenTheirNames() throws IOException {
+    Disk whileOthersTry =
+        new Disk() {
+          @Override
+          public void forceDirectory(Path parent) {
+            assertThatThrownBy(() -> CheckpointFile.reserve(path))
+                .hasMessage(path + ": another run is writing this file");
+            Disk.super.forceDirectory(parent);
+          }
+        };
+    try (CheckpointFile file = CheckpointFile.reserve(path, whileOthersTry)) {
+      file.save(film(1));
+      file.save(film(2));
+    }
+    save(3);
+    assertThat(samples(FilmFile.read(path))).isEqualTo(3);
   }
 
   /**

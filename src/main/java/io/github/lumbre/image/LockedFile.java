@@ -1,0 +1,97 @@
+package io.github.lumbre.image;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+
+/**
+ * A hidden file beside another, which it stands for: only one run at a time has it. What a killed
+ * run left behind is used up by the next. Mutable, for one thread.
+ */
+final class LockedFile implements Closeable {
+  private static final int ATTEMPTS = 10;
+
+  private final Path path;
+  private final FileChannel channel;
+
+  private LockedFile(Path path, FileChannel channel) {
+    this.path = path;
+    this.channel = channel;
+  }
+
+  /**
+   * Creates the file, or takes one that nobody has.
+   *
+   * @param target the user's name of the file that this one stands for
+   * @throws IOException with a message for the user, if the directory cannot be written, or if
+   *     another run has the file
+   */
+  static LockedFile open(Path target, Path path) throws IOException {
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+      FileChannel channel = create(target, path);
+      if (!lock(channel)) {
+        channel.close();
+        throw new IOException(target + ": another run is writing this file");
+      }
+      // Start over if a run that has just ended had deleted our file, or given it another name.
+      if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
+        return new LockedFile(path, channel);
+      }
+      channel.close();
+    }
+    throw new IOException(target + ": other runs keep writing this file");
+  }
+
+  Path path() {
+    return path;
+  }
+
+  FileChannel channel() {
+    return channel;
+  }
+
+  /** Gives the file free, but leaves it where it is. */
+  void release() throws IOException {
+    channel.close();
+  }
+
+  /** Deletes the file. */
+  @Override
+  public void close() throws IOException {
+    try (channel) {
+      Files.deleteIfExists(path);
+    }
+  }
+
+  private static FileChannel create(Path target, Path path) throws IOException {
+    try {
+      return FileChannel.open(
+          path, StandardOpenOption.CREATE, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
+    } catch (FileSystemException e) {
+      throw new IOException(
+          target + ": the directory " + path.getParent() + " cannot be written: " + reason(e), e);
+    }
+  }
+
+  private static boolean lock(FileChannel channel) {
+    try {
+      return channel.tryLock() != null;
+    } catch (OverlappingFileLockException e) {
+      return false;
+    } catch (IOException e) {
+      // Some network file systems have no locks; the file can be written all the same.
+      return true;
+    }
+  }
+
+  /** Returns what to tell the user of a file system's refusal. */
+  static String reason(FileSystemException e) {
+    return e.getReason() == null ? "permission denied" : e.getReason();
+  }
+}
