@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -29,6 +30,7 @@ class KillIT {
   private static final long MAX_RENDER_MINUTES = 10;
 
   @TempDir private Path directory;
+  private final List<Process> started = new ArrayList<>();
 
   @BeforeEach
   void writeScene() {
@@ -40,7 +42,15 @@ class KillIT {
   }
 
   private Process start(String... args) throws IOException {
-    return Program.start(directory, Program.lumbre(args));
+    Process process = Program.start(directory, Program.lumbre(args));
+    started.add(process);
+    return process;
+  }
+
+  /** A test that fails leaves no endless render behind. */
+  @AfterEach
+  void endAll() {
+    started.forEach(Process::destroyForcibly);
   }
 
   private void run(String... args) throws IOException, InterruptedException {
