@@ -57,7 +57,8 @@ public final class OutputFile implements Closeable {
 
   /**
    * Reserves a place for files that are written one after the other, until what is returned is
-   * closed: between two of them {@link #open} would find it free.
+   * closed: between two of them {@link #open} finds it free. Keeps out those who reserve it like
+   * this as well, not those who only open it.
    *
    * @throws IOException as {@link #open(Path)}
    */

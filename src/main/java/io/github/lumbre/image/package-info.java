@@ -12,6 +12,7 @@
  * io.github.lumbre.image.Pixels}, {@link io.github.lumbre.image.LinearReader} those and the
  * program's own to linear light. Rows are counted from the top, but for the inside of PFM files.
  *
- * <p>All types but OutputFile are immutable or without state, and safe for use by any thread.
+ * <p>All public types but OutputFile are immutable or without state, and safe for use by any
+ * thread.
  */
 package io.github.lumbre.image;

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -60,12 +61,14 @@ class CheckpointFileTest {
   /** The last film has just lost its hidden name, and the next one has none yet. */
   @Test
   void isReservedWhileFilmsAreGivenTheirNames() throws IOException {
+    AtomicInteger refused = new AtomicInteger();
     Disk whileOthersTry =
         new Disk() {
           @Override
           public void forceDirectory(Path parent) {
             assertThatThrownBy(() -> CheckpointFile.reserve(path))
                 .hasMessage(path + ": another run is writing this file");
+            refused.incrementAndGet();
             Disk.super.forceDirectory(parent);
           }
         };
@@ -73,6 +76,7 @@ class CheckpointFileTest {
       file.save(film(1));
       file.save(film(2));
     }
+    assertThat(refused).hasValue(2);
     save(3);
     assertThat(samples(FilmFile.read(path))).isEqualTo(3);
   }

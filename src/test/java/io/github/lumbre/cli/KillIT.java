@@ -49,8 +49,10 @@ class KillIT {
 
   /** A test that fails leaves no endless render behind. */
   @AfterEach
-  void endAll() {
-    started.forEach(Process::destroyForcibly);
+  void endAll() throws InterruptedException {
+    for (Process process : started) {
+      process.destroyForcibly().waitFor();
+    }
   }
 
   private void run(String... args) throws IOException, InterruptedException {
