@@ -22,7 +22,7 @@ import java.util.Locale;
  * a JSON object in a line of standard output; nothing runs in between.
  *
  * <pre>
- * load PATH WIDTH HEIGHT DEPTH
+ * load PATH WIDTH HEIGHT DEPTH [SPLIT]
  * render SAMPLES SEED THREADS FILE    FILE gets the floats of the picture, or is -
  * </pre>
  */
@@ -54,10 +54,12 @@ final class RenderServer {
     int width = Integer.parseInt(words[2]);
     int height = Integer.parseInt(words[3]);
     int depth = Integer.parseInt(words[4]);
+    int split = words.length > 5 ? Integer.parseInt(words[5]) : 1;
     long start = System.nanoTime();
     scene =
         new SceneParser()
-            .overriding(s -> s.toBuilder().size(width, height).maxTraceDepth(depth).build())
+            .overriding(
+                s -> s.toBuilder().size(width, height).maxTraceDepth(depth).split(split).build())
             .parse(Path.of(words[1]));
     return String.format(Locale.ROOT, "{\"seconds\": %.6f}", seconds(start));
   }

@@ -21,6 +21,7 @@ from measure import Server, Turns, java_command, java_version, table, three_digi
 
 DEPTH = 5
 TARGETS = (0.02, 0.002)
+SPLITS = (2, 4)
 LAMPS = (1, 100, 10_000)
 TRIANGLES = (1_000, 10_000, 100_000, 1_000_000, 10_000_000)
 RAYS_AT_BALL = 200_000
@@ -45,8 +46,9 @@ class Comparison:
 
     def renderer(self, name):
         """Starts a renderer: Lumbre, or Mitsuba with its variant and its sampler."""
-        if name in self.javas:
-            command = java_command(self.javas[name], self.jar, "RenderServer.java")
+        if name.startswith("Lumbre"):
+            java = self.javas[name.split(", split")[0]]
+            command = java_command(java, self.jar, "RenderServer.java")
         elif name.startswith("Sunflow"):
             command = java_command(self.options.java[0], self.options.sunflow, "SunflowServer.java")
         else:
@@ -73,7 +75,19 @@ class Comparison:
 
     def renderers(self, *samplers):
         """All that can render here, Lumbre first."""
-        names = list(self.javas)
+        return list(self.javas) + self.mitsubas(*samplers)
+
+    def contestants(self, *samplers):
+        """The same, and Lumbre with paths that go on in several ways."""
+        names = [
+            "%s, split %d" % (name, ways) if ways > 1 else name
+            for name in self.javas
+            for ways in (1, *SPLITS)
+        ]
+        return names + self.mitsubas(*samplers)
+
+    def mitsubas(self, *samplers):
+        names = []
         if has_mitsuba():
             names += ["Mitsuba %s %s" % (v, s) for s in samplers for v in ("scalar", "llvm_ad")]
         return names
@@ -93,7 +107,9 @@ class Comparison:
         path, width, height = self.scenes[scene]
         if server.name.startswith("Sunflow"):
             path = self.sunflow_file(scene)
-        server.ask("load", path, width, height, DEPTH)
+        words = ["load", path, width, height, DEPTH]
+        ways = [ways_of(server.name)] if ", split" in server.name else []
+        server.ask(*words, *ways)
 
     def warm(self, server, samples=4):
         """Warms up; returns how many samples a pixel take about the time asked for."""
@@ -177,7 +193,7 @@ class Comparison:
     def part_error(self):
         """What samples bring the error down to; made once and kept, as it needs no clock."""
         rows = []
-        for name in self.renderers("independent", "multijitter", "orthogonal"):
+        for name in self.contestants("independent", "multijitter", "orthogonal"):
             if not name.startswith("Mitsuba scalar"):
                 curve = self.error_curve(name)
                 text = ", ".join("%d: %s" % (n, three_digits(curve[n])) for n in sorted(curve))
@@ -191,10 +207,11 @@ class Comparison:
         halves = self.reference("cornell-box", name.split()[0].strip(","))
         truth, own = sum(halves) / 2, own_error(halves)
         stem = name.replace(" ", "-").replace(",", "")
-        if name in self.javas:
+        if name.startswith("Lumbre"):
             # The same with every Java, but another version may take other samples.
             with open(self.jar, "rb") as jar:
-                stem = "Lumbre-" + hashlib.sha256(jar.read()).hexdigest()[:12]
+                version = hashlib.sha256(jar.read()).hexdigest()[:12]
+            stem = "Lumbre-%s-split-%d" % (version, ways_of(name))
         path = os.path.join(self.work, "references", stem + ".curve")
         if not os.path.exists(path):
             curve = {}
@@ -242,7 +259,7 @@ class Comparison:
 
     def part_time_to_error(self):
         """CPU time to an error in the Cornell box."""
-        names = self.renderers("independent", "multijitter", "orthogonal")
+        names = self.contestants("independent", "multijitter", "orthogonal")
         names = [name for name in names if name != "Mitsuba scalar orthogonal"]
         curves = {n: self.error_curve(n.replace("scalar", "llvm_ad")) for n in names}
         rows = []
@@ -412,6 +429,11 @@ class Comparison:
                 turns = Turns([1, 2], self.options.blocks, take)
             rows.append([scene, samples, turns.ratio_text(1, 2)])
         return table(["scene", "samples a pixel", "two threads are faster by"], rows)
+
+
+def ways_of(name):
+    """In how many ways this Lumbre's paths go on."""
+    return int(name.partition(", split ")[2] or 1)
 
 
 def relative_error(picture, truth):

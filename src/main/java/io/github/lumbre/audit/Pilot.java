@@ -62,6 +62,7 @@ final class Pilot {
 
   private RenderSettings deeper() {
     return settings.toBuilder()
+        .split(1)
         .maxTraceDepth(Math.min(RenderSettings.MAX_DEPTH, settings.maxTraceDepth() + DEEPER))
         .build();
   }

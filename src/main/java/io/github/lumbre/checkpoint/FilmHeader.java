@@ -41,6 +41,9 @@ public record FilmHeader(
   /** Name in the identity: one number for path tracing; mirrors and glass for ray tracing. */
   public static final String DEPTH = "depth";
 
+  /** Name in the identity: how many ways a path goes on where it is split; left out if one. */
+  public static final String SPLIT = "split";
+
   public static final String SEED = "seed";
   public static final String SIZE = "size";
   public static final String TRANSPARENT = "transparent";
@@ -64,12 +67,20 @@ public record FilmHeader(
     identity.put(SCENE_HASH, sceneHash);
     identity.put(MODE, settings.mode().name().toLowerCase(Locale.ROOT));
     identity.put(DEPTH, depth(settings));
+    if (settings.split() > 1) {
+      identity.put(SPLIT, String.valueOf(settings.split()));
+    }
     identity.put(SEED, String.valueOf(settings.seed()));
     identity.put(SIZE, settings.width() + "x" + settings.height());
     identity.put(TRANSPARENT, String.valueOf(settings.transparent()));
     identity.put(SAMPLER, SobolSampler.ID);
     identity.put(REVISION, String.valueOf(FilmRenderer.REVISION));
     return identity;
+  }
+
+  /** Returns what an identity means that does not have a name. */
+  private static String unsaid(String name) {
+    return name.equals(SPLIT) ? "1" : NOTHING;
   }
 
   private static String depth(RenderSettings settings) {
@@ -97,8 +108,8 @@ public record FilmHeader(
     names.addAll(other.keySet());
     List<String> differences = new ArrayList<>();
     for (String name : names) {
-      String value = identity.getOrDefault(name, NOTHING);
-      String found = other.getOrDefault(name, NOTHING);
+      String value = identity.getOrDefault(name, unsaid(name));
+      String found = other.getOrDefault(name, unsaid(name));
       if (!found.equals(value)) {
         differences.add(name + ": " + here + " has " + value + ", " + there + " has " + found);
       }

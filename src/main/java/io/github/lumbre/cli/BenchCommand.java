@@ -131,11 +131,18 @@ final class BenchCommand implements Callable<Integer> {
   private boolean adaptive;
 
   @Option(
+      names = "--split",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Let paths go on in so many ways, as 'render --split' does.")
+  private int split;
+
+  @Option(
       names = "--paired",
       description =
-          "Instead: render each scene in turn as it is and as --without or --adaptive say, so many"
-              + " times as --repeat says, and print the ratios of CPU time, memory and squared"
-              + " error.")
+          "Instead: render each scene in turn as it is and as --without, --adaptive or --split say,"
+              + " so many times as --repeat says, and print the ratios of CPU time, memory and"
+              + " squared error.")
   private boolean paired;
 
   @Option(
@@ -198,11 +205,13 @@ final class BenchCommand implements Callable<Integer> {
     checks.require(!loading || json.isEmpty(), "--loading: expected no --json");
     checks.requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
     checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
+    checks.requireIn("--split", 1, RenderSettings.MAX_SPLIT, split);
     checks.require(
-        !paired || adaptive || !without.isEmpty(), "--paired: expected --without or --adaptive");
+        !paired || adaptive || split > 1 || !without.isEmpty(),
+        "--paired: expected --without, --adaptive or --split");
     int processors = Runtime.getRuntime().availableProcessors();
     List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
-    return new BenchPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive);
+    return new BenchPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive, split);
   }
 
   private int repeat() {

@@ -21,6 +21,7 @@ import java.util.stream.Collectors;
  * @param pairs of renders with seeds of their own that tell the noise, at least 1
  * @param without what the renderer is not to leave out though the scenes do not require it
  * @param adaptive whether noisy pixels get more of the samples
+ * @param split how many ways paths go on, at least 1
  */
 record BenchPlan(
     Optional<FlagConverters.Size> size,
@@ -30,7 +31,8 @@ record BenchPlan(
     int repeat,
     int pairs,
     Set<Shortcut> without,
-    boolean adaptive) {
+    boolean adaptive,
+    int split) {
   /** The longer side, in pixels, that frames are shrunk to. */
   static final int SIDE = 320;
 
@@ -47,12 +49,12 @@ record BenchPlan(
     RenderSettings sized =
         size.map(s -> inScene.toBuilder().size(s.width(), s.height()).build())
             .orElseGet(() -> SampleBudget.shrunk(inScene, SIDE));
-    return sized.toBuilder().samples(samples).adaptive(adaptive).build();
+    return sized.toBuilder().samples(samples).adaptive(adaptive).split(split).build();
   }
 
-  /** Returns the same plan with all shortcuts and even samples. */
+  /** Returns the same plan with all shortcuts, even samples and paths that are not split. */
   BenchPlan plain() {
-    return new BenchPlan(size, samples, threads, warmup, repeat, pairs, Set.of(), false);
+    return new BenchPlan(size, samples, threads, warmup, repeat, pairs, Set.of(), false, 1);
   }
 
   /** Returns a scene that takes no shortcut which the plan does without. */
@@ -77,6 +79,7 @@ record BenchPlan(
         + pairs
         + "."
         + (without.isEmpty() ? "" : " Without the shortcuts " + new TreeSet<>(without) + ".")
-        + (adaptive ? " Adaptive." : "");
+        + (adaptive ? " Adaptive." : "")
+        + (split > 1 ? " Paths split into " + split + "." : "");
   }
 }

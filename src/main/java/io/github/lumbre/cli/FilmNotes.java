@@ -118,6 +118,9 @@ final class FilmNotes {
     metadata.put("Scene", String.valueOf(scene().getFileName()));
     metadata.put("SceneHash", identity(FilmHeader.SCENE_HASH, Function.identity()));
     metadata.put("Mode", identity(FilmHeader.MODE, Function.identity()));
+    if (header.identity().containsKey(FilmHeader.SPLIT)) {
+      metadata.put("Split", identity(FilmHeader.SPLIT, Function.identity()));
+    }
     metadata.put("Seed", identity(FilmHeader.SEED, Function.identity()));
     metadata.put("Size", identity(FilmHeader.SIZE, Function.identity()));
     metadata.put("Window", header.window().toString());
@@ -139,6 +142,8 @@ final class FilmNotes {
     FlagConverters.Size size = identity(FilmHeader.SIZE, new FlagConverters.OfSize()::convert);
     long seed = identity(FilmHeader.SEED, Long::valueOf);
     int[] depths = identity(FilmHeader.DEPTH, FilmNotes::depths);
+    boolean isSplit = header.identity().containsKey(FilmHeader.SPLIT);
+    int split = isSplit ? identity(FilmHeader.SPLIT, Integer::valueOf) : 1;
     int samples = samples();
     Exposure exposure = exposure();
     ToneCurve toneCurve = toneCurve();
@@ -154,7 +159,7 @@ final class FilmNotes {
               if (!header.window().equals(whole)) {
                 builder.crop(header.window());
               }
-              builder.samples(samples).exposure(exposure).toneCurve(toneCurve);
+              builder.samples(samples).exposure(exposure).toneCurve(toneCurve).split(split);
               switch (mode) {
                 case PATH -> builder.maxTraceDepth(depths[0]);
                 case RAY -> builder.rayDepths(depths[0], depths[depths.length - 1]);

@@ -87,6 +87,7 @@ final class JsonSummary {
     values.put("mode", FlagConverters.lower(settings.mode()));
     values.put("samples_per_pixel", settings.samples());
     values.put("adaptive", settings.adaptive());
+    values.put("split", settings.split());
     values.put("seed", settings.seed());
     values.put("warnings", file.warnings());
   }

@@ -77,7 +77,8 @@ final class PairedBench {
     SceneFile file = SceneFolder.load(scene, parser, messages);
     MemoryEstimate.require(file.settings());
     Way plain = new Way(file.scene(), file.settings());
-    RenderSettings settings = file.settings().toBuilder().adaptive(plan.adaptive()).build();
+    RenderSettings settings =
+        file.settings().toBuilder().adaptive(plan.adaptive()).split(plan.split()).build();
     Way changed = new Way(plan.over(file).scene(), settings);
     int threads = plan.threads().get(0);
     for (int pair = 0; pair < plan.repeat() + 1; pair++) {

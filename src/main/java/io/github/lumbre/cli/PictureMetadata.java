@@ -26,6 +26,9 @@ final class PictureMetadata {
     metadata.put("SceneHash", file.hash());
     metadata.put("Mode", FlagConverters.lower(settings.mode()));
     metadata.put("Samples", String.valueOf(settings.samples()));
+    if (settings.split() > 1) {
+      metadata.put("Split", String.valueOf(settings.split()));
+    }
     metadata.put("Seed", String.valueOf(settings.seed()));
     metadata.put("Size", settings.width() + "x" + settings.height());
     settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));

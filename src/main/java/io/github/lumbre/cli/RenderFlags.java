@@ -57,6 +57,16 @@ final class RenderFlags {
   private Optional<Integer> depth;
 
   @Option(
+      names = "--split",
+      paramLabel = "N",
+      description = {
+        "Path mode: let each path go on in so many ways from its first surface that is no mirror"
+            + " (1).",
+        "Less noise in the same time where light between surfaces makes it; see 'lumbre trade'."
+      })
+  private Optional<Integer> split;
+
+  @Option(
       names = "--clamp",
       paramLabel = "VALUE",
       description =
@@ -121,6 +131,7 @@ final class RenderFlags {
           spec.commandLine(), "--samples and --samples-to: expected one of them");
     }
     depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
+    split.ifPresent(n -> require("--split", 1, RenderSettings.MAX_SPLIT, n));
     if (!(clamp.orElse(1.0) > 0)) {
       throw new ParameterException(
           spec.commandLine(), "--clamp: expected more than 0, found " + clamp.get());
@@ -206,11 +217,19 @@ final class RenderFlags {
     exposure.ifPresent(builder::exposure);
     toneCurve.ifPresent(builder::toneCurve);
     depth.ifPresent(n -> setDepth(builder, inScene.mode(), n));
+    split.ifPresent(n -> setSplit(builder, inScene.mode(), n));
     if (size.isEmpty()) {
       requireCropIn(inScene.width(), inScene.height());
     }
     crop.ifPresent(builder::crop);
     return builder.build();
+  }
+
+  private void setSplit(RenderSettings.Builder builder, Mode mode, int ways) {
+    if (mode == Mode.RAY) {
+      throw new ParameterException(spec.commandLine(), "--split: expected path mode, found ray");
+    }
+    builder.split(ways);
   }
 
   private static void setDepth(RenderSettings.Builder builder, Mode mode, int depth) {

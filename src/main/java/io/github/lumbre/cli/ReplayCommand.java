@@ -27,7 +27,10 @@ final class ReplayCommand {
 
   private static String depth(RenderSettings settings) {
     return switch (settings.mode()) {
-      case PATH -> " --depth " + settings.maxTraceDepth();
+      case PATH ->
+          " --depth "
+              + settings.maxTraceDepth()
+              + (settings.split() > 1 ? " --split " + settings.split() : "");
       // Two depths that differ can only come from the scene, which the command reads again.
       case RAY ->
           settings.reflectionTraceDepth() == settings.refractionTraceDepth()

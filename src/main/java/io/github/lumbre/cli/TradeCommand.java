@@ -26,9 +26,9 @@ import picocli.CommandLine.Spec;
     header = "Measure what settings cost and how wrong they are, for one scene.",
     description =
         "Renders a reference of its own, then turns one knob at a time (random numbers, choice of"
-            + " lights, ways to find them, roulette, depth, mode, filter of textures, clamp) with"
-            + " several seeds and ever more samples, and writes a page that shows error against"
-            + " time; beside it, the same name with .csv and .json.",
+            + " lights, ways to find them, roulette, split paths, depth, mode, filter of textures,"
+            + " clamp) with several seeds and ever more samples, and writes a page that shows error"
+            + " against time; beside it, the same name with .csv and .json.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -98,8 +98,8 @@ final class TradeCommand implements Callable<Integer> {
       names = "--knobs",
       paramLabel = "NAMES",
       description =
-          "Which knobs to turn, with commas between: sampler, lights, strategy, roulette, depth,"
-              + " mode, filter, clamp, adaptive (all).")
+          "Which knobs to turn, with commas between: sampler, lights, strategy, roulette, split,"
+              + " depth, mode, filter, clamp, adaptive (all).")
   private Optional<String> knobs = Optional.empty();
 
   @Option(

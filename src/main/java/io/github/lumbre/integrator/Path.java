@@ -11,6 +11,14 @@ final class Path {
   private double throughputRed, throughputGreen, throughputBlue;
   private double pdf;
 
+  private int ways;
+
+  /** Number of the vertex where it was split. */
+  private int splitDepth;
+
+  /** What light counted for there, by each of the ways. */
+  private double splitRed, splitGreen, splitBlue;
+
   /** Begins a path at the camera, whose ray light sampling could not have drawn. */
   void begin() {
     red = 0;
@@ -20,6 +28,36 @@ final class Path {
     throughputGreen = 1;
     throughputBlue = 1;
     pdf = Double.POSITIVE_INFINITY;
+    ways = 1;
+  }
+
+  /** Splits the path at a vertex: light counts for an equal share by each of the ways. */
+  void split(int depth, int newWays) {
+    ways = newWays;
+    splitDepth = depth;
+    splitRed = throughputRed / ways;
+    splitGreen = throughputGreen / ways;
+    splitBlue = throughputBlue / ways;
+  }
+
+  /** Returns in how many ways the path goes on; 1 before it is split. */
+  int ways() {
+    return ways;
+  }
+
+  /** Tells whether the path was split. */
+  boolean isSplit() {
+    return ways > 1;
+  }
+
+  /**
+   * Goes back to the vertex where the path was split, keeps what it gathered; returns its number.
+   */
+  int returnToSplit() {
+    throughputRed = splitRed;
+    throughputGreen = splitGreen;
+    throughputBlue = splitBlue;
+    return splitDepth;
   }
 
   /**
@@ -56,9 +94,9 @@ final class Path {
     throughputBlue *= b;
   }
 
-  /** Returns the largest component of what more light counts for. */
+  /** Returns the largest component of what more light counts for, had the path not been split. */
   double throughput() {
-    return Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));
+    return ways * Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));
   }
 
   /** Returns what more light counts for, by component. */

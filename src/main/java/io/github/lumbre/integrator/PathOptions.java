@@ -1,5 +1,6 @@
 package io.github.lumbre.integrator;
 
+import io.github.lumbre.scene.RenderSettings;
 import java.util.Objects;
 
 /**
@@ -10,8 +11,11 @@ import java.util.Objects;
  *     seen, with 1 direct light
  * @param firstRoulette number of the first vertex, the one that the camera sees being 0, at which a
  *     weak path may end at random
+ * @param split how many ways each path goes on from its first vertex that is no mirror or clear
+ *     glass, at least 1; each counts for its share (PBRT 4e, sec. 2.2.5)
  */
-public record PathOptions(int maxDepth, Strategy strategy, Selection selection, int firstRoulette) {
+public record PathOptions(
+    int maxDepth, Strategy strategy, Selection selection, int firstRoulette, int split) {
   /** The first vertex at which a path may end, unless another is asked for. */
   public static final int FIRST_ROULETTE = 3;
 
@@ -22,25 +26,38 @@ public record PathOptions(int maxDepth, Strategy strategy, Selection selection, 
       throw new IllegalArgumentException(
           "maxDepth, firstRoulette: expected at least 0, found " + maxDepth + ", " + firstRoulette);
     }
+    if (split < 1) {
+      throw new IllegalArgumentException("split: expected at least 1, found " + split);
+    }
   }
 
   /** Returns the options that renders use, for paths of so many scattering vertices at most. */
   public static PathOptions toDepth(int maxDepth) {
-    return new PathOptions(maxDepth, Strategy.BOTH, Selection.PLACE, FIRST_ROULETTE);
+    return new PathOptions(maxDepth, Strategy.BOTH, Selection.PLACE, FIRST_ROULETTE, 1);
+  }
+
+  /** Returns the options by which a render of such settings follows paths. */
+  public static PathOptions of(RenderSettings settings) {
+    return toDepth(settings.maxTraceDepth()).splitInto(settings.split());
   }
 
   /** Returns the same with another strategy. */
   public PathOptions by(Strategy newStrategy) {
-    return new PathOptions(maxDepth, newStrategy, selection, firstRoulette);
+    return new PathOptions(maxDepth, newStrategy, selection, firstRoulette, split);
   }
 
   /** Returns the same with another choice of emitters. */
   public PathOptions by(Selection newSelection) {
-    return new PathOptions(maxDepth, strategy, newSelection, firstRoulette);
+    return new PathOptions(maxDepth, strategy, newSelection, firstRoulette, split);
   }
 
   /** Returns the same with another first vertex at which a path may end at random. */
   public PathOptions rouletteFrom(int vertex) {
-    return new PathOptions(maxDepth, strategy, selection, vertex);
+    return new PathOptions(maxDepth, strategy, selection, vertex, split);
+  }
+
+  /** Returns the same with paths that go on in another number of ways. */
+  public PathOptions splitInto(int ways) {
+    return new PathOptions(maxDepth, strategy, selection, firstRoulette, ways);
   }
 }

@@ -22,6 +22,7 @@ import java.util.Optional;
 /** A path tracer that remembers the last path, vertex by vertex. Mutable. */
 public final class PathRecorder extends PathTracer implements Recorder {
   private final int maxDepth;
+  private final int firstRoulette;
   private final List<PathVertex> vertices = new ArrayList<>();
   private final List<Gathered> gathered = new ArrayList<>();
   private Optional<Scattering> scattering = Optional.empty();
@@ -35,12 +36,11 @@ public final class PathRecorder extends PathTracer implements Recorder {
   private double lightPdf;
   private double weight;
 
-  /**
-   * @param maxDepth as of {@link PathTracer}
-   */
-  public PathRecorder(Scene scene, int maxDepth) {
-    super(scene, maxDepth);
-    this.maxDepth = maxDepth;
+  /** Makes one that computes what the path tracer of these options does. */
+  public PathRecorder(Scene scene, PathOptions options) {
+    super(scene, options);
+    maxDepth = options.maxDepth();
+    firstRoulette = options.firstRoulette();
   }
 
   @Override
@@ -63,8 +63,11 @@ public final class PathRecorder extends PathTracer implements Recorder {
     scattering = Optional.empty();
     lostRoulette = false;
     lightPdf = 0;
-    boolean goesOn = super.extend(depth, sampler, scratch);
-    int shape = goesOn ? scatteringShape : scratch.hit.shape();
+    boolean wasSplit = scratch.path.isSplit();
+    boolean scattersOn = super.extend(depth, sampler, scratch);
+    // Where it is split, it goes on afterwards.
+    boolean goesOn = scattersOn || scratch.path.isSplit() && !wasSplit;
+    int shape = scattersOn ? scatteringShape : scratch.hit.shape();
     End end = goesOn ? End.GOES_ON : end(depth, scratch);
     Optional<Meeting> meeting = Optional.empty();
     if (end != End.ESCAPED) {
@@ -79,7 +82,7 @@ public final class PathRecorder extends PathTracer implements Recorder {
     vertices.add(
         new PathVertex(
             ray, throughput, meeting, gathered, scattering, end, scratch.path.radiance()));
-    return goesOn;
+    return scattersOn;
   }
 
   private End end(int depth, Scratch scratch) {
@@ -185,15 +188,15 @@ public final class PathRecorder extends PathTracer implements Recorder {
   }
 
   @Override
-  boolean scatter(int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
+  boolean scatter(Vertex vertex, int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
     scatteringShape = scratch.hit.shape();
-    boolean goesOn = super.scatter(depth, uDirection, sampler, scratch);
+    boolean goesOn = super.scatter(vertex, depth, uDirection, sampler, scratch);
     BsdfSample drawn = scratch.scattered;
     if (!drawn.isAbsorbed()) {
       double survival =
-          depth < PathOptions.FIRST_ROULETTE
+          depth < firstRoulette
               ? 1
-              : Math.min(1, throughput.times(drawn.weight()).max());
+              : Math.min(1, throughput.times(drawn.weight()).max() * scratch.path.ways());
       scattering = Optional.of(new Scattering(drawn.wi(), drawn.weight(), drawn.pdf(), survival));
       lostRoulette = !goesOn;
     }

@@ -46,6 +46,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
   private final LightSelector selector;
   private final Strategy strategy;
   private final int firstRoulette;
+  private final int split;
   private final boolean hasChoice;
   private final boolean hasAmbient;
 
@@ -70,6 +71,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     maxDepth = options.maxDepth();
     strategy = options.strategy();
     firstRoulette = options.firstRoulette();
+    split = options.split();
     hasAmbient = !scene.ambient().isBlack();
     hasChoice = !scene.takes(Shortcut.ONE_EMITTER);
     emitters = scene.emitters().toArray(Light[]::new);
@@ -108,10 +110,35 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     while (extend(depth, sampler, scratch)) {
       depth++;
     }
+    if (path.isSplit()) {
+      followWays(sampler, scratch);
+    }
     return path.radiance();
   }
 
-  /** Goes to the next vertex and gathers its light; tells whether the path goes on from there. */
+  /** Follows all ways in which a path goes on from the vertex where it was split. */
+  private void followWays(Sampler sampler, Scratch scratch) {
+    Vertex vertex = scratch.keepVertex();
+    for (int way = 0; way < split; way++) {
+      sampler.startPart(way, split);
+      int depth = scratch.path.returnToSplit();
+      if (asks && way > 0) {
+        // What it meets is weighed against light sampling from here, where the last way left.
+        vertex.ask(scratch.choice);
+      }
+      Point2 uDirection = sampler.get2d(Sampler.vertex(depth) + Sampler.DIRECTION);
+      boolean goesOn = scatter(vertex, depth, uDirection, sampler, scratch);
+      while (goesOn) {
+        depth++;
+        goesOn = extend(depth, sampler, scratch);
+      }
+    }
+  }
+
+  /**
+   * Goes to the next vertex and gathers its light; tells whether the path goes on from there. Where
+   * it is to be split, it stays, for {@link #followWays}.
+   */
   boolean extend(int depth, Sampler sampler, Scratch scratch) {
     NearestHit hit = scratch.hit;
     Path path = scratch.path;
@@ -145,30 +172,38 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
       path.gather(ambient(vertex));
     }
     int dimension = Sampler.vertex(depth);
+    boolean isSpecular = vertex.bsdf().isSpecular();
+    if (split > 1 && !isSpecular && !path.isSplit()) {
+      if (asks) {
+        direct(vertex, sampler, dimension, scratch);
+      }
+      path.split(depth, split);
+      return false;
+    }
     // Drawn before light is asked for: the processor works on both points at once.
     Point2 uDirection = sampler.get2d(dimension + Sampler.DIRECTION);
-    if (asks && !vertex.bsdf().isSpecular()) {
+    if (asks && !isSpecular) {
       direct(vertex, sampler, dimension, scratch);
     }
-    return scatter(depth, uDirection, sampler, scratch);
+    return scatter(vertex, depth, uDirection, sampler, scratch);
   }
 
   /**
-   * Chooses where the path goes from its vertex; tells whether it goes on.
+   * Chooses where the path goes from a vertex; tells whether it goes on.
    *
    * @param uDirection uniform in [0,1)²: chooses the direction
    */
-  boolean scatter(int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
+  boolean scatter(Vertex vertex, int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
     Path path = scratch.path;
     int dimension = Sampler.vertex(depth);
     BsdfSample scattered = scratch.scattered;
-    double lobe = scratch.vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
-    scratch.vertex.sample(lobe, uDirection, scattered);
+    double lobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
+    vertex.sample(lobe, uDirection, scattered);
     if (scattered.isAbsorbed()) {
       return false;
     }
     path.weigh(scattered.r(), scattered.g(), scattered.b());
-    SurfaceHit surface = scratch.vertex.surface();
+    SurfaceHit surface = vertex.surface();
     path.leave(scattered.pdf());
 
     // End weak paths at random, and strengthen those that survive.

@@ -12,21 +12,37 @@ import java.util.Deque;
 
 /** Memory and counters that a thread reuses from sample to sample. Mutable, one for each thread. */
 public final class Scratch {
-  final NearestHit hit = new NearestHit();
+  NearestHit hit = new NearestHit();
+  Vertex vertex = new Vertex();
   final Path path = new Path();
-  final Vertex vertex = new Vertex();
   final BsdfSample scattered = new BsdfSample();
   final BsdfValue value = new BsdfValue();
   final LightChoice choice = new LightChoice();
   final LightSample light = new LightSample();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();
+  private NearestHit otherHit = new NearestHit();
+  private Vertex otherVertex = new Vertex();
   long rays;
   boolean metSomething;
   private long shadowRays;
 
   /** Makes the memory of one thread. */
   public Scratch() {}
+
+  /**
+   * Returns the vertex where the path is, with its hit, and goes on in other memory, so that the
+   * vertex stays until this is asked for again.
+   */
+  Vertex keepVertex() {
+    Vertex kept = vertex;
+    vertex = otherVertex;
+    otherVertex = kept;
+    NearestHit keptHit = hit;
+    hit = otherHit;
+    otherHit = keptHit;
+    return kept;
+  }
 
   /** Tells whether anything stands between a surface and the sample of light. */
   boolean isOccluded(Scene scene, SurfaceHit surface) {

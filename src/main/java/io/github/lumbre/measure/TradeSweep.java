@@ -21,6 +21,7 @@ public final class TradeSweep {
           "lights",
           "strategy",
           "roulette",
+          "split",
           "depth",
           "mode",
           "filter",
@@ -34,6 +35,7 @@ public final class TradeSweep {
 
   private static final int[] DEPTHS = {1, 2, 3, 5, 8, 16};
   private static final int[] ROULETTE = {0, 1, 8, 32};
+  private static final int[] SPLITS = {2, 4, 8};
   private static final int[] CLAMPS = {1, 10, 100};
 
   /** Roulette ends paths long before. */
@@ -76,6 +78,7 @@ public final class TradeSweep {
     return settings.toBuilder()
         .maxTraceDepth(DEEP)
         .adaptive(false)
+        .split(1)
         .clamp(Double.POSITIVE_INFINITY)
         .build();
   }
@@ -131,6 +134,12 @@ public final class TradeSweep {
     if (knobs.contains("roulette")) {
       for (int vertex : ROULETTE) {
         addNoise("roulette", "from " + vertex, USUAL.rouletteFrom(vertex));
+      }
+    }
+    if (knobs.contains("split")) {
+      for (int ways : SPLITS) {
+        String flags = "--split " + ways + " --depth " + DEEP;
+        all.add(paths("split", ways, Kind.NOISE, flags, USUAL.splitInto(ways)));
       }
     }
   }

@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.PathOptions;
 import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.integrator.RayTracer;
 import io.github.lumbre.sampling.Sampler;
@@ -90,7 +91,7 @@ public final class FilmRenderer {
 
   private static Integrator integrator(RenderSettings settings, Scene scene) {
     return switch (settings.mode()) {
-      case PATH -> new PathTracer(scene, settings.maxTraceDepth());
+      case PATH -> new PathTracer(scene, PathOptions.of(settings));
       case RAY ->
           new RayTracer(scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());
     };

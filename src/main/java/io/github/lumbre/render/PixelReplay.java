@@ -2,6 +2,7 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.PathOptions;
 import io.github.lumbre.integrator.PathRecorder;
 import io.github.lumbre.integrator.PathVertex;
 import io.github.lumbre.integrator.RayRecorder;
@@ -36,7 +37,7 @@ public final class PixelReplay {
     sampler = new SobolSampler(settings.seed());
     recorder =
         switch (settings.mode()) {
-          case PATH -> new PathRecorder(scene, settings.maxTraceDepth());
+          case PATH -> new PathRecorder(scene, PathOptions.of(settings));
           case RAY ->
               new RayRecorder(
                   scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());

@@ -8,6 +8,8 @@ import io.github.lumbre.math.Point2;
  */
 public final class IndependentSampler implements Sampler {
   private final long seedKey;
+  private long pixelKey;
+  private int number;
   private long sampleKey;
 
   /**
@@ -19,8 +21,14 @@ public final class IndependentSampler implements Sampler {
 
   @Override
   public void startSample(int x, int y, int sample) {
-    long pixelKey = Hash.mix(seedKey ^ ((long) y << 32 | x & 0xffffffffL));
+    pixelKey = Hash.mix(seedKey ^ ((long) y << 32 | x & 0xffffffffL));
+    number = sample;
     sampleKey = Hash.of(pixelKey, sample);
+  }
+
+  @Override
+  public void startPart(int part, int parts) {
+    sampleKey = Hash.of(pixelKey, number * parts + part);
   }
 
   @Override

@@ -46,6 +46,16 @@ public interface Sampler {
   /** Moves to a sample of a pixel of the full frame. */
   void startSample(int x, int y, int sample);
 
+  /**
+   * Moves to a part of the sample that was started last: from here on its numbers are those of
+   * sample {@code sample * parts + part}, so that the parts of one sample, and of all the samples
+   * of a pixel, are spread among each other as samples are.
+   *
+   * @param part 0 to {@code parts - 1}
+   * @param parts how many the sample has, the same for all samples of a pixel
+   */
+  void startPart(int part, int parts);
+
   /** Returns the number at one dimension of the current sample. */
   double get1d(int dimension);
 

@@ -18,6 +18,7 @@ public final class SobolSampler implements Sampler {
 
   private final long seedKey;
   private long pixelKey;
+  private int number;
   private int reversedIndex;
 
   public SobolSampler(long seed) {
@@ -27,7 +28,13 @@ public final class SobolSampler implements Sampler {
   @Override
   public void startSample(int x, int y, int sample) {
     pixelKey = Hash.mix(seedKey ^ ((long) y << 32 | x & 0xffffffffL));
+    number = sample;
     reversedIndex = Integer.reverse(sample);
+  }
+
+  @Override
+  public void startPart(int part, int parts) {
+    reversedIndex = Integer.reverse(number * parts + part);
   }
 
   @Override

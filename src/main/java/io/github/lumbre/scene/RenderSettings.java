@@ -24,6 +24,8 @@ import java.util.Optional;
  * @param crop the part of the full frame to render; empty means all of it
  * @param transparent whether the share of samples that met something becomes the picture's alpha
  * @param adaptive whether the number of samples is the pixels' mean, and noisy pixels get more
+ * @param split path mode: how many ways each path goes on from its first vertex that is no mirror
+ *     or clear glass, 1 to 256, each for its share of the light
  * @param clamp above 0: samples of a larger component are darkened to it, which takes fireflies and
  *     light away; infinite for none
  */
@@ -43,6 +45,7 @@ public record RenderSettings(
     Optional<Crop> crop,
     boolean transparent,
     boolean adaptive,
+    int split,
     double clamp) {
 
   /** The largest allowed width and height. */
@@ -53,6 +56,9 @@ public record RenderSettings(
 
   /** The largest allowed depth, of each kind. */
   public static final int MAX_DEPTH = 1_000_000;
+
+  /** The most ways in which a path may go on. */
+  public static final int MAX_SPLIT = 256;
 
   /** The largest allowed number of threads. */
   public static final int MAX_THREADS = 1024;
@@ -69,6 +75,7 @@ public record RenderSettings(
     requireIn(0, MAX_DEPTH, refractionTraceDepth, "refractionTraceDepth");
     requireIn(0, MAX_THREADS, threads, "threads");
     requireIn(1, Integer.MAX_VALUE, bucketSize, "bucketSize");
+    requireIn(1, MAX_SPLIT, split, "split");
     if (!(clamp > 0)) {
       throw new IllegalArgumentException("clamp: expected more than 0, found " + clamp);
     }
@@ -149,6 +156,7 @@ public record RenderSettings(
     private Optional<Crop> crop = Optional.empty();
     private boolean transparent = false;
     private boolean adaptive = false;
+    private int split = 1;
     private double clamp = Double.POSITIVE_INFINITY;
 
     public Builder() {}
@@ -169,6 +177,7 @@ public record RenderSettings(
       crop = from.crop;
       transparent = from.transparent;
       adaptive = from.adaptive;
+      split = from.split;
       clamp = from.clamp;
     }
 
@@ -240,6 +249,11 @@ public record RenderSettings(
       return this;
     }
 
+    public Builder split(int value) {
+      split = value;
+      return this;
+    }
+
     public Builder clamp(double value) {
       clamp = value;
       return this;
@@ -265,6 +279,7 @@ public record RenderSettings(
           crop,
           transparent,
           adaptive,
+          split,
           clamp);
     }
   }

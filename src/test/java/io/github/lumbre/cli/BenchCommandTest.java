@@ -169,7 +169,17 @@ class BenchCommandTest {
         .assertFailed(ExitCodes.USAGE, "--paired: expected no --json");
     bench("--paired", "--adaptive", "--repeat", "11")
         .assertFailed(ExitCodes.USAGE, "--repeat: expected 12 to ");
-    bench("--paired").assertFailed(ExitCodes.USAGE, "--paired: expected --without or --adaptive");
+    bench("--paired")
+        .assertFailed(ExitCodes.USAGE, "--paired: expected --without, --adaptive or --split");
+  }
+
+  @Test
+  void pairsTellWhatSplitPathsBring() {
+    Outcome outcome = bench("--paired", "--split", "3", "-s", "2");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(outcome.out()).contains("Paths split into 3.");
+    assertThat(rows(outcome).get(0)).contains("| 16x12 | 2 | ").endsWith("| other |");
+    bench("--split", "0").assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 0");
   }
 
   /** A mesh of 2000 vertices and triangles takes a hundred kilobytes at least. */

@@ -14,7 +14,7 @@ final class BenchFixture {
       new BenchMachine(BenchmarkFixture.HARDWARE, List.of("-Xmx1g"), 1 << 30, List.of("GC"), .25);
 
   static final BenchPlan PLAN =
-      new BenchPlan(Optional.empty(), 4, List.of(1, 2), 2, 3, 2, Set.of(), false);
+      new BenchPlan(Optional.empty(), 4, List.of(1, 2), 2, 3, 2, Set.of(), false, 1);
 
   private BenchFixture() {}
 

@@ -58,6 +58,23 @@ class FilmCommandsTest {
   }
 
   @Test
+  void splitPathsAreGoneOnWith() throws IOException {
+    String[] split = {"-s", "20", "--split", "3"};
+    assertDone(render("whole.pfm", split));
+    assertDone(render("a.pfm", "-s", "9", "--split", "3", "--checkpoint", path("a.film")));
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "20"));
+    assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
+    assertDone(render("b.pfm", "-s", "20"));
+    assertThat(bytes("a.pfm")).isNotEqualTo(bytes("b.pfm"));
+    // Their samples are others than those of paths that go on in one way.
+    assertDone(render("c.pfm", "--samples-from", "20", "--checkpoint", path("c.film")));
+    Outcome.of("merge", path("a.film"), path("c.film"), "-o", path("d.film"))
+        .assertFailed(ExitCodes.SCENE, "split: ", "has 3", "has 1");
+    render("e.pfm", "--split", "2", "--mode", "ray")
+        .assertFailed(ExitCodes.USAGE, "--split: expected path mode, found ray");
+  }
+
+  @Test
   void resumedRenderReachesAnErrorWithTheSamplesOfOneThatWasNotStopped() throws IOException {
     assertThat(
             render("a.pfm", "--target-error", "1%", "-s", "40", "--checkpoint", path("a.film"))

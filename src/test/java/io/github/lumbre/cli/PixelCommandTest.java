@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.nio.file.Path;
@@ -61,6 +62,31 @@ class PixelCommandTest {
     pixel(TinyScene.JSON, "0,12").assertFailed(ExitCodes.USAGE, "y: expected 0 to 11");
     pixel(TinyScene.JSON, "0;1").assertFailed(ExitCodes.USAGE, "expected x,y in pixels");
     pixel(TinyScene.JSON, "0,1", "--sample", "-1").assertFailed(ExitCodes.USAGE, "--sample");
+  }
+
+  @Test
+  void splitPathsAreReplayed() {
+    JsonObject plain = json(corner("--json"));
+    JsonObject split = json(corner("--split", "5", "--json"));
+    assertThat(split.get("radiance")).isNotEqualTo(plain.get("radiance"));
+    JsonArray vertices = split.getAsJsonArray("vertices");
+    assertThat(vertices.get(0).getAsJsonObject().get("end").getAsString()).isEqualTo("goes_on");
+    assertThat(vertices.size()).isGreaterThan(plain.getAsJsonArray("vertices").size());
+    assertThat(vertices.get(vertices.size() - 1).getAsJsonObject().get("sum"))
+        .isEqualTo(split.get("radiance"));
+    pixel(TinyScene.JSON, "8,9", "--split", "257")
+        .assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 257");
+  }
+
+  private static Outcome corner(String... flags) {
+    Stream<String> first =
+        Stream.of("pixel", "scenes/cornell-box.json", "20,40", "--size", "64x48", "--sample", "1");
+    return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
+  }
+
+  private static JsonObject json(Outcome outcome) {
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    return JsonParser.parseString(outcome.out()).getAsJsonObject();
   }
 
   /** The warning of a render says what to type; typed, it tells of the same sample. */

@@ -49,9 +49,9 @@ class TradeCommandTest {
         JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
     assertThat(values.get("format").getAsString()).isEqualTo("lumbre-trade-2");
     int rows = values.getAsJsonArray("rows").size();
-    // Seven depths, ray tracing, one sampler, three strategies, four roulettes, three clamps; and
-    // the head.
-    assertThat(rows % 19).isZero();
+    // Seven depths, ray tracing, one sampler, three strategies, four roulettes, three splits, three
+    // clamps; and the head.
+    assertThat(rows % 22).isZero();
     assertThat(Files.readAllLines(directory.resolve("out.csv"))).hasSize(3 * rows + 1);
   }
 

@@ -7,6 +7,7 @@ import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.PathOptions;
 import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.integrator.PathVertex;
 import io.github.lumbre.integrator.PathVertex.End;
@@ -20,6 +21,7 @@ import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
@@ -41,19 +43,22 @@ class PixelReplayTest {
   /** Whoever watches a path does not change it: all bits are those of a render. */
   @ParameterizedTest
   @CsvSource({
-    "cornell-box, PATH",
-    "cornell-box-dome, PATH",
-    "cornell-box, RAY",
-    "glass-and-mirror, PATH",
-    "glass-and-mirror, RAY",
-    "camera-fisheye, PATH",
-    "table-13-voronoi, PATH"
+    "cornell-box, PATH, 1",
+    "cornell-box, PATH, 3",
+    "cornell-box-dome, PATH, 1",
+    "cornell-box-dome, PATH, 2",
+    "cornell-box, RAY, 1",
+    "glass-and-mirror, PATH, 1",
+    "glass-and-mirror, PATH, 4",
+    "glass-and-mirror, RAY, 1",
+    "camera-fisheye, PATH, 1",
+    "table-13-voronoi, PATH, 1"
   })
-  void replayedSamplesHaveTheBitsOfTheRender(String name, Mode mode) throws Exception {
+  void replayedSamplesHaveTheBitsOfTheRender(String name, Mode mode, int split) throws Exception {
     SceneFile file = scene(name, mode);
-    RenderSettings settings = file.settings();
+    RenderSettings settings = file.settings().toBuilder().split(split).build();
     Image image = new BucketRenderer(settings).render(file.scene());
-    Integrator integrator = integrator(file);
+    Integrator integrator = integrator(file.scene(), settings);
     PixelReplay replay = new PixelReplay(file.scene(), settings);
     Sampler sampler = new SobolSampler(settings.seed());
     Scratch scratch = new Scratch();
@@ -75,11 +80,10 @@ class PixelReplayTest {
     }
   }
 
-  private static Integrator integrator(SceneFile file) {
-    RenderSettings s = file.settings();
+  private static Integrator integrator(Scene scene, RenderSettings s) {
     return s.mode() == Mode.PATH
-        ? new PathTracer(file.scene(), s.maxTraceDepth())
-        : new RayTracer(file.scene(), s.reflectionTraceDepth(), s.refractionTraceDepth());
+        ? new PathTracer(scene, PathOptions.toDepth(s.maxTraceDepth()).splitInto(s.split()))
+        : new RayTracer(scene, s.reflectionTraceDepth(), s.refractionTraceDepth());
   }
 
   /** The contributions told are all there are; of a path, in the order in which it adds them. */

@@ -8,7 +8,9 @@ import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.Statistics;
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.LongFunction;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
@@ -82,6 +84,25 @@ class SobolSamplerTest {
     for (int i = n - 1; i >= 0; i--) {
       int[] a = addresses[i];
       assertThat(value(second, a[0], a[1], a[2], a[3])).isEqualTo(values[i]);
+    }
+  }
+
+  @Test
+  void partsOfASampleHaveTheNumbersOfMoreSamples() {
+    for (LongFunction<Sampler> samplers :
+        List.<LongFunction<Sampler>>of(SobolSampler::new, IndependentSampler::new)) {
+      Sampler whole = samplers.apply(5);
+      Sampler parted = samplers.apply(5);
+      for (int sample = 0; sample < 9; sample++) {
+        for (int part = 0; part < 3; part++) {
+          parted.startSample(4, 2, sample);
+          parted.startPart(2 - part, 3);
+          parted.startPart(part, 3);
+          whole.startSample(4, 2, 3 * sample + part);
+          assertThat(parted.get1d(12)).isEqualTo(whole.get1d(12));
+          assertThat(parted.get2d(20)).isEqualTo(whole.get2d(20));
+        }
+      }
     }
   }
 

@@ -32,6 +32,9 @@ public final class ScriptedSampler implements Sampler {
   public void startSample(int x, int y, int sample) {}
 
   @Override
+  public void startPart(int part, int parts) {}
+
+  @Override
   public double get1d(int dimension) {
     asked.add(dimension);
     Double value = values.get(dimension);

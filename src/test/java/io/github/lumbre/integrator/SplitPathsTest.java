@@ -1,0 +1,168 @@
+package io.github.lumbre.integrator;
+
+import static io.github.lumbre.integrator.TestScenes.at;
+import static io.github.lumbre.integrator.TestScenes.ceilingLamp;
+import static io.github.lumbre.integrator.TestScenes.empty;
+import static io.github.lumbre.integrator.TestScenes.floor;
+import static io.github.lumbre.integrator.TestScenes.glass;
+import static io.github.lumbre.integrator.TestScenes.glow;
+import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
+import static io.github.lumbre.integrator.TestScenes.matte;
+import static io.github.lumbre.integrator.TestScenes.point;
+import static io.github.lumbre.integrator.TestScenes.sphere;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import io.github.lumbre.geometry.Box;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.material.CookTorrance;
+import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.testing.Effort;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Paths that go on in several ways find the same light, with less noise where most of it comes from
+ * other surfaces.
+ *
+ * <p>Each mean is known to a percent or better, so one of the ways too many or too few, or light
+ * from a lamp counted twice, is told apart.
+ */
+class SplitPathsTest {
+  private static final Ray VIEW = lookingDownAt(.3);
+
+  private static Scene corner() {
+    return empty()
+        .add(floor(), matte(.7))
+        .add(new Box(at(2, 1, 0), 1, 2, 3), matte(.8))
+        .add(new Box(at(-2, 1.5, 0), 1, 3, 3), matte(.6))
+        .add(sphere(.3, 1, -1, .4), matte(.9))
+        .addLamp(ceilingLamp(2, 2, 4), glow(1))
+        .build();
+  }
+
+  private static Scene nearLamps() {
+    // Wide and close: half of their light is found by scattered rays.
+    return empty()
+        .add(floor(), matte(.5))
+        .add(new Box(at(1.1, .35, 0), 1, .7, 2), matte(.9))
+        .add(new Box(at(-.5, .35, 0), 1, .7, 2), matte(.9))
+        .addLamp(ceilingLamp(6, 6, 1), glow(1))
+        .addLamp(sphere(.4, .3, .6, .2), glow(3))
+        .build();
+  }
+
+  private static Scene behindGlass() {
+    return empty()
+        .add(floor(), matte(.6))
+        .add(sphere(.3, .05, 0, .04), glass(1.5))
+        .add(new Box(at(1, .5, 0), .2, 1, 2), matte(.8))
+        .add(point(new Vec3(-1, 2, 1), 3))
+        .addLamp(ceilingLamp(3, 3, 4), glow(1))
+        .build();
+  }
+
+  private static Scene glossyUnderDome() {
+    Texture<Rgb> grey = Texture.constant(Rgb.grey(.4));
+    return empty()
+        .add(
+            floor(),
+            new CookTorrance(
+                grey,
+                grey,
+                ScalarTexture.constant(.2),
+                ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
+                Kind.GGX))
+        .add(new Box(at(1.5, .5, 0), 1, 1, 1), matte(.7))
+        .add(
+            EnvironmentLight.image(
+                Frame.WORLD, (u, v) -> Rgb.grey(v > .5 && u > .4 && u < .8 ? 2 : .1), 20, 10))
+        .build();
+  }
+
+  static Stream<Arguments> scenes() {
+    return Stream.of(
+        Arguments.of("corner", corner(), VIEW),
+        Arguments.of("near lamps", nearLamps(), VIEW),
+        Arguments.of("behind glass", behindGlass(), lookingDownAt(.3, 1)),
+        Arguments.of("glossy under a dome", glossyUnderDome(), VIEW));
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("scenes")
+  void splitPathsFindTheSameLight(String name, Scene scene, Ray view) {
+    int samples = Effort.count(64, 4096);
+    PathOptions plain = PathOptions.toDepth(6);
+    Estimate one = estimate(scene, plain, view, samples);
+    assertThat(one.error()).isLessThan(.02 * one.mean());
+    for (int ways : new int[] {2, 3, 8}) {
+      // Roulette from the first vertex on ends some of the ways and not the others.
+      for (int firstRoulette : new int[] {0, PathOptions.FIRST_ROULETTE}) {
+        PathOptions options = plain.splitInto(ways).rouletteFrom(firstRoulette);
+        Estimate split = estimate(scene, options, view, samples);
+        assertThat(split.z(one))
+            .as("%s in %d ways: %s %s", name, ways, one, split)
+            .isLessThan(Estimate.CRITICAL);
+      }
+    }
+  }
+
+  private static Estimate estimate(Scene scene, PathOptions options, Ray view, int samples) {
+    long seed = Effort.seed(31 * options.split() + options.firstRoulette());
+    return Estimate.of(new PathTracer(scene, options), view, samples, seed);
+  }
+
+  /** Where all light comes from other surfaces, four ways are as good as four samples. */
+  @Test
+  void waysTakeNoiseOffAsSamplesDo() {
+    Scene scene = corner();
+    for (int firstRoulette : new int[] {0, PathOptions.FIRST_ROULETTE}) {
+      PathOptions plain = PathOptions.toDepth(3).rouletteFrom(firstRoulette);
+      Estimate one = estimate(scene, plain, VIEW, 16);
+      Estimate four = estimate(scene, plain.splitInto(4), VIEW, 16);
+      Estimate sixtyFour = estimate(scene, plain, VIEW, 64);
+      // Errors of 256 replicates are known to 4.4 %, so a factor of 1.3 is 4 standard errors.
+      assertThat(four.error()).isLessThan(one.error() / 1.3);
+      assertThat(four.error()).isBetween(sixtyFour.error() / 1.3, sixtyFour.error() * 1.3);
+    }
+  }
+
+  /** Only the vertex that is lit first is split: a chain of splits would take ages. */
+  @Test
+  void pathsAreSplitOnce() {
+    Scene scene = corner();
+    Scratch plain = raysOf(scene, 1);
+    Scratch split = raysOf(scene, 4);
+    assertThat(split.rays()).isBetween(3 * plain.rays() / 2, 4 * plain.rays());
+    assertThat(split.shadowRays()).isBetween(3 * plain.shadowRays() / 2, 4 * plain.shadowRays());
+  }
+
+  private static Scratch raysOf(Scene scene, int ways) {
+    PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(5).splitInto(ways));
+    SobolSampler sampler = new SobolSampler(3);
+    Scratch scratch = new Scratch();
+    for (int sample = 0; sample < 1000; sample++) {
+      sampler.startSample(0, 0, sample);
+      tracer.radiance(VIEW, sampler, scratch);
+    }
+    return scratch;
+  }
+
+  @Test
+  void aPathGoesOnInOneWayAtLeast() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> PathOptions.toDepth(5).splitInto(0))
+        .withMessage("split: expected at least 1, found 0");
+  }
+}
