@@ -291,6 +291,8 @@ class Comparison:
         names = list(self.javas) + (["Embree", "Embree, robust"] if self.has_embree else [])
         models = os.path.join(self.home, "scenes", "models")
         meshes = {
+            "tumbler": rays.read_obj(os.path.join(models, "tumbler.obj")),
+            "wine glass": rays.read_obj(os.path.join(models, "wine-glass.obj")),
             "frog": rays.read_obj(os.path.join(models, "frog.obj")),
             "armoured figure": rays.read_obj(os.path.join(models, "armoured-figure.obj")),
             "wavy ball": scenes.ball(1_000_000),
