@@ -93,7 +93,7 @@ public record PathVertex(
 
   /** Whether and why a path ends. */
   public enum End {
-    /** It goes on, in ray mode perhaps several ways. */
+    /** It goes on, in ray mode or where it is split perhaps in several ways. */
     GOES_ON,
     /** The ray meets nothing. */
     ESCAPED,
