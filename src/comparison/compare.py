@@ -107,9 +107,8 @@ class Comparison:
         path, width, height = self.scenes[scene]
         if server.name.startswith("Sunflow"):
             path = self.sunflow_file(scene)
-        words = ["load", path, width, height, DEPTH]
-        ways = [ways_of(server.name)] if ", split" in server.name else []
-        server.ask(*words, *ways)
+        ways = [ways_of(server.name)] if server.name.startswith("Lumbre") else []
+        server.ask("load", path, width, height, DEPTH, *ways)
 
     def warm(self, server, samples=4):
         """Warms up; returns how many samples a pixel take about the time asked for."""

@@ -118,7 +118,7 @@ final class FilmNotes {
     metadata.put("Scene", String.valueOf(scene().getFileName()));
     metadata.put("SceneHash", identity(FilmHeader.SCENE_HASH, Function.identity()));
     metadata.put("Mode", identity(FilmHeader.MODE, Function.identity()));
-    if (header.identity().containsKey(FilmHeader.SPLIT)) {
+    if (isSplit()) {
       metadata.put("Split", identity(FilmHeader.SPLIT, Function.identity()));
     }
     metadata.put("Seed", identity(FilmHeader.SEED, Function.identity()));
@@ -142,8 +142,7 @@ final class FilmNotes {
     FlagConverters.Size size = identity(FilmHeader.SIZE, new FlagConverters.OfSize()::convert);
     long seed = identity(FilmHeader.SEED, Long::valueOf);
     int[] depths = identity(FilmHeader.DEPTH, FilmNotes::depths);
-    boolean isSplit = header.identity().containsKey(FilmHeader.SPLIT);
-    int split = isSplit ? identity(FilmHeader.SPLIT, Integer::valueOf) : 1;
+    int split = isSplit() ? identity(FilmHeader.SPLIT, FilmNotes::ways) : 1;
     int samples = samples();
     Exposure exposure = exposure();
     ToneCurve toneCurve = toneCurve();
@@ -167,6 +166,19 @@ final class FilmNotes {
               change.accept(builder);
               return builder.build();
             });
+  }
+
+  private boolean isSplit() {
+    return header.identity().containsKey(FilmHeader.SPLIT);
+  }
+
+  private static int ways(String text) {
+    int ways = Integer.parseInt(text);
+    if (ways < 1 || ways > RenderSettings.MAX_SPLIT) {
+      throw new IllegalArgumentException(
+          "expected 1 to " + RenderSettings.MAX_SPLIT + ", found " + text);
+    }
+    return ways;
   }
 
   private static int[] depths(String text) {

@@ -60,9 +60,9 @@ final class RenderFlags {
       names = "--split",
       paramLabel = "N",
       description = {
-        "Path mode: let each path go on in so many ways from its first surface that is no mirror"
-            + " (1).",
-        "Less noise in the same time where light between surfaces makes it; see 'lumbre trade'."
+        "Path mode: let each path go on in so many ways (1) from its first surface that is no",
+        "mirror or clear glass. Less noise in the same time where light between surfaces makes"
+            + " it; see 'lumbre trade'."
       })
   private Optional<Integer> split;
 

@@ -49,7 +49,8 @@ public interface Sampler {
   /**
    * Moves to a part of the sample that was started last: from here on its numbers are those of
    * sample {@code sample * parts + part}, so that the parts of one sample, and of all the samples
-   * of a pixel, are spread among each other as samples are.
+   * of a pixel, are spread among each other as samples are. Numbers of samples are taken modulo
+   * 2^32: beyond, they come again.
    *
    * @param part 0 to {@code parts - 1}
    * @param parts how many the sample has, the same for all samples of a pixel

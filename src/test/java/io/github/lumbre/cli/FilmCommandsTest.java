@@ -157,6 +157,19 @@ class FilmCommandsTest {
   }
 
   @Test
+  void filmsOfImpossibleSplitsAreNotGoneOnWith() throws IOException {
+    assertDone(render("a.pfm", "-s", "3", "--split", "2", "--checkpoint", path("a.film")));
+    FilmFile film = FilmFile.read(directory.resolve("a.film"));
+    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
+    identity.put(FilmHeader.SPLIT, "0");
+    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
+      file.save(FilmFile.of(identity, film.film(), film.header().notes(), film.header().faults()));
+    }
+    Outcome.of("resume", path("a.film"))
+        .assertFailed(ExitCodes.SCENE, "split in its header: expected 1 to 256, found 0");
+  }
+
+  @Test
   void renderStoppedAtAnyTimeIsGoneOnWith() throws IOException {
     Outcome outcome =
         render("a.pfm", "-s", "20000", "--timeout", "1s", "--checkpoint", path("a.film"));

@@ -36,8 +36,8 @@ import org.junit.jupiter.params.provider.MethodSource;
  * Paths that go on in several ways find the same light, with less noise where most of it comes from
  * other surfaces.
  *
- * <p>Each mean is known to a percent or better, so one of the ways too many or too few, or light
- * from a lamp counted twice, is told apart.
+ * <p>Each mean is known to two percent or better: of two ways, one too many or too few is told
+ * apart, and so is light from a lamp that is counted twice.
  */
 class SplitPathsTest {
   private static final Ray VIEW = lookingDownAt(.3);
@@ -123,7 +123,7 @@ class SplitPathsTest {
     return Estimate.of(new PathTracer(scene, options), view, samples, seed);
   }
 
-  /** Where all light comes from other surfaces, four ways are as good as four samples. */
+  /** Where most of the noise is in light from other surfaces, four ways are as four samples. */
   @Test
   void waysTakeNoiseOffAsSamplesDo() {
     Scene scene = corner();
