@@ -27,6 +27,11 @@ final class Axes {
     return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
   }
 
+  /** Returns the sum of three numbers' sizes. */
+  static double sum(double x, double y, double z) {
+    return Math.abs(x) + Math.abs(y) + Math.abs(z);
+  }
+
   /** Returns the axis after another: y after x, z after y, x after z. */
   static int next(int axis) {
     return 0b00_10_01 >> 2 * axis & 3;

@@ -81,7 +81,8 @@ final class BinaryTraversal implements Traversal {
     double outZ = oz - Math.copySign(margin, iz);
     ShearedRay sheared = nearest.wideRay();
     if (hasTriangles) {
-      sheared.shear(ox, oy, oz, dx, dy, dz);
+      sheared.take(ox, oy, oz, dx, dy, dz);
+      sheared.shear();
     }
     boolean found = false;
     int best = rank(nearest.t);

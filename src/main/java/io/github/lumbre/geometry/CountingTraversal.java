@@ -54,7 +54,8 @@ final class CountingTraversal implements Traversal {
       this.direction = direction;
       this.nearest = nearest;
       margin = BvhItems.MARGIN * Axes.largest(origin[0], origin[1], origin[2]);
-      sheared.shear(origin[0], origin[1], origin[2], direction[0], direction[1], direction[2]);
+      sheared.take(origin[0], origin[1], origin[2], direction[0], direction[1], direction[2]);
+      sheared.shear();
     }
 
     /** Tells whether something below the node was hit and stored. */

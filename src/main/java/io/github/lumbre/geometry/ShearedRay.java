@@ -23,18 +23,22 @@ class ShearedRay {
   double sy;
   double sz;
 
-  /** Coordinates, to be chosen from by an axis' number without a branch. */
+  /** Origin and direction, to be chosen from by an axis' number without a branch. */
   private final double[] axes = new double[6];
 
-  /** Takes a ray: its origin, and its direction, of any length but not zero. */
-  final void shear(double x, double y, double z, double dx, double dy, double dz) {
+  /** Takes a ray, to be sheared: its origin, and its direction, of any length but not zero. */
+  final void take(double x, double y, double z, double dx, double dy, double dz) {
     axes[0] = x;
     axes[1] = y;
     axes[2] = z;
     axes[3] = dx;
     axes[4] = dy;
     axes[5] = dz;
-    kz = Axes.longest(dx, dy, dz);
+  }
+
+  /** Shears the ray that was taken last. */
+  final void shear() {
+    kz = Axes.longest(axes[3], axes[4], axes[5]);
     kx = Axes.next(kz);
     ky = Axes.next(kx);
     ox = axes[kx];

@@ -46,6 +46,11 @@ final class UnitSpace {
     slack = isInReach ? slack(INSIDE, worldReach) : 0;
   }
 
+  /** Tells whether a point of this space is inside, and in the reach of floats. */
+  boolean isInside(double x, double y, double z) {
+    return Math.abs(x) <= INSIDE && Math.abs(y) <= INSIDE && Math.abs(z) <= INSIDE && isInReach;
+  }
+
   /**
    * Returns what coordinates of boxes and of a ray's origin may be wrong by together.
    *

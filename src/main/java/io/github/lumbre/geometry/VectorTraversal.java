@@ -12,18 +12,23 @@ import jdk.incubator.vector.VectorSpecies;
  * precision as everywhere. The only class that needs the module jdk.incubator.vector.
  *
  * <p>Its shape is what the compiler turns into good machine code, as docs/design.md tells: no
- * method takes or returns vectors, so that the test of a node stands here twice; no masks are used,
- * and no loop over nodes calls anything.
+ * method takes or returns vectors, so that the test of a node stands here twice; no masks are used
+ * where they are allocated, and no loop over nodes calls anything.
  */
 final class VectorTraversal implements Traversal {
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
   private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
 
-  /** What a comparison makes of eight lanes: the bytes of a long, 1 or 0. */
+  /**
+   * Whether the compiler makes masks without allocating them. What a comparison makes of eight
+   * lanes is then the bits of a long, otherwise its bytes, 1 or 0.
+   */
+  private static final boolean MASKS = Runtime.version().feature() >= 25;
+
   private static final VectorSpecies<Byte> BYTES = ByteVector.SPECIES_128;
 
   /** From a bit of that long to its lane. */
-  private static final int LANE_SHIFT = 3;
+  private static final int LANE_SHIFT = MASKS ? 0 : 3;
 
   private static final int WIDTH = WideTree.WIDTH;
   private static final int CHILDREN = WideTree.CHILDREN;
@@ -42,7 +47,6 @@ final class VectorTraversal implements Traversal {
   private final Triangles triangles;
   private final LeafShapes shapes;
   private final UnitSpace space;
-  private final boolean hasTriangles;
 
   VectorTraversal(WideTree tree) {
     nodes = tree.nodes();
@@ -50,7 +54,6 @@ final class VectorTraversal implements Traversal {
     triangles = tree.triangles();
     shapes = tree.shapes();
     space = tree.space();
-    hasTriangles = leaves.length > WIDTH;
   }
 
   /** Returns how many floats a vector of this processor holds. */
@@ -62,7 +65,7 @@ final class VectorTraversal implements Traversal {
   public boolean traverse(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
     WideRay ray = nearest.wideRay();
-    if (!ray.aim(space, hasTriangles, ox, oy, oz, dx, dy, dz)) {
+    if (!ray.aim(space, ox, oy, oz, dx, dy, dz)) {
       return false;
     }
     ray.endAt(nearest.t);
@@ -178,14 +181,16 @@ final class VectorTraversal implements Traversal {
                       .reinterpretAsInts()
                       .min(last));
       long hits =
-          ((ByteVector)
-                  far.sub(near.sub(EXIT_ULPS))
-                      .or(far)
-                      .not()
-                      .lanewise(VectorOperators.LSHR, 31)
-                      .convertShape(VectorOperators.I2B, BYTES, 0))
-              .reinterpretAsLongs()
-              .lane(0);
+          MASKS
+              ? near.compare(VectorOperators.LE, far.add(EXIT_ULPS)).toLong()
+              : ((ByteVector)
+                      far.sub(near.sub(EXIT_ULPS))
+                          .or(far)
+                          .not()
+                          .lanewise(VectorOperators.LSHR, 31)
+                          .convertShape(VectorOperators.I2B, BYTES, 0))
+                  .reinterpretAsLongs()
+                  .lane(0);
       if (hits == 0) {
         do {
           top--;
@@ -294,14 +299,16 @@ final class VectorTraversal implements Traversal {
                       .reinterpretAsInts()
                       .min(last));
       long hits =
-          ((ByteVector)
-                  far.sub(near.sub(EXIT_ULPS))
-                      .or(far)
-                      .not()
-                      .lanewise(VectorOperators.LSHR, 31)
-                      .convertShape(VectorOperators.I2B, BYTES, 0))
-              .reinterpretAsLongs()
-              .lane(0);
+          MASKS
+              ? near.compare(VectorOperators.LE, far.add(EXIT_ULPS)).toLong()
+              : ((ByteVector)
+                      far.sub(near.sub(EXIT_ULPS))
+                          .or(far)
+                          .not()
+                          .lanewise(VectorOperators.LSHR, 31)
+                          .convertShape(VectorOperators.I2B, BYTES, 0))
+                  .reinterpretAsLongs()
+                  .lane(0);
       if (hits == 0) {
         node = stack[--top];
         continue;
@@ -323,6 +330,10 @@ final class VectorTraversal implements Traversal {
     }
     int first = LeafRef.first(leaf);
     long candidates = candidates(first, LeafRef.count(leaf), ray);
+    if (candidates == 0) {
+      return false;
+    }
+    ray.shear();
     boolean found = false;
     while (candidates != 0) {
       int i = first + (Long.numberOfTrailingZeros(candidates) >>> LANE_SHIFT);
@@ -332,65 +343,74 @@ final class VectorTraversal implements Traversal {
     return found;
   }
 
-  /** Returns a byte for each triangle of a leaf: 1 if it may be hit before the ray's end. */
+  /**
+   * Returns for each triangle of a leaf, as {@link #MASKS} tells, whether it may be hit before the
+   * ray's end: Möller &amp; Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection",
+   * without the division. What its numbers may be wrong by is derived in docs/design.md.
+   */
   private long candidates(int first, int count, WideRay ray) {
     float[] p = leaves;
-    int base = first * WideTree.TRIANGLE_SIZE;
-    int x = base + ray.kx * count;
-    int y = base + ray.ky * count;
-    int z = base + ray.kz * count;
-    int next = 3 * count;
-    float ox = ray.x;
-    float oy = ray.y;
-    float oz = ray.z;
-    float sx = (float) ray.sx;
-    float sy = (float) ray.sy;
-    FloatVector az = FloatVector.fromArray(FLOATS, p, z).sub(oz);
-    FloatVector bz = FloatVector.fromArray(FLOATS, p, z + next).sub(oz);
-    FloatVector cz = FloatVector.fromArray(FLOATS, p, z + 2 * next).sub(oz);
-    FloatVector ax = FloatVector.fromArray(FLOATS, p, x).sub(ox).sub(az.mul(sx));
-    FloatVector ay = FloatVector.fromArray(FLOATS, p, y).sub(oy).sub(az.mul(sy));
-    FloatVector bx = FloatVector.fromArray(FLOATS, p, x + next).sub(ox).sub(bz.mul(sx));
-    FloatVector by = FloatVector.fromArray(FLOATS, p, y + next).sub(oy).sub(bz.mul(sy));
-    FloatVector cx = FloatVector.fromArray(FLOATS, p, x + 2 * next).sub(ox).sub(cz.mul(sx));
-    FloatVector cy = FloatVector.fromArray(FLOATS, p, y + 2 * next).sub(oy).sub(cz.mul(sy));
-    // The edge functions do not differ in sign by more than they are wrong by.
-    FloatVector u = cx.mul(by).sub(cy.mul(bx));
-    FloatVector v = ax.mul(cy).sub(ay.mul(cx));
-    FloatVector w = bx.mul(ay).sub(by.mul(ax));
-    FloatVector room =
-        FloatVector.fromArray(FLOATS, p, base + 9 * count).mul(ray.tolerance).add(ray.floor);
-    IntVector below = u.add(room).reinterpretAsInts().or(v.add(room).reinterpretAsInts());
-    IntVector above = room.sub(u).reinterpretAsInts().or(room.sub(v).reinterpretAsInts());
-    below = below.or(w.add(room).reinterpretAsInts());
-    above = above.or(room.sub(w).reinterpretAsInts());
-    // The hit lies neither behind the origin nor beyond the end, with depths times the determinant.
-    IntVector determinant = u.add(v).add(w).reinterpretAsInts();
-    IntVector size = determinant.and(Integer.MAX_VALUE);
-    FloatVector along =
-        cz.fma(w, bz.fma(v, az.mul(u)))
+    int at = first * WideTree.TRIANGLE_SIZE;
+    FloatVector dx = FloatVector.broadcast(FLOATS, ray.dx);
+    FloatVector dy = FloatVector.broadcast(FLOATS, ray.dy);
+    FloatVector dz = FloatVector.broadcast(FLOATS, ray.dz);
+    FloatVector ax = FloatVector.fromArray(FLOATS, p, at).sub(ray.x);
+    FloatVector ay = FloatVector.fromArray(FLOATS, p, at + count).sub(ray.y);
+    FloatVector az = FloatVector.fromArray(FLOATS, p, at + 2 * count).sub(ray.z);
+    FloatVector bx = FloatVector.fromArray(FLOATS, p, at + 3 * count);
+    FloatVector by = FloatVector.fromArray(FLOATS, p, at + 4 * count);
+    FloatVector bz = FloatVector.fromArray(FLOATS, p, at + 5 * count);
+    FloatVector cx = FloatVector.fromArray(FLOATS, p, at + 6 * count);
+    FloatVector cy = FloatVector.fromArray(FLOATS, p, at + 7 * count);
+    FloatVector cz = FloatVector.fromArray(FLOATS, p, at + 8 * count);
+    FloatVector nx = FloatVector.fromArray(FLOATS, p, at + 9 * count);
+    FloatVector ny = FloatVector.fromArray(FLOATS, p, at + 10 * count);
+    FloatVector nz = FloatVector.fromArray(FLOATS, p, at + 11 * count);
+    FloatVector spread = FloatVector.fromArray(FLOATS, p, at + 12 * count);
+    // The edge functions, and t times the determinant, with the sign that makes that positive.
+    FloatVector rx = ay.mul(dz).sub(az.mul(dy));
+    FloatVector ry = az.mul(dx).sub(ax.mul(dz));
+    FloatVector rz = ax.mul(dy).sub(ay.mul(dx));
+    IntVector signed = nz.fma(dz, ny.fma(dy, nx.mul(dx))).reinterpretAsInts();
+    IntVector unsigned = signed.and(Integer.MAX_VALUE);
+    IntVector sign = signed.sub(unsigned);
+    FloatVector determinant = unsigned.reinterpretAsFloats();
+    FloatVector v =
+        rz.fma(cz, ry.fma(cy, rx.mul(cx)))
             .reinterpretAsInts()
-            .lanewise(VectorOperators.XOR, determinant.sub(size))
-            .lanewise(VectorOperators.XOR, ray.depthSign)
+            .lanewise(VectorOperators.XOR, sign)
             .reinterpretAsFloats();
-    FloatVector end = FloatVector.broadcast(FLOATS, ray.lastDepth);
-    FloatVector slack = FloatVector.broadcast(FLOATS, ray.depthSlack);
-    FloatVector depthRoom = room.mul(ray.depthRoom);
-    IntVector behind =
-        size.reinterpretAsFloats().fma(slack, depthRoom).add(along).reinterpretAsInts();
-    IntVector beyond =
-        size.reinterpretAsFloats().fma(end, depthRoom).sub(along).reinterpretAsInts();
+    FloatVector minusW =
+        rz.fma(bz, ry.fma(by, rx.mul(bx)))
+            .reinterpretAsInts()
+            .lanewise(VectorOperators.XOR, sign)
+            .reinterpretAsFloats();
+    FloatVector depth =
+        az.fma(nz, ay.fma(ny, ax.mul(nx)))
+            .reinterpretAsInts()
+            .lanewise(VectorOperators.XOR, sign)
+            .reinterpretAsFloats();
+    // None is negative, and the depth not beyond the end's, by more than they are wrong by.
+    FloatVector room = spread.mul(ray.edgeError).add(ray.edgeFloor);
+    FloatVector depthRoom = spread.mul(spread).mul(ray.depthError).add(ray.depthFloor);
+    FloatVector end = FloatVector.broadcast(FLOATS, ray.end);
+    IntVector outside =
+        v.add(room)
+            .reinterpretAsInts()
+            .or(room.sub(minusW).reinterpretAsInts())
+            .or(determinant.sub(v).add(minusW).add(room.add(room)).reinterpretAsInts())
+            .or(depth.add(depthRoom).reinterpretAsInts())
+            .or(determinant.fma(end, depthRoom).sub(depth).reinterpretAsInts());
     long hits =
-        ((ByteVector)
-                below
-                    .and(above)
-                    .or(behind)
-                    .or(beyond)
-                    .not()
-                    .lanewise(VectorOperators.LSHR, 31)
-                    .convertShape(VectorOperators.I2B, BYTES, 0))
-            .reinterpretAsLongs()
-            .lane(0);
+        MASKS
+            ? outside.compare(VectorOperators.GE, 0).toLong()
+            : ((ByteVector)
+                    outside
+                        .not()
+                        .lanewise(VectorOperators.LSHR, 31)
+                        .convertShape(VectorOperators.I2B, BYTES, 0))
+                .reinterpretAsLongs()
+                .lane(0);
     return hits & -1L >>> Long.SIZE - (count << LANE_SHIFT);
   }
 }

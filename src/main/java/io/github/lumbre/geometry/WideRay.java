@@ -1,9 +1,8 @@
 package io.github.lumbre.geometry;
 
 /**
- * A ray as the floats of a {@link WideTree} are compared with it: in the tree's space, where t is
- * measured along the longest axis of the direction. Mutable scratch memory, aimed anew for every
- * search.
+ * A ray as the floats of a {@link WideTree} are compared with it, in the tree's space. Mutable
+ * scratch memory, aimed anew for every search.
  *
  * <p>The bounds of all errors are derived in docs/design.md.
  */
@@ -17,7 +16,7 @@ final class WideRay extends ShearedRay {
   /** Beyond this distance an origin is moved nearer. */
   private static final double NEAR = 4;
 
-  /** A t beyond all; its depth times the size of a triangle is finite. */
+  /** A t beyond all; times the determinant of a triangle it is finite. */
   private static final float FAR = 0x1p100f;
 
   /** The lengths of directions that floats take as they are, as most are. */
@@ -52,34 +51,37 @@ final class WideRay extends ShearedRay {
   float outY;
   float outZ;
 
-  /** The origin in the tree's space, along the axes of {@link ShearedRay}. */
+  /** The origin and the direction in the tree's space, for triangles. */
   float x;
 
   float y;
   float z;
+  float dx;
+  float dy;
+  float dz;
 
-  /** What edge functions may be wrong by: relative to the triangle's size, and at least. */
-  float tolerance;
+  /** What edge functions may be wrong by: in units of the triangle's spread, and besides. */
+  float edgeError;
 
-  float floor;
+  float edgeFloor;
 
-  /** The sign bit of the direction along kz, and how far t = 1 reaches along it. */
-  int depthSign;
+  /** What t times the determinant may be wrong by: in units of the spread's square, and besides. */
+  float depthError;
 
-  float depth;
+  float depthFloor;
 
-  /** What depths may be wrong by: absolutely, and in units of what edge functions may be. */
-  float depthSlack;
+  /** The t beyond which nothing is looked for any more, and its bits. */
+  float end;
 
-  float depthRoom;
-
-  /** The bits of a t beyond which nothing is looked for any more, and its depth. */
   int last;
-
-  float lastDepth;
 
   /** What coordinates of boxes and of the origin may be wrong by. */
   private float slack;
+
+  /** What edge functions may be wrong by for a direction of length 1. */
+  private float edgeErrorOfUnit;
+
+  private float edgeFloorOfUnit;
 
   /** The space for all rays from inside of which the errors are set; null if they are others. */
   private UnitSpace inside;
@@ -89,30 +91,14 @@ final class WideRay extends ShearedRay {
 
   private double tOffset;
 
-  /** The origin in the tree's space, to be chosen from by an axis' number without a branch. */
-  private final double[] axes = new double[3];
-
-  /**
-   * Takes a ray.
-   *
-   * @param hasTriangles whether it is to be compared with triangles, not with boxes alone
-   * @return whether it can meet anything
-   */
-  boolean aim(
-      UnitSpace space,
-      boolean hasTriangles,
-      double ox,
-      double oy,
-      double oz,
-      double dx,
-      double dy,
-      double dz) {
+  /** Takes a ray; tells whether it can meet anything. */
+  boolean aim(UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
+    take(ox, oy, oz, dx, dy, dz);
     double px = (ox - space.centreX) * space.scale;
     double py = (oy - space.centreY) * space.scale;
     double pz = (oz - space.centreZ) * space.scale;
-    double longest = Axes.largest(dx, dy, dz);
-    double reach = Axes.largest(px, py, pz);
-    if (reach <= UnitSpace.INSIDE && longest >= SHORT && longest <= LONG && space.isInReach) {
+    double length = Axes.sum(dx, dy, dz);
+    if (length >= SHORT && length <= LONG && space.isInside(px, py, pz)) {
       // As nearly all rays: what floats may be wrong by is the same for all of them.
       if (inside != space) {
         setErrors(UnitSpace.INSIDE, space.worldReach);
@@ -120,26 +106,15 @@ final class WideRay extends ShearedRay {
         tOffset = 0;
         inside = space;
       }
-      depth = (float) longest * GROWTH;
-      setSlabs(px, py, pz, atLeast(dx), atLeast(dy), atLeast(dz));
-      if (hasTriangles) {
-        shear(ox, oy, oz, dx, dy, dz, px, py, pz);
-      }
+      setSlabs(px, py, pz, dx, dy, dz);
       return true;
     }
-    return aimFromAnywhere(space, hasTriangles, ox, oy, oz, dx, dy, dz);
+    return aimFromAnywhere(space, ox, oy, oz, dx, dy, dz);
   }
 
   /** Takes a ray of any length from anywhere, as {@link #aim} does. */
   private boolean aimFromAnywhere(
-      UnitSpace space,
-      boolean hasTriangles,
-      double ox,
-      double oy,
-      double oz,
-      double dx,
-      double dy,
-      double dz) {
+      UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
     inside = null;
     double px = (ox - space.centreX) * space.scale;
     double py = (oy - space.centreY) * space.scale;
@@ -151,15 +126,16 @@ final class WideRay extends ShearedRay {
       unit = power(-Math.getExponent(longest));
       perUnit = power(Math.getExponent(longest));
     }
-    double ux = atLeast(dx * unit);
-    double uy = atLeast(dy * unit);
-    double uz = atLeast(dz * unit);
+    double ux = dx * unit;
+    double uy = dy * unit;
+    double uz = dz * unit;
     double reach = Axes.largest(px, py, pz);
     double worldReach = Axes.largest(ox, oy, oz) * space.scale + space.centreReach;
     double start = 0;
     boolean isOfLength = unit <= MAX_UNIT && perUnit <= MAX_UNIT;
     if (reach > NEAR && isOfLength) {
-      start = entry(px, py, pz, ux, uy, uz, 2 + 0x1p-46 * worldReach);
+      double room = 2 + 0x1p-46 * worldReach;
+      start = entry(px, py, pz, atLeast(ux), atLeast(uy), atLeast(uz), room);
       if (start < 0) {
         return false;
       }
@@ -172,7 +148,6 @@ final class WideRay extends ShearedRay {
     tScale = perUnit * space.scale * GROWTH;
     tOffset = start * (0x1p-48 - GROWTH);
     setErrors(reach, worldReach);
-    depth = (float) (longest * unit) * GROWTH;
     if (!(worldReach <= UnitSpace.REACH && isOfLength)) {
       lookAtAll();
       px = 0;
@@ -184,9 +159,6 @@ final class WideRay extends ShearedRay {
     }
     setSlabs(px, py, pz, ux, uy, uz);
     widenSlabs();
-    if (hasTriangles) {
-      shear(ox, oy, oz, dx, dy, dz, px, py, pz);
-    }
     return true;
   }
 
@@ -200,34 +172,45 @@ final class WideRay extends ShearedRay {
    */
   private void setErrors(double reach, double worldReach) {
     double size = 1 + reach + 0x1p-24 * worldReach;
+    double ofDoubles = 0x1p-48 * (1 + reach + worldReach);
     slack = (float) UnitSpace.slack(reach, worldReach);
-    tolerance = (float) (0x1p-17 * size);
-    floor = (float) (0x1p-37 * size * size);
-    depthSlack = 4 * slack;
-    depthRoom = (float) (8 * size);
+    edgeErrorOfUnit = (float) (24 * 0x1p-24 * size);
+    edgeFloorOfUnit = (float) (ofDoubles * ofDoubles);
+    depthError = (float) (72 * 0x1p-24 * size);
+    depthFloor = (float) (80 * size * size * ofDoubles);
   }
 
-  /** Takes a ray that is out of the reach of floats: a slack makes up for all. */
+  /** Takes a ray that is out of the reach of floats: errors without bound make up for all. */
   private void lookAtAll() {
     tScale = Double.POSITIVE_INFINITY;
     tOffset = 0;
-    tolerance = 0;
-    floor = Float.POSITIVE_INFINITY;
-    depth = 1;
+    edgeErrorOfUnit = 0;
+    edgeFloorOfUnit = Float.POSITIVE_INFINITY;
+    depthError = 0;
+    depthFloor = Float.POSITIVE_INFINITY;
     slack = 0x1p60f;
   }
 
-  /** Takes the ray for boxes that are widened by what it may be wrong by. */
+  /** Takes the ray for triangles, and for boxes that are widened by what it may be wrong by. */
   private void setSlabs(double px, double py, double pz, double ux, double uy, double uz) {
+    x = (float) px;
+    y = (float) py;
+    z = (float) pz;
+    dx = (float) ux;
+    dy = (float) uy;
+    dz = (float) uz;
+    float length = (float) Axes.sum(ux, uy, uz);
+    edgeError = edgeErrorOfUnit * length;
+    edgeFloor = edgeFloorOfUnit * length;
     signX = -Axes.sign(ux);
     signY = -Axes.sign(uy);
     signZ = -Axes.sign(uz);
-    ix = 1 / (float) ux;
-    iy = 1 / (float) uy;
-    iz = 1 / (float) uz;
-    inX = -ix * (float) px;
-    inY = -iy * (float) py;
-    inZ = -iz * (float) pz;
+    ix = 1 / (float) atLeast(ux);
+    iy = 1 / (float) atLeast(uy);
+    iz = 1 / (float) atLeast(uz);
+    inX = -ix * x;
+    inY = -iy * y;
+    inZ = -iz * z;
     outX = inX;
     outY = inY;
     outZ = inZ;
@@ -243,33 +226,11 @@ final class WideRay extends ShearedRay {
     outZ += slack * Math.abs(iz);
   }
 
-  /** Takes the ray for triangles, in the world and in the tree's space. */
-  private void shear(
-      double wx,
-      double wy,
-      double wz,
-      double dx,
-      double dy,
-      double dz,
-      double px,
-      double py,
-      double pz) {
-    shear(wx, wy, wz, dx, dy, dz);
-    axes[0] = px;
-    axes[1] = py;
-    axes[2] = pz;
-    x = (float) axes[kx];
-    y = (float) axes[ky];
-    z = (float) axes[kz];
-    depthSign = Axes.sign(sz) << 31;
-  }
-
   /** Looks no farther than for hits at a t; one that rounding has moved is not missed. */
   void endAt(double t) {
-    double end = Math.fma(t, tScale, tOffset);
-    float nearer = end < FAR ? (float) end : FAR;
-    last = Float.floatToRawIntBits(nearer);
-    lastDepth = nearer * depth + depthSlack;
+    double nearer = Math.fma(t, tScale, tOffset);
+    end = nearer < FAR ? (float) nearer : FAR;
+    last = Float.floatToRawIntBits(end);
   }
 
   /** Returns where a ray from afar enters the space [-room, room]³; negative if it never does. */

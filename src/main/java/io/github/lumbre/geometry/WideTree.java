@@ -17,8 +17,11 @@ final class WideTree {
   /** Integers a node. */
   private static final int NODE_SIZE = 7 * WIDTH;
 
-  /** Floats a triangle: three vertices and the longest extent of an edge along an axis. */
-  static final int TRIANGLE_SIZE = 10;
+  /**
+   * Floats a triangle: its first vertex, the edges from there to the second and the third, their
+   * cross product, and its {@linkplain #spread spread}.
+   */
+  static final int TRIANGLE_SIZE = 13;
 
   static final LeafCost COSTS = new LeafCost(WIDTH, 1, .2);
 
@@ -124,13 +127,35 @@ final class WideTree {
   }
 
   private void storeTriangle(int at, int stride, double[] vertices) {
-    for (int k = 0; k < 9; k++) {
-      leaves[at + k * stride] = space.nearest(k % 3, vertices[k]);
+    for (int k = 0; k < 3; k++) {
+      leaves[at + k * stride] = space.nearest(k, vertices[k]);
+      int next = (k + 1) % 3;
+      int last = (k + 2) % 3;
+      leaves[at + (3 + k) * stride] = (float) edge(vertices, 1, k);
+      leaves[at + (6 + k) * stride] = (float) edge(vertices, 2, k);
+      leaves[at + (9 + k) * stride] =
+          (float)
+              (edge(vertices, 1, next) * edge(vertices, 2, last)
+                  - edge(vertices, 1, last) * edge(vertices, 2, next));
     }
+    leaves[at + 12 * stride] = Math.nextUp((float) spread(vertices));
+  }
+
+  /** Returns a coordinate of the edge from the first vertex to another. */
+  private double edge(double[] vertices, int vertex, int axis) {
+    return (vertices[3 * vertex + axis] - vertices[axis]) * space.scale;
+  }
+
+  /**
+   * Returns what the errors of a triangle's edge functions are in proportion to: E + E²/2, where E
+   * is the longest extent of an edge along an axis.
+   */
+  private double spread(double[] vertices) {
     double longest = 0;
     for (int k = 0; k < 9; k++) {
       longest = Math.max(longest, Math.abs(vertices[k] - vertices[(k + 3) % 9]));
     }
-    leaves[at + 9 * stride] = Math.nextUp((float) (longest * space.scale));
+    double extent = longest * space.scale;
+    return extent + .5 * extent * extent;
   }
 }
