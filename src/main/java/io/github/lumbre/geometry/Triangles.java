@@ -11,7 +11,7 @@ import java.util.Objects;
  * <p>The test is watertight: a ray that meets an edge or a vertex of a closed mesh meets at least
  * one of the triangles there. Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection",
  * in double precision: both triangles at an edge compute its edge function from the same sheared
- * vertices, and so with the same size and opposite signs.
+ * vertices, and both with exactly the sign that those give it.
  */
 final class Triangles {
   /** Coordinates of the vertices of all meshes. */
@@ -105,29 +105,20 @@ final class Triangles {
     double cy = p[c + ky] - oy - sy * cz;
     // The origin is inside if the edge functions do not differ in sign: if not one is negative and
     // another positive. Their bits tell, -0 made 0; a branch for each would go either way as often.
-    double u = cx * by - cy * bx;
-    double v = ax * cy - ay * cx;
-    double w = bx * ay - by * ax;
+    double u = differenceOfProducts(cx, by, cy, bx);
+    double v = differenceOfProducts(ax, cy, ay, cx);
+    double w = differenceOfProducts(bx, ay, by, ax);
     long signU = Double.doubleToRawLongBits(u + 0.0);
     long signV = Double.doubleToRawLongBits(v + 0.0);
     long signW = Double.doubleToRawLongBits(w + 0.0);
     if (((signU | signV | signW) & (-signU | -signV | -signW)) < 0) {
       return false;
     }
-    // Weigh the vertices anew without cancellation: in slivers the signs alone are to be trusted.
-    double wa = Math.abs(differenceOfProducts(cx, by, cy, bx));
-    double wb = Math.abs(differenceOfProducts(ax, cy, ay, cx));
-    double wc = Math.abs(differenceOfProducts(bx, ay, by, ax));
-    if (wa + wb + wc == 0) {
-      wa = Math.abs(u);
-      wb = Math.abs(v);
-      wc = Math.abs(w);
-    }
-    // If all are zero, seen edge on, t is NaN, and no hit.
-    double inverse = 1 / (wa + wb + wc);
-    double b1 = wb * inverse;
-    double b2 = wc * inverse;
-    double t = (wa * inverse * az + b1 * bz + b2 * cz) * sz;
+    // If all are zero, exactly edge on, t is NaN, and no hit.
+    double inverse = 1 / (u + v + w);
+    double b1 = v * inverse;
+    double b2 = w * inverse;
+    double t = (u * inverse * az + b1 * bz + b2 * cz) * sz;
     if (!(t > 0 && (t < nearest.t || t == nearest.t && isBefore(i, nearest)))) {
       return false;
     }
@@ -139,7 +130,11 @@ final class Triangles {
     return true;
   }
 
-  /** Returns ab − cd to within 1.5 ulp: Jeannerod, Louvet and Muller 2013, Kahan's algorithm. */
+  /**
+   * Returns ab − cd to within 1.5 ulp, and so with its sign, 0 if it is 0: Jeannerod, Louvet and
+   * Muller 2013, "Further Analysis of Kahan's Algorithm for the Accurate Computation of 2 × 2
+   * Determinants".
+   */
   private static double differenceOfProducts(double a, double b, double c, double d) {
     double cd = c * d;
     double error = Math.fma(-c, d, cd);

@@ -213,6 +213,60 @@ class KernelTest {
     assertThat(hits).isGreaterThan(300);
   }
 
+  /**
+   * Rays in the planes of triangles, which rounding decides about: hits are the same, and they are
+   * where the ray is.
+   */
+  @Test
+  void hitsOfTrianglesSeenEdgeOnAreTheSame() {
+    Random random = new Random(9);
+    int hits = 0;
+    for (int round = 0; round < 20; round++) {
+      TriangleMesh data = triangles(random, 60);
+      Mesh mesh = Mesh.baked(data, Transform.IDENTITY);
+      Pair pair = Pair.over(List.of(mesh));
+      for (int i = 0; i < 5000; i++) {
+        int triangle = random.nextInt(data.triangleCount());
+        Vec3 origin = inPlane(data, triangle, 6 * random.nextDouble() - 3, 6 * random.nextDouble());
+        Vec3 target = inPlane(data, triangle, random.nextDouble(), random.nextDouble());
+        double length = Math.scalb(1.0, random.nextInt(19) - 9);
+        Ray ray = new Ray(origin, target.minus(origin).normalized().times(length));
+        if (assertSame(pair, ray)) {
+          NearestHit hit = byPlainJava;
+          Vec3 at = inPlane(data, hit.element, hit.b1, hit.b2);
+          assertThat(at.minus(ray.at(hit.t)).maxAbs()).as("off by, %s", ray).isLessThan(1e-13);
+          double end = Math.nextUp(hit.t);
+          assertThat(assertSame(pair, new Ray(origin, ray.direction(), end))).isTrue();
+          hits++;
+        }
+      }
+    }
+    assertThat(hits).isGreaterThan(5000);
+  }
+
+  /** Returns triangles in a cube with edges from 1 down to 2^-40, most of them slivers. */
+  private static TriangleMesh triangles(Random random, int count) {
+    double[] p = new double[9 * count];
+    int[] indices = new int[3 * count];
+    for (int vertex = 0; vertex < indices.length; vertex++) {
+      indices[vertex] = vertex;
+      double size = vertex % 3 == 0 ? 0 : Math.scalb(1.0, -random.nextInt(40));
+      Vec3 step = vertex % 3 == 0 ? Shapes.point(random, 1) : Shapes.direction(random).times(size);
+      for (int axis = 0; axis < 3; axis++) {
+        int at = 3 * vertex + axis;
+        p[at] = step.get(axis) + (vertex % 3 == 0 ? 0 : p[at - 3 * (vertex % 3)]);
+      }
+    }
+    return TriangleMesh.of(p, new double[0], new double[0], indices);
+  }
+
+  private static Vec3 inPlane(TriangleMesh mesh, int triangle, double b1, double b2) {
+    Vec3 a = mesh.position(mesh.vertex(triangle, 0));
+    Vec3 b = mesh.position(mesh.vertex(triangle, 1));
+    Vec3 c = mesh.position(mesh.vertex(triangle, 2));
+    return a.plus(b1, b.minus(a)).plus(b2, c.minus(a));
+  }
+
   /** The counting search finds the hits of plain Java, by a number of nodes that a tree has. */
   @Test
   void countingFindsTheSameHitsAndFewNodes() {
