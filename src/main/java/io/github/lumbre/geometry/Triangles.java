@@ -104,13 +104,13 @@ final class Triangles {
     double cx = p[c + kx] - ox - sx * cz;
     double cy = p[c + ky] - oy - sy * cz;
     // The origin is inside if the edge functions do not differ in sign: if not one is negative and
-    // another positive. Their bits tell, -0 made 0; a branch for each would go either way as often.
+    // another positive. Their bits tell; a branch for each would go either way as often.
     double u = differenceOfProducts(cx, by, cy, bx);
     double v = differenceOfProducts(ax, cy, ay, cx);
     double w = differenceOfProducts(bx, ay, by, ax);
-    long signU = Double.doubleToRawLongBits(u + 0.0);
-    long signV = Double.doubleToRawLongBits(v + 0.0);
-    long signW = Double.doubleToRawLongBits(w + 0.0);
+    long signU = Double.doubleToRawLongBits(u);
+    long signV = Double.doubleToRawLongBits(v);
+    long signW = Double.doubleToRawLongBits(w);
     if (((signU | signV | signW) & (-signU | -signV | -signW)) < 0) {
       return false;
     }
@@ -131,9 +131,9 @@ final class Triangles {
   }
 
   /**
-   * Returns ab − cd to within 1.5 ulp, and so with its sign, 0 if it is 0: Jeannerod, Louvet and
-   * Muller 2013, "Further Analysis of Kahan's Algorithm for the Accurate Computation of 2 × 2
-   * Determinants".
+   * Returns ab − cd to within 1.5 ulp, and so with its sign, and 0, not -0, if it is 0, unless a
+   * product is below the range of doubles: Jeannerod, Louvet and Muller 2013, "Further Analysis of
+   * Kahan's Algorithm for the Accurate Computation of 2 × 2 Determinants".
    */
   private static double differenceOfProducts(double a, double b, double c, double d) {
     double cd = c * d;
