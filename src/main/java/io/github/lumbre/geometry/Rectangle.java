@@ -158,12 +158,11 @@ public final class Rectangle implements Shape {
   @Override
   public void sample(SurfaceSample drawn) {
     Vec3 reference = drawn.reference();
-    Point2 u = drawn.random();
     Vec3 from = axes.toLocal(reference.minus(centre));
-    if (isNear(from)) {
-      SphericalRectangle seen = seenFrom(from);
+    if (isNear(from.x(), from.y(), from.z())) {
+      SphericalRectangle seen = seenFrom(from.x(), from.y(), from.z());
       if (seen.isUsable()) {
-        Point2 way = seen.at(u);
+        Point2 way = seen.at(drawn.random());
         double x = within(halfWidth, (from.x() + way.x()) / scaleX);
         double z = within(halfHeight, (from.y() + way.y()) / scaleZ);
         Vec3 local = new Vec3(x, 0, z);
@@ -171,6 +170,7 @@ public final class Rectangle implements Shape {
         return;
       }
     }
+    Point2 u = drawn.random();
     Vec3 local = new Vec3((u.x() - .5) * width, 0, (u.y() - .5) * height);
     Vec3 position = position(local);
     double pdf = areaPdf(reference.minus(position));
@@ -188,8 +188,8 @@ public final class Rectangle implements Shape {
   @Override
   public double pdf(Vec3 reference, SurfaceHit onShape) {
     Vec3 from = axes.toLocal(reference.minus(centre));
-    if (isNear(from)) {
-      SphericalRectangle seen = seenFrom(from);
+    if (isNear(from.x(), from.y(), from.z())) {
+      SphericalRectangle seen = seenFrom(from.x(), from.y(), from.z());
       if (seen.isUsable()) {
         return 1 / seen.solidAngle();
       }
@@ -198,15 +198,14 @@ public final class Rectangle implements Shape {
   }
 
   /** Tells whether a reference, given along the axes, is near and on a side that shines. */
-  private boolean isNear(Vec3 from) {
-    return (twoSided || from.z() > 0) && from.lengthSquared() <= nearSquared;
+  private boolean isNear(double x, double y, double z) {
+    return (twoSided || z > 0) && x * x + y * y + z * z <= nearSquared;
   }
 
-  private SphericalRectangle seenFrom(Vec3 from) {
-    double x = halfWidth * scaleX;
-    double y = halfHeight * scaleZ;
-    return new SphericalRectangle(
-        -x - from.x(), x - from.x(), -y - from.y(), y - from.y(), Math.abs(from.z()));
+  private SphericalRectangle seenFrom(double x, double y, double z) {
+    double endX = halfWidth * scaleX;
+    double endY = halfHeight * scaleZ;
+    return new SphericalRectangle(-endX - x, endX - x, -endY - y, endY - y, Math.abs(z));
   }
 
   private static double within(double half, double x) {

@@ -9,7 +9,6 @@ import io.github.lumbre.integrator.PathVertex.Scattering;
 import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Mis;
@@ -188,9 +187,9 @@ public final class PathRecorder extends PathTracer implements Recorder {
   }
 
   @Override
-  boolean scatter(Vertex vertex, int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
+  boolean scatter(Vertex vertex, int depth, double u, double v, Sampler sampler, Scratch scratch) {
     scatteringShape = scratch.hit.shape();
-    boolean goesOn = super.scatter(vertex, depth, uDirection, sampler, scratch);
+    boolean goesOn = super.scatter(vertex, depth, u, v, sampler, scratch);
     BsdfSample drawn = scratch.scattered;
     if (!drawn.isAbsorbed()) {
       double survival =

@@ -127,7 +127,7 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
         vertex.ask(scratch.choice);
       }
       Point2 uDirection = sampler.get2d(Sampler.vertex(depth) + Sampler.DIRECTION);
-      boolean goesOn = scatter(vertex, depth, uDirection, sampler, scratch);
+      boolean goesOn = scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, scratch);
       while (goesOn) {
         depth++;
         goesOn = extend(depth, sampler, scratch);
@@ -185,20 +185,20 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     if (asks && !isSpecular) {
       direct(vertex, sampler, dimension, scratch);
     }
-    return scatter(vertex, depth, uDirection, sampler, scratch);
+    return scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, scratch);
   }
 
   /**
    * Chooses where the path goes from a vertex; tells whether it goes on.
    *
-   * @param uDirection uniform in [0,1)²: chooses the direction
+   * @param u uniform in [0,1), as v is: they choose the direction
    */
-  boolean scatter(Vertex vertex, int depth, Point2 uDirection, Sampler sampler, Scratch scratch) {
+  boolean scatter(Vertex vertex, int depth, double u, double v, Sampler sampler, Scratch scratch) {
     Path path = scratch.path;
     int dimension = Sampler.vertex(depth);
     BsdfSample scattered = scratch.scattered;
     double lobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
-    vertex.sample(lobe, uDirection, scattered);
+    vertex.sample(lobe, new Point2(u, v), scattered);
     if (scattered.isAbsorbed()) {
       return false;
     }
