@@ -26,7 +26,7 @@ final class UnitSpace {
   final double worldReach;
 
   /** Whether that is in the reach of floats. */
-  final boolean isInReach;
+  private final boolean isInReach;
 
   /** What boxes are widened by, for rays from inside; 0 if that is out of reach. */
   private final double slack;
