@@ -106,7 +106,7 @@ final class WideRay extends ShearedRay {
         tOffset = 0;
         inside = space;
       }
-      setSlabs(px, py, pz, dx, dy, dz);
+      setFloats(px, py, pz, dx, dy, dz);
       return true;
     }
     return aimFromAnywhere(space, ox, oy, oz, dx, dy, dz);
@@ -157,7 +157,7 @@ final class WideRay extends ShearedRay {
       uy = 1;
       uz = 1;
     }
-    setSlabs(px, py, pz, ux, uy, uz);
+    setFloats(px, py, pz, ux, uy, uz);
     widenSlabs();
     return true;
   }
@@ -192,7 +192,7 @@ final class WideRay extends ShearedRay {
   }
 
   /** Takes the ray for triangles, and for boxes that are widened by what it may be wrong by. */
-  private void setSlabs(double px, double py, double pz, double ux, double uy, double uz) {
+  private void setFloats(double px, double py, double pz, double ux, double uy, double uz) {
     x = (float) px;
     y = (float) py;
     z = (float) pz;

@@ -148,7 +148,7 @@ final class WideTree {
 
   /**
    * Returns what the errors of a triangle's edge functions are in proportion to: E + E²/2, where E
-   * is the longest extent of an edge along an axis.
+   * is the longest extent of an edge along an axis, in the tree's space.
    */
   private double spread(double[] vertices) {
     double longest = 0;
