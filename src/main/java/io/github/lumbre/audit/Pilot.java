@@ -2,12 +2,13 @@ package io.github.lumbre.audit;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.PathVertex;
-import io.github.lumbre.integrator.PathVertex.Gathered;
+import io.github.lumbre.integrator.PathVertex.FoundLight;
 import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import java.util.List;
 
 /**
  * A few thousand paths, spread over the frame and deeper than the scene asks: what they meet, and
@@ -80,11 +81,11 @@ final class Pilot {
     }
     for (int i = 0; i < sample.vertices().size(); i++) {
       PathVertex vertex = sample.vertices().get(i);
-      vertex.meeting().ifPresent(meeting -> met[meeting.primitive()]++);
-      for (Gathered found : vertex.gathered()) {
-        boolean isMet = found.source() == Source.EMISSION || found.source() == Source.BACKGROUND;
-        boolean isCut = isMet ? i > depth : i >= depth;
-        double amount = grey(found.contribution());
+      vertex.hit().ifPresent(hit -> met[hit.primitive()]++);
+      for (FoundLight found : lights(vertex)) {
+        boolean isHit = found.source() == Source.EMISSION || found.source() == Source.ENVIRONMENT;
+        boolean isCut = isHit ? i > depth : i >= depth;
+        double amount = grey(vertex.throughput().times(found.weighted()));
         lightBeyond += isCut ? amount : 0;
         light += isCut ? 0 : amount;
         if (found.emitter() >= 0) {
@@ -92,6 +93,10 @@ final class Pilot {
         }
       }
     }
+  }
+
+  private static List<FoundLight> lights(PathVertex vertex) {
+    return vertex.contributions().stream().flatMap(c -> c.lights().stream()).toList();
   }
 
   private static double grey(Rgb colour) {

@@ -4,8 +4,9 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.PathVertex;
-import io.github.lumbre.integrator.PathVertex.Gathered;
-import io.github.lumbre.integrator.PathVertex.Meeting;
+import io.github.lumbre.integrator.PathVertex.Contribution;
+import io.github.lumbre.integrator.PathVertex.FoundLight;
+import io.github.lumbre.integrator.PathVertex.Hit;
 import io.github.lumbre.integrator.PathVertex.Scattering;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.Origin;
@@ -20,8 +21,8 @@ import java.util.Map;
  * {@code Infinity}, {@code -Infinity} and {@code NaN}.
  */
 final class PixelJson {
-  /** What tells such a text from others; it changes when older readers would misunderstand. */
-  static final String FORMAT = "lumbre-pixel-1";
+  /** Identifies the format; it changes when older readers would misunderstand. */
+  static final String FORMAT = "lumbre-pixel-2";
 
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
 
@@ -70,35 +71,43 @@ final class PixelJson {
     values.put("radiance", rgb(sample.radiance()));
     values.put("film", rgb(sample.film()));
     values.put("is_rejected", sample.rejected());
+    values.put("is_clamped", sample.clamped());
     values.put("vertices", sample.vertices().stream().map(this::vertex).toList());
     return values;
   }
 
   private Map<String, Object> vertex(PathVertex vertex) {
     Map<String, Object> values = new LinkedHashMap<>();
+    values.put("branch", vertex.branch());
     values.put("origin", vector(vertex.ray().origin()));
     values.put("direction", vector(vertex.ray().direction()));
     values.put("throughput", rgb(vertex.throughput()));
-    vertex.meeting().ifPresent(meeting -> values.put("meets", meeting(meeting)));
-    values.put("light", vertex.gathered().stream().map(this::light).toList());
-    vertex.scattering().ifPresent(scattering -> values.put("scatters", scattering(scattering)));
+    vertex.hit().ifPresent(hit -> values.put("hit", hit(hit)));
+    values.put("contributions", vertex.contributions().stream().map(this::contribution).toList());
+    values.put("scattered", vertex.scattered().stream().map(PixelJson::scattering).toList());
     values.put("end", FlagConverters.lower(vertex.end()));
-    values.put("sum", rgb(vertex.sum()));
     return values;
   }
 
-  private Map<String, Object> meeting(Meeting meeting) {
+  private Map<String, Object> hit(Hit hit) {
     Map<String, Object> values = new LinkedHashMap<>();
-    put("object", report.file().origins().primitives().get(meeting.primitive()), values);
-    put("material", report.file().origins().materials().get(meeting.primitive()), values);
-    values.put("bsdf", meeting.bsdf());
-    values.put("position", vector(meeting.position()));
-    values.put("geometric_normal", vector(meeting.geometricNormal()));
-    values.put("shading_normal", vector(meeting.shadingNormal()));
+    put("object", report.file().origins().primitives().get(hit.primitive()), values);
+    put("material", report.file().origins().materials().get(hit.primitive()), values);
+    values.put("bsdf", hit.bsdf());
+    values.put("position", vector(hit.position()));
+    values.put("geometric_normal", vector(hit.geometricNormal()));
+    values.put("shading_normal", vector(hit.shadingNormal()));
     return values;
   }
 
-  private Map<String, Object> light(Gathered light) {
+  private Map<String, Object> contribution(Contribution contribution) {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("lights", contribution.lights().stream().map(this::light).toList());
+    values.put("amount", rgb(contribution.amount()));
+    return values;
+  }
+
+  private Map<String, Object> light(FoundLight light) {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("source", FlagConverters.lower(light.source()));
     if (light.emitter() >= 0) {
@@ -109,9 +118,8 @@ final class PixelJson {
     values.put("f", rgb(light.f()));
     values.put("light_pdf", number(light.lightPdf()));
     values.put("bsdf_pdf", number(light.bsdfPdf()));
-    values.put("mis_weight", number(light.weight()));
+    values.put("mis_weight", number(light.misWeight()));
     values.put("is_blocked", light.blocked());
-    values.put("contribution", rgb(light.contribution()));
     return values;
   }
 
@@ -121,6 +129,7 @@ final class PixelJson {
     values.put("weight", rgb(scattering.weight()));
     values.put("pdf", number(scattering.pdf()));
     values.put("survival", number(scattering.survival()));
+    values.put("survives", scattering.survives());
     return values;
   }
 

@@ -3,8 +3,9 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.FlagConverters.PixelPlace;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.PathVertex;
-import io.github.lumbre.integrator.PathVertex.Gathered;
-import io.github.lumbre.integrator.PathVertex.Meeting;
+import io.github.lumbre.integrator.PathVertex.Contribution;
+import io.github.lumbre.integrator.PathVertex.FoundLight;
+import io.github.lumbre.integrator.PathVertex.Hit;
 import io.github.lumbre.integrator.PathVertex.Scattering;
 import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.math.Vec3;
@@ -12,28 +13,43 @@ import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.PixelReplay;
 
-/** The samples of a pixel in words. Numbers have all their digits, so that bits can be compared. */
+/** The samples of a pixel as text. Numbers have all their digits, so that bits can be compared. */
 record PixelReport(SceneFile file, PixelPlace pixel) {
   /** Returns the path of a sample, vertex by vertex. */
   String text(PixelReplay.Sample sample) {
     StringBuilder out = new StringBuilder();
     line(out, "pixel " + pixel + ", sample " + sample.number() + ", seed " + seed());
+    Rgb sum = Rgb.BLACK;
+    int branch = 0;
     for (int i = 0; i < sample.vertices().size(); i++) {
+      PathVertex vertex = sample.vertices().get(i);
+      if (vertex.branch() != branch) {
+        branch = vertex.branch();
+        line(out, "branch " + branch + " of the split path");
+      }
       line(out, "vertex " + i);
-      describe(sample.vertices().get(i), out);
+      describe(vertex, out);
+      for (Contribution contribution : vertex.contributions()) {
+        sum = sum.plus(contribution.amount());
+      }
+      line(out, "  sum        " + shown(sum));
+      line(out, "  then       " + end(vertex.end()));
     }
     if (sample.vertices().isEmpty()) {
       line(out, "the camera images nothing here");
     }
     line(out, "radiance     " + shown(sample.radiance()));
     if (sample.rejected()) {
-      line(out, "rejected     negative or not finite: counts as black");
+      line(out, "rejected     negative or not finite: added to the film as black");
     }
-    line(out, "film gets    " + shown(sample.film()));
+    if (sample.clamped()) {
+      line(out, "clamped      to " + file.settings().clamp());
+    }
+    line(out, "film         " + shown(sample.film()));
     return out.toString();
   }
 
-  /** Returns what the pixel's samples have in common, and the outstanding ones. */
+  /** Returns the mean and variance of the pixel's samples, and the brightest of them. */
   String text(PixelReplay.Pixel all) {
     StringBuilder out = new StringBuilder();
     line(out, "pixel " + pixel + ", " + all.samples() + " samples, seed " + seed());
@@ -63,52 +79,53 @@ record PixelReport(SceneFile file, PixelPlace pixel) {
   private void describe(PathVertex vertex, StringBuilder out) {
     line(out, "  ray        from " + shown(vertex.ray().origin()));
     line(out, "             towards " + shown(vertex.ray().direction()));
-    line(out, "  counts for " + shown(vertex.throughput()));
-    vertex.meeting().ifPresent(meeting -> describe(meeting, out));
-    vertex.gathered().forEach(light -> describe(light, out));
-    vertex.scattering().ifPresent(scattering -> describe(scattering, out));
-    line(out, "  sum        " + shown(vertex.sum()));
-    line(out, "  then       " + end(vertex.end()));
+    line(out, "  throughput " + shown(vertex.throughput()));
+    vertex.hit().ifPresent(hit -> describe(hit, out));
+    vertex.contributions().forEach(contribution -> describe(contribution, out));
+    vertex.scattered().forEach(scattering -> describe(scattering, out));
   }
 
-  private void describe(Meeting meeting, StringBuilder out) {
-    line(out, "  meets      " + primitive(meeting.primitive()));
-    line(out, "  made of    " + material(meeting));
-    line(out, "  position   " + shown(meeting.position()));
-    line(out, "  normal     " + shown(meeting.geometricNormal()));
-    if (!meeting.shadingNormal().equals(meeting.geometricNormal())) {
-      line(out, "  shaded by  " + shown(meeting.shadingNormal()));
+  private void describe(Hit hit, StringBuilder out) {
+    line(out, "  hits       " + primitive(hit.primitive()));
+    line(out, "  made of    " + material(hit));
+    line(out, "  position   " + shown(hit.position()));
+    line(out, "  normal     " + shown(hit.geometricNormal()));
+    if (!hit.shadingNormal().equals(hit.geometricNormal())) {
+      line(out, "  shading    " + shown(hit.shadingNormal()));
     }
   }
 
-  private String material(Meeting meeting) {
-    Origin origin = file.origins().materials().get(meeting.primitive());
+  private String material(Hit hit) {
+    Origin origin = file.origins().materials().get(hit.primitive());
     String what = origin.equals(Origin.NONE) ? "no material of the file" : origin.toString();
-    return meeting.bsdf().isEmpty() ? what : what + " (" + meeting.bsdf() + ")";
+    return hit.bsdf().isEmpty() ? what : what + " (" + hit.bsdf() + ")";
   }
 
-  private void describe(Gathered light, StringBuilder out) {
-    String from = light.emitter() < 0 ? "" : " of " + emitter(light.emitter());
-    line(out, "  light      " + source(light.source()) + from);
+  private void describe(Contribution contribution, StringBuilder out) {
+    contribution.lights().forEach(light -> describe(light, out));
+    line(out, "  adds       " + shown(contribution.amount()));
+  }
+
+  private void describe(FoundLight light, StringBuilder out) {
+    String of = light.emitter() < 0 ? "" : ": " + emitter(light.emitter());
+    line(out, "  light      " + source(light.source()) + of);
     line(out, "             radiance " + shown(light.radiance()));
     if (light.source() == Source.LIGHT) {
-      line(out, "             from " + shown(light.wi()) + ", f " + shown(light.f()));
+      line(out, "             from " + shown(light.wi()) + ", f·cos " + shown(light.f()));
     }
     if (light.source() != Source.AMBIENT) {
       line(
           out,
           "             pdf of light sampling "
               + light.lightPdf()
-              + ", of scattering "
+              + ", of BSDF sampling "
               + light.bsdfPdf()
-              + ", weight "
-              + light.weight());
+              + ", MIS weight "
+              + light.misWeight());
     }
-    line(
-        out,
-        "             contribution "
-            + shown(light.contribution())
-            + (light.blocked() ? ": something is in between" : ""));
+    if (light.blocked()) {
+      line(out, "             blocked");
+    }
   }
 
   private void describe(Scattering scattering, StringBuilder out) {
@@ -120,7 +137,8 @@ record PixelReport(SceneFile file, PixelPlace pixel) {
             + ", pdf "
             + scattering.pdf());
     if (scattering.survival() < 1) {
-      line(out, "  roulette   survives with " + scattering.survival());
+      String outcome = scattering.survives() ? "survived" : "ended";
+      line(out, "  roulette   " + outcome + ", survival probability " + scattering.survival());
     }
   }
 
@@ -136,21 +154,22 @@ record PixelReport(SceneFile file, PixelPlace pixel) {
 
   private static String source(Source source) {
     return switch (source) {
-      case EMISSION -> "met by the ray: emission";
-      case BACKGROUND -> "met by the ray: beyond everything";
+      case EMISSION -> "emission of the hit surface";
+      case ENVIRONMENT -> "environment";
       case AMBIENT -> "ambient";
-      case LIGHT -> "asked for";
+      case LIGHT -> "sampled light";
     };
   }
 
   private static String end(PathVertex.End end) {
     return switch (end) {
-      case GOES_ON -> "goes on";
-      case ESCAPED -> "ends: nothing is met";
-      case EMITTER -> "ends: what glows scatters nothing";
-      case DEPTH -> "ends: the path is as deep as it may be";
-      case ABSORBED -> "ends: nothing is scattered further";
-      case ROULETTE -> "ends: by roulette";
+      case CONTINUES -> "continues";
+      case SPLIT -> "is split into branches";
+      case ESCAPED -> "ends: the ray hits nothing";
+      case EMITTER -> "ends: an emitter scatters nothing";
+      case DEPTH -> "ends: the path has reached its greatest depth";
+      case ABSORBED -> "ends: nothing is scattered";
+      case ROULETTE -> "ends: by Russian roulette";
     };
   }
 

@@ -1,25 +1,26 @@
 package io.github.lumbre.integrator;
 
+import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.image.Rgb;
 
 /**
- * A path on its way from the camera: what it has gathered, and what more light would count for.
- * Mutable, in plain numbers, since every vertex changes all of it.
+ * The state of a path: the light found so far, and the throughput by which further light is
+ * multiplied. Mutable, in plain numbers, since every vertex changes all of it.
  */
 final class Path {
   private double red, green, blue;
   private double throughputRed, throughputGreen, throughputBlue;
   private double pdf;
 
-  private int ways;
+  private int branches;
 
-  /** Number of the vertex where it was split. */
+  /** Number of the vertex where the path was split. */
   private int splitDepth;
 
-  /** What light counted for there, by each of the ways. */
+  /** The throughput of each branch at that vertex. */
   private double splitRed, splitGreen, splitBlue;
 
-  /** Begins a path at the camera, whose ray light sampling could not have drawn. */
+  /** Starts a path at the camera, whose ray light sampling could not have drawn. */
   void begin() {
     red = 0;
     green = 0;
@@ -28,31 +29,24 @@ final class Path {
     throughputGreen = 1;
     throughputBlue = 1;
     pdf = Double.POSITIVE_INFINITY;
-    ways = 1;
+    branches = 1;
   }
 
-  /** Splits the path at a vertex: light counts for an equal share by each of the ways. */
-  void split(int depth, int newWays) {
-    ways = newWays;
+  /** Splits the path at a vertex: each branch has an equal share of the throughput. */
+  void split(int depth, int newBranches) {
+    branches = newBranches;
     splitDepth = depth;
-    splitRed = throughputRed / ways;
-    splitGreen = throughputGreen / ways;
-    splitBlue = throughputBlue / ways;
+    splitRed = throughputRed / branches;
+    splitGreen = throughputGreen / branches;
+    splitBlue = throughputBlue / branches;
   }
 
-  /** Returns in how many ways the path goes on; 1 before it is split. */
-  int ways() {
-    return ways;
-  }
-
-  /** Tells whether the path was split. */
+  /** Returns whether the path was split. */
   boolean isSplit() {
-    return ways > 1;
+    return branches > 1;
   }
 
-  /**
-   * Goes back to the vertex where the path was split, keeps what it gathered; returns its number.
-   */
+  /** Returns to the vertex where the path was split, keeping the light found; returns its number. */
   int returnToSplit() {
     throughputRed = splitRed;
     throughputGreen = splitGreen;
@@ -75,36 +69,31 @@ final class Path {
     return pdf;
   }
 
-  /** Adds light that arrives where the path is. */
-  void gather(Rgb radiance) {
-    gather(radiance.r(), radiance.g(), radiance.b());
-  }
-
-  /** Adds light, given by its components, that arrives where the path is. */
-  void gather(double r, double g, double b) {
+  /** Adds light found where the path is, times the throughput. */
+  void add(double r, double g, double b) {
     red += throughputRed * r;
     green += throughputGreen * g;
     blue += throughputBlue * b;
   }
 
-  /** Lets the rest of the path count for less, or more. */
-  void weigh(double r, double g, double b) {
+  /** Multiplies the throughput. */
+  void scale(double r, double g, double b) {
     throughputRed *= r;
     throughputGreen *= g;
     throughputBlue *= b;
   }
 
-  /** Returns the largest component of what more light counts for, had the path not been split. */
+  /** Returns the largest component of the throughput, without the division by splitting. */
   double throughput() {
-    return ways * Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));
+    return branches * Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));
   }
 
-  /** Returns what more light counts for, by component. */
-  Rgb weight() {
-    return new Rgb(throughputRed, throughputGreen, throughputBlue);
+  /** Reports a ray that was traced with the present throughput. */
+  void reportRay(NearestHit ray, PathListener listener) {
+    listener.rayTraced(ray, throughputRed, throughputGreen, throughputBlue);
   }
 
-  /** Returns the light gathered so far. */
+  /** Returns the light found so far. */
   Rgb radiance() {
     return new Rgb(red, green, blue);
   }

@@ -1,204 +1,175 @@
 package io.github.lumbre.integrator;
 
+import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.PathVertex.Contribution;
 import io.github.lumbre.integrator.PathVertex.End;
-import io.github.lumbre.integrator.PathVertex.Gathered;
-import io.github.lumbre.integrator.PathVertex.Meeting;
+import io.github.lumbre.integrator.PathVertex.FoundLight;
+import io.github.lumbre.integrator.PathVertex.Hit;
 import io.github.lumbre.integrator.PathVertex.Scattering;
 import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.Mis;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** A path tracer that remembers the last path, vertex by vertex. Mutable. */
-public final class PathRecorder extends PathTracer implements Recorder {
-  private final int maxDepth;
-  private final int firstRoulette;
-  private final List<PathVertex> vertices = new ArrayList<>();
-  private final List<Gathered> gathered = new ArrayList<>();
-  private Optional<Scattering> scattering = Optional.empty();
-  private Rgb throughput = Rgb.WHITE;
-  private Rgb arrived = Rgb.BLACK;
+/**
+ * Records the vertices of the last path that was traced with a {@link RenderContext}. Mutable, and
+ * confined to one thread.
+ */
+public final class PathRecorder implements PathListener {
+  private final List<Step> steps = new ArrayList<>();
+  private Step last = new Step(0, new Ray(Vec3.ZERO, Vec3.Z), Rgb.BLACK);
 
-  /** What the path met where it scattered: the search for the next meeting forgets it. */
-  private int scatteringShape;
+  /** The vertex where the path was split. */
+  private Step split = last;
 
-  private boolean lostRoulette;
-  private double lightPdf;
-  private double weight;
+  private int branch;
 
-  /** Makes one that computes what the path tracer of these options does. */
-  public PathRecorder(Scene scene, PathOptions options) {
-    super(scene, options);
-    maxDepth = options.maxDepth();
-    firstRoulette = options.firstRoulette();
-  }
+  /** Whether the next direction is sampled at the split vertex. */
+  private boolean isAtSplit;
 
-  @Override
-  public List<PathVertex> vertices() {
-    return List.copyOf(vertices);
-  }
+  /** Makes a recorder of no path. */
+  public PathRecorder() {}
 
-  @Override
-  Rgb follow(Sampler sampler, Scratch scratch) {
-    vertices.clear();
-    return super.follow(sampler, scratch);
-  }
+  /** A vertex under construction. Mutable. */
+  private static final class Step {
+    final int branch;
+    final Ray ray;
+    final Rgb throughput;
+    Optional<Hit> hit = Optional.empty();
+    final List<FoundLight> pending = new ArrayList<>();
+    final List<Contribution> contributions = new ArrayList<>();
+    final List<Scattering> scattered = new ArrayList<>();
+    End end = End.CONTINUES;
 
-  @Override
-  boolean extend(int depth, Sampler sampler, Scratch scratch) {
-    Ray ray = new Ray(scratch.hit.origin(), scratch.hit.direction());
-    double pdf = scratch.path.pdf();
-    throughput = scratch.path.weight();
-    gathered.clear();
-    scattering = Optional.empty();
-    lostRoulette = false;
-    lightPdf = 0;
-    boolean wasSplit = scratch.path.isSplit();
-    boolean scattersOn = super.extend(depth, sampler, scratch);
-    // Where it is split, it goes on afterwards.
-    boolean goesOn = scattersOn || scratch.path.isSplit() && !wasSplit;
-    int shape = scattersOn ? scatteringShape : scratch.hit.shape();
-    End end = goesOn ? End.GOES_ON : end(depth, scratch);
-    Optional<Meeting> meeting = Optional.empty();
-    if (end != End.ESCAPED) {
-      boolean scatters = end != End.EMITTER && end != End.DEPTH;
-      SurfaceHit surface = scatters ? scratch.vertex.surface() : scene.surfaceAt(scratch.hit);
-      String bsdf = scatters ? scratch.vertex.bsdf().getClass().getSimpleName() : "";
-      meeting = Optional.of(Recorder.meeting(shape, surface, bsdf));
-      if (end == End.EMITTER) {
-        gathered.add(emission(scratch, surface, pdf));
+    Step(int branch, Ray ray, Rgb throughput) {
+      this.branch = branch;
+      this.ray = ray;
+      this.throughput = throughput;
+    }
+
+    /** Adds the lights reported since the last time as one contribution. */
+    void add(Rgb amount) {
+      if (!pending.isEmpty() || !amount.isBlack()) {
+        contributions.add(new Contribution(pending, amount));
+        pending.clear();
       }
     }
-    vertices.add(
-        new PathVertex(
-            ray, throughput, meeting, gathered, scattering, end, scratch.path.radiance()));
-    return scattersOn;
-  }
 
-  private End end(int depth, Scratch scratch) {
-    if (!scratch.hit.isHit()) {
-      return End.ESCAPED;
+    PathVertex vertex() {
+      return new PathVertex(branch, ray, throughput, hit, contributions, scattered, end);
     }
-    if (scene.primitiveAt(scratch.hit).emission().isPresent()) {
-      return End.EMITTER;
-    }
-    if (depth == maxDepth) {
-      return End.DEPTH;
-    }
-    return lostRoulette ? End.ROULETTE : End.ABSORBED;
   }
 
-  private Gathered emission(Scratch scratch, SurfaceHit surface, double pdf) {
-    Rgb radiance = emitted(scene.primitiveAt(scratch.hit).emission().get(), surface);
-    return new Gathered(
-        Source.EMISSION,
-        scene.emitterAt(scratch.hit),
-        surface.wo().negated(),
-        radiance,
-        Rgb.WHITE,
-        lightPdf,
-        pdf,
-        weight,
-        false,
-        throughput.times(radiance.times(weight)));
+  /** Returns the vertices of the last path, in the order in which they were reached. */
+  public List<PathVertex> vertices() {
+    return steps.stream().map(Step::vertex).toList();
   }
 
   @Override
-  double emissionWeight(int emitter, Scratch scratch, SurfaceHit surface) {
-    weight = super.emissionWeight(emitter, scratch, surface);
-    return weight;
+  public void pathStarted() {
+    steps.clear();
+    branch = 0;
+    isAtSplit = false;
   }
 
   @Override
-  double lightPdf(int emitter, Scratch scratch, double pdfOfEmitter) {
-    lightPdf = super.lightPdf(emitter, scratch, pdfOfEmitter);
-    return lightPdf;
+  public void rayTraced(NearestHit ray, double r, double g, double b) {
+    last.add(Rgb.BLACK);
+    last = new Step(branch, new Ray(ray.origin(), ray.direction()), new Rgb(r, g, b));
+    steps.add(last);
+    isAtSplit = false;
   }
 
   @Override
-  Rgb escaped(Scratch scratch, Vec3 direction) {
-    Rgb light = super.escaped(scratch, direction);
-    double pdf = scratch.path.pdf();
-    if (!light.isBlack()) {
-      // Of several domes, each has a weight of its own: told is their sum.
-      boolean isWeighed = lightPdf > 0 && scene.environments().size() == 1;
-      double bsdfWeight = isWeighed ? Mis.power(pdf, lightPdf) : 1;
-      gathered.add(
-          new Gathered(
-              Source.BACKGROUND,
-              scene.environments().size() == 1
-                  ? scene.emitters().indexOf(scene.environments().get(0))
-                  : -1,
-              direction,
-              isWeighed ? scene.background(direction) : light,
-              Rgb.WHITE,
-              isWeighed ? lightPdf : 0,
-              pdf,
-              bsdfWeight,
-              false,
-              throughput.times(light)));
-    }
-    return light;
+  public void surfaceHit(int primitive, SurfaceHit surface) {
+    last.hit = Optional.of(hit(primitive, surface, ""));
   }
 
   @Override
-  Rgb ambient(Vertex vertex) {
-    Rgb light = super.ambient(vertex);
-    gathered.add(Recorder.ambient(scene.ambient(), light, throughput));
-    return light;
+  public void vertexReached(int primitive, SurfaceHit surface, Bsdf bsdf) {
+    last.hit = Optional.of(hit(primitive, surface, bsdf.getClass().getSimpleName()));
+  }
+
+  private static Hit hit(int primitive, SurfaceHit surface, String bsdf) {
+    return new Hit(
+        primitive, surface.position(), surface.geometricNormal(), surface.shadingNormal(), bsdf);
   }
 
   @Override
-  void direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
-    long shadowRays = scratch.shadowRays();
-    arrived = Rgb.BLACK;
-    super.direct(vertex, sampler, dimension, scratch);
-    LightSample light = scratch.light;
-    if (!light.isEmpty()) {
-      double pdf = scratch.choice.probability() * (light.isDelta() ? 1 : light.pdf());
-      gathered.add(
-          new Gathered(
-              Source.LIGHT,
-              scratch.choice.emitter(),
-              light.wi(),
-              light.radiance(),
-              scratch.value.f(),
-              pdf,
-              scratch.value.pdf(),
-              light.isDelta() ? 1 : Mis.power(pdf, scratch.value.pdf()),
-              scratch.shadowRays() > shadowRays && arrived.isBlack(),
-              throughput.times(arrived)));
+  public void lightSampled(
+      int emitter,
+      LightSample light,
+      BsdfValue value,
+      double lightPdf,
+      double misWeight,
+      boolean blocked) {
+    last.pending.add(
+        new FoundLight(
+            Source.LIGHT,
+            emitter,
+            light.wi(),
+            light.radiance(),
+            value.f(),
+            lightPdf,
+            value.pdf(),
+            misWeight,
+            blocked));
+  }
+
+  @Override
+  public void lightFound(
+      Source source,
+      int emitter,
+      double r,
+      double g,
+      double b,
+      double lightPdf,
+      double bsdfPdf,
+      double misWeight) {
+    Vec3 wi = source == Source.AMBIENT ? Vec3.ZERO : last.ray.direction();
+    Rgb radiance = new Rgb(r, g, b);
+    last.pending.add(
+        new FoundLight(
+            source, emitter, wi, radiance, Rgb.WHITE, lightPdf, bsdfPdf, misWeight, false));
+  }
+
+  @Override
+  public void lightAdded(double r, double g, double b) {
+    last.add(last.throughput.times(new Rgb(r, g, b)));
+  }
+
+  @Override
+  public void scattered(BsdfSample sample, double survival, boolean survives) {
+    Step at = isAtSplit ? split : last;
+    at.scattered.add(
+        new Scattering(sample.wi(), sample.weight(), sample.pdf(), survival, survives));
+    if (!survives && !isAtSplit) {
+      last.end = End.ROULETTE;
     }
   }
 
   @Override
-  void arrive(Path path, double r, double g, double b) {
-    arrived = new Rgb(r, g, b);
-    super.arrive(path, r, g, b);
+  public void branchStarted(int newBranch) {
+    if (newBranch == 0) {
+      split = last;
+    }
+    branch = newBranch;
+    isAtSplit = true;
   }
 
   @Override
-  boolean scatter(Vertex vertex, int depth, double u, double v, Sampler sampler, Scratch scratch) {
-    scatteringShape = scratch.hit.shape();
-    boolean goesOn = super.scatter(vertex, depth, u, v, sampler, scratch);
-    BsdfSample drawn = scratch.scattered;
-    if (!drawn.isAbsorbed()) {
-      double survival =
-          depth < firstRoulette
-              ? 1
-              : Math.min(1, throughput.times(drawn.weight()).max() * scratch.path.ways());
-      scattering = Optional.of(new Scattering(drawn.wi(), drawn.weight(), drawn.pdf(), survival));
-      lostRoulette = !goesOn;
+  public void pathEnded(End end) {
+    last.add(Rgb.BLACK);
+    if (!isAtSplit) {
+      last.end = end;
     }
-    return goesOn;
   }
 }

@@ -2,10 +2,10 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.geometry.NearestHit;
-import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.integrator.PathVertex.End;
+import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
@@ -23,45 +23,43 @@ import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Shortcut;
 import java.util.Objects;
-import java.util.stream.IntStream;
 
 /**
- * Follows paths from the camera to the lights: an unbiased estimate of all light of at most a given
- * number of scatterings (Kajiya 1986; PBRT 4e, sec. 13.4).
+ * A unidirectional path tracer with next-event estimation and multiple importance sampling (Kajiya
+ * 1986; PBRT 4e, sec. 13.4): an unbiased estimate of all light that is scattered at most a given
+ * number of times.
  *
- * <p>At each vertex one emitter, chosen at random, is asked for light; the scattered ray may meet
- * an emitter as well. Multiple importance sampling weighs the two.
- *
- * <p>What a step does is left open for {@link PathRecorder} to listen to; a program that records
- * nothing never loads that class, and the compiler takes the steps for final.
+ * <p>Each step traces a ray to the next vertex and does, in this order: add what the surface emits,
+ * sample one light, sample the BSDF for the next direction, and end weak paths by Russian roulette.
+ * With splitting, the rest of the path is repeated from the first vertex that is not specular.
  */
-public sealed class PathTracer implements Integrator permits PathRecorder {
-  final Scene scene;
+public final class PathTracer implements Integrator {
+  private final Scene scene;
   private final int maxDepth;
-  final Light[] emitters;
-
-  /** Which of the emitters are domes: of ten thousand lamps an escaped ray asks none. */
-  private final int[] domes;
-
+  private final Light[] emitters;
+  private final EnvironmentLight[] environments;
   private final LightSelector selector;
   private final Strategy strategy;
   private final int firstRoulette;
   private final int split;
-  private final boolean hasChoice;
-  private final boolean hasAmbient;
 
-  /** Whether vertices ask emitters for light. */
-  private final boolean asks;
+  /** Whether there is more than one light to select from. */
+  private final boolean selects;
+
+  /** Whether vertices sample lights. */
+  private final boolean samplesLights;
+
+  private final boolean hasAmbient;
 
   /**
    * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
-   *     seen, with 1 direct light
+   *     visible, with 1 direct light
    */
   public PathTracer(Scene scene, int maxDepth) {
     this(scene, PathOptions.toDepth(maxDepth));
   }
 
-  /** Makes a path tracer that finds the same light in another way. */
+  /** Makes a path tracer with options that change its noise and speed, but not its mean. */
   public PathTracer(Scene scene, PathOptions options) {
     this(scene, options, options.selection().over(scene));
   }
@@ -72,26 +70,23 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     strategy = options.strategy();
     firstRoulette = options.firstRoulette();
     split = options.split();
-    hasAmbient = !scene.ambient().isBlack();
-    hasChoice = !scene.takes(Shortcut.ONE_EMITTER);
     emitters = scene.emitters().toArray(Light[]::new);
-    domes =
-        IntStream.range(0, emitters.length)
-            .filter(i -> emitters[i] instanceof EnvironmentLight)
-            .toArray();
-    asks = strategy.asks(scene.emitters());
-    this.selector = selector;
+    environments = scene.environments().toArray(EnvironmentLight[]::new);
+    this.selector = Objects.requireNonNull(selector, "selector");
+    selects = !scene.takes(Shortcut.ONE_EMITTER);
+    samplesLights = strategy.samplesLights(scene.emitters());
+    hasAmbient = !scene.ambient().isBlack();
   }
 
   @Override
-  public Rgb radiance(Ray ray, Sampler sampler, Scratch scratch) {
-    scratch.hit.aim(ray);
-    return follow(sampler, scratch);
+  public Rgb radiance(Ray ray, Sampler sampler, RenderContext context) {
+    context.hit.aim(ray);
+    return trace(sampler, context);
   }
 
   @Override
-  public Rgb radiance(CameraRay ray, Sampler sampler, Scratch scratch) {
-    scratch.hit.aim(
+  public Rgb radiance(CameraRay ray, Sampler sampler, RenderContext context) {
+    context.hit.aim(
         ray.originX(),
         ray.originY(),
         ray.originZ(),
@@ -99,135 +94,150 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
         ray.directionY(),
         ray.directionZ(),
         Double.POSITIVE_INFINITY);
-    return follow(sampler, scratch);
+    return trace(sampler, context);
   }
 
-  /** Follows a path along the ray that {@code scratch.hit} was just aimed by. */
-  Rgb follow(Sampler sampler, Scratch scratch) {
-    Path path = scratch.path;
+  /** Traces a path along the ray at which {@code context.hit} is aimed. */
+  private Rgb trace(Sampler sampler, RenderContext context) {
+    Path path = context.path;
     path.begin();
+    if (context.isRecorded) {
+      context.listener.pathStarted();
+    }
     int depth = 0;
-    while (extend(depth, sampler, scratch)) {
+    while (extend(depth, sampler, context)) {
       depth++;
     }
     if (path.isSplit()) {
-      followWays(sampler, scratch);
+      traceBranches(sampler, context);
     }
     return path.radiance();
   }
 
-  /** Follows all ways in which a path goes on from the vertex where it was split. */
-  private void followWays(Sampler sampler, Scratch scratch) {
-    Vertex vertex = scratch.keepVertex();
-    for (int way = 0; way < split; way++) {
-      sampler.startPart(way, split);
-      int depth = scratch.path.returnToSplit();
-      if (asks && way > 0) {
-        // What it meets is weighed against light sampling from here, where the last way left.
-        vertex.ask(scratch.choice);
-      }
-      Point2 uDirection = sampler.get2d(Sampler.vertex(depth) + Sampler.DIRECTION);
-      boolean goesOn = scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, scratch);
-      while (goesOn) {
-        depth++;
-        goesOn = extend(depth, sampler, scratch);
-      }
-    }
-  }
-
   /**
-   * Goes to the next vertex and gathers its light; tells whether the path goes on from there. Where
-   * it is to be split, it stays, for {@link #followWays}.
+   * Traces the ray to the next vertex and adds the light found there. Returns whether the path
+   * continues with a new ray; if it is to be split at the vertex, {@link #traceBranches} continues.
    */
-  boolean extend(int depth, Sampler sampler, Scratch scratch) {
-    NearestHit hit = scratch.hit;
-    Path path = scratch.path;
+  private boolean extend(int depth, Sampler sampler, RenderContext context) {
+    NearestHit hit = context.hit;
+    Path path = context.path;
 
-    // Find the next vertex, or the world's end.
-    scratch.rays++;
-    if (!scene.intersect(hit)) {
-      path.gather(escaped(scratch, hit.direction()));
-      return false;
+    // Trace the ray. If it leaves the scene, add the environment.
+    context.rays++;
+    boolean isHit = scene.intersect(hit);
+    if (context.isRecorded) {
+      path.reportRay(hit, context.listener);
     }
-    scratch.metSomething = true;
+    if (!isHit) {
+      addEnvironment(context, hit.direction());
+      return end(End.ESCAPED, context);
+    }
+    context.hitSomething = true;
     Primitive primitive = scene.primitiveAt(hit);
-    boolean glows = primitive.emission().isPresent();
-    if (depth == maxDepth && !glows) {
-      return false;
+    boolean emits = primitive.emission().isPresent();
+    if (depth == maxDepth && !emits) {
+      if (context.isRecorded) {
+        context.listener.surfaceHit(hit.shape(), scene.surfaceAt(hit));
+      }
+      return end(End.DEPTH, context);
     }
     SurfaceHit surface = scene.surfaceAt(hit);
 
-    // Add its light; what glows scatters nothing.
-    if (glows) {
-      Rgb emitted = emitted(primitive.emission().get(), surface);
-      double weight = emissionWeight(scene.emitterAt(hit), scratch, surface);
-      path.gather(emitted.times(weight));
-      return false;
+    // Add emission. An emitter scatters nothing.
+    if (emits) {
+      addEmission(primitive.emission().get(), surface, context);
+      return end(End.EMITTER, context);
     }
 
-    // Add the light that comes here straight from an emitter.
-    Vertex vertex = scratch.vertex;
+    // Sample one light (next-event estimation), and the BSDF for the next direction.
+    Vertex vertex = context.vertex;
     vertex.moveTo(surface, primitive.material());
+    if (context.isRecorded) {
+      context.listener.vertexReached(hit.shape(), surface, vertex.bsdf());
+    }
     if (hasAmbient) {
-      path.gather(ambient(vertex));
+      addAmbient(vertex, context);
     }
     int dimension = Sampler.vertex(depth);
     boolean isSpecular = vertex.bsdf().isSpecular();
     if (split > 1 && !isSpecular && !path.isSplit()) {
-      if (asks) {
-        direct(vertex, sampler, dimension, scratch);
+      if (samplesLights) {
+        direct(vertex, sampler, dimension, context);
       }
       path.split(depth, split);
-      return false;
+      return end(End.SPLIT, context);
     }
-    // Drawn before light is asked for: the processor works on both points at once.
+    // Drawn before the light is sampled: the processor computes both points at once.
     Point2 uDirection = sampler.get2d(dimension + Sampler.DIRECTION);
-    if (asks && !isSpecular) {
-      direct(vertex, sampler, dimension, scratch);
+    if (samplesLights && !isSpecular) {
+      direct(vertex, sampler, dimension, context);
     }
-    return scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, scratch);
+    return scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, context);
   }
 
   /**
-   * Chooses where the path goes from a vertex; tells whether it goes on.
+   * Samples the BSDF for the path's next direction; returns whether the path continues.
    *
-   * @param u uniform in [0,1), as v is: they choose the direction
+   * @param u uniform in [0,1), as is v: they determine the direction
    */
-  boolean scatter(Vertex vertex, int depth, double u, double v, Sampler sampler, Scratch scratch) {
-    Path path = scratch.path;
+  private boolean scatter(
+      Vertex vertex, int depth, double u, double v, Sampler sampler, RenderContext context) {
+    Path path = context.path;
     int dimension = Sampler.vertex(depth);
-    BsdfSample scattered = scratch.scattered;
-    double lobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
-    vertex.sample(lobe, new Point2(u, v), scattered);
-    if (scattered.isAbsorbed()) {
-      return false;
+    BsdfSample sample = context.scattered;
+    double uLobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
+    vertex.sample(uLobe, new Point2(u, v), sample);
+    if (sample.isAbsorbed()) {
+      return end(End.ABSORBED, context);
     }
-    path.weigh(scattered.r(), scattered.g(), scattered.b());
-    SurfaceHit surface = vertex.surface();
-    path.leave(scattered.pdf());
+    path.scale(sample.r(), sample.g(), sample.b());
+    path.leave(sample.pdf());
 
-    // End weak paths at random, and strengthen those that survive.
+    // Russian roulette: end weak paths at random and divide the others by their probability.
+    double survival = 1;
     if (depth >= firstRoulette) {
-      double survival = Math.min(1, path.throughput());
+      survival = Math.min(1, path.throughput());
       if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {
+        reportScattered(sample, survival, false, context);
         return false;
       }
-      path.weigh(1 / survival, 1 / survival, 1 / survival);
+      path.scale(1 / survival, 1 / survival, 1 / survival);
     }
-    surface.spawn(scattered.x(), scattered.y(), scattered.z(), scratch.hit);
+    reportScattered(sample, survival, true, context);
+    vertex.surface().spawn(sample.x(), sample.y(), sample.z(), context.hit);
     return true;
   }
 
-  Rgb ambient(Vertex vertex) {
-    return scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
+  /** Traces all branches of a split path, each with an equal share of the throughput. */
+  private void traceBranches(Sampler sampler, RenderContext context) {
+    Vertex vertex = context.keepVertex();
+    for (int branch = 0; branch < split; branch++) {
+      sampler.startPart(branch, split);
+      int depth = context.path.returnToSplit();
+      if (context.isRecorded) {
+        context.listener.branchStarted(branch);
+      }
+      if (samplesLights && branch > 0) {
+        // Emitters hit by this branch are weighted against light sampling from the split vertex,
+        // where the branch before it has moved on.
+        vertex.receiveFrom(context.choice);
+      }
+      Point2 uDirection = sampler.get2d(Sampler.vertex(depth) + Sampler.DIRECTION);
+      boolean continues =
+          scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, context);
+      while (continues) {
+        depth++;
+        continues = extend(depth, sampler, context);
+      }
+    }
   }
 
-  /** Adds the light of one emitter, chosen at random, over the probability of the choice. */
-  void direct(Vertex vertex, Sampler sampler, int dimension, Scratch scratch) {
-    LightChoice choice = scratch.choice;
-    LightSample light = scratch.light;
-    vertex.ask(choice);
-    if (hasChoice) {
+  /** Samples one light, selected at random, and adds what the vertex scatters of it. */
+  private void direct(Vertex vertex, Sampler sampler, int dimension, RenderContext context) {
+    LightChoice choice = context.choice;
+    LightSample light = context.light;
+    vertex.receiveFrom(choice);
+    if (selects) {
       selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE), choice);
     } else {
       choice.setOnly();
@@ -237,67 +247,134 @@ public sealed class PathTracer implements Integrator permits PathRecorder {
     if (light.isEmpty()) {
       return;
     }
-    BsdfValue value = scratch.value;
+    BsdfValue value = context.value;
     vertex.evaluate(light, value);
     double r = value.r() * light.r();
     double g = value.g() * light.g();
     double b = value.b() * light.b();
     boolean isBlack = r == 0 && g == 0 && b == 0;
-    if (isBlack || scratch.isOccluded(scene, vertex.surface())) {
+    boolean isBlocked = !isBlack && context.isOccluded(scene, vertex.surface());
+    if ((isBlack || isBlocked) && !context.isRecorded) {
       return;
     }
-    double weight = 1 / choice.probability();
+    double lightPdf = choice.probability();
+    double misWeight = 1;
     if (!light.isDelta()) {
-      double lightPdf = choice.probability() * light.pdf();
-      weight = strategy.lightWeight(lightPdf, value.pdf()) / lightPdf;
+      lightPdf *= light.pdf();
+      misWeight = strategy.lightWeight(lightPdf, value.pdf());
     }
-    arrive(scratch.path, r * weight, g * weight, b * weight);
-  }
-
-  /** Adds light that arrives at a vertex from an emitter. */
-  void arrive(Path path, double r, double g, double b) {
-    path.gather(r, g, b);
-  }
-
-  static Rgb emitted(Emission emission, SurfaceHit surface) {
-    return emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
-  }
-
-  /** Returns the share of a scattered ray, against light sampling, in meeting an emitter. */
-  double emissionWeight(int emitter, Scratch scratch, SurfaceHit surface) {
-    double pdf = scratch.path.pdf();
-    if (emitter < 0 || pdf == Double.POSITIVE_INFINITY || !asks) {
-      return 1;
+    if (context.isRecorded) {
+      context.listener.lightSampled(
+          choice.emitter(), light, value, lightPdf, misWeight, isBlocked);
     }
-    Shape shape = ((AreaLight) emitters[emitter]).shape();
-    double lightPdf = lightPdf(emitter, scratch, shape.pdf(scratch.choice.point(), surface));
-    return strategy.bsdfWeight(pdf, lightPdf);
+    if (!isBlack && !isBlocked) {
+      double weight = misWeight / lightPdf;
+      add(r * weight, g * weight, b * weight, context);
+    }
   }
 
-  /**
-   * Returns the density with which light sampling would have gone where the path went: from the
-   * vertex that asked for light last, since a path can have left any other only by a delta lobe.
-   */
-  double lightPdf(int emitter, Scratch scratch, double pdfOfEmitter) {
-    return hasChoice ? selector.probability(scratch.choice, emitter) * pdfOfEmitter : pdfOfEmitter;
+  /** Adds what a surface emits towards the path, weighted against sampling it as a light. */
+  private void addEmission(Emission emission, SurfaceHit surface, RenderContext context) {
+    Rgb emitted = emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
+    int emitter = scene.emitterAt(context.hit);
+    double bsdfPdf = context.path.pdf();
+    double lightPdf = 0;
+    double weight = 1;
+    if (emitter >= 0 && isWeighted(bsdfPdf)) {
+      double pdf = emitters[emitter].pdf(context.choice.point(), surface);
+      lightPdf = lightPdf(emitter, pdf, context);
+      weight = strategy.bsdfWeight(bsdfPdf, lightPdf);
+    }
+    if (context.isRecorded) {
+      context.listener.lightFound(
+          Source.EMISSION,
+          emitter,
+          emitted.r(),
+          emitted.g(),
+          emitted.b(),
+          lightPdf,
+          bsdfPdf,
+          weight);
+    }
+    add(emitted.r() * weight, emitted.g() * weight, emitted.b() * weight, context);
   }
 
-  /** Returns the light from beyond everything, each dome with its own share. */
-  Rgb escaped(Scratch scratch, Vec3 direction) {
-    double pdf = scratch.path.pdf();
-    boolean isWeighed = asks && pdf != Double.POSITIVE_INFINITY;
+  /** Adds the environment lights that a ray leaves the scene for, each with its own weight. */
+  private void addEnvironment(RenderContext context, Vec3 direction) {
+    double bsdfPdf = context.path.pdf();
     double r = 0;
     double g = 0;
     double b = 0;
-    for (int emitter : domes) {
-      EnvironmentLight dome = (EnvironmentLight) emitters[emitter];
-      double weight =
-          isWeighed ? strategy.bsdfWeight(pdf, lightPdf(emitter, scratch, dome.pdf(direction))) : 1;
-      Rgb light = dome.from(direction);
+    for (int i = 0; i < environments.length; i++) {
+      double lightPdf = 0;
+      double weight = 1;
+      if (isWeighted(bsdfPdf)) {
+        lightPdf = lightPdf(scene.emitterOfEnvironment(i), environments[i].pdf(direction), context);
+        weight = strategy.bsdfWeight(bsdfPdf, lightPdf);
+      }
+      Rgb light = environments[i].from(direction);
       r += light.r() * weight;
       g += light.g() * weight;
       b += light.b() * weight;
+      if (context.isRecorded) {
+        context.listener.lightFound(
+            Source.ENVIRONMENT,
+            scene.emitterOfEnvironment(i),
+            light.r(),
+            light.g(),
+            light.b(),
+            lightPdf,
+            bsdfPdf,
+            weight);
+      }
     }
-    return new Rgb(r, g, b);
+    add(r, g, b, context);
+  }
+
+  /** Adds the light that ambient irradiance gives the diffuse part of a surface. */
+  private void addAmbient(Vertex vertex, RenderContext context) {
+    Rgb light = scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
+    if (context.isRecorded) {
+      context.listener.lightFound(
+          Source.AMBIENT, -1, light.r(), light.g(), light.b(), 0, 0, 1);
+    }
+    add(light.r(), light.g(), light.b(), context);
+  }
+
+  private static void add(double r, double g, double b, RenderContext context) {
+    context.path.add(r, g, b);
+    if (context.isRecorded) {
+      context.listener.lightAdded(r, g, b);
+    }
+  }
+
+  /** Returns whether light that a ray hits could have been found by light sampling as well. */
+  private boolean isWeighted(double bsdfPdf) {
+    return samplesLights && bsdfPdf != Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * Returns the density with which light sampling would have drawn the path's ray: at the vertex
+   * that sampled a light last, since a path leaves any other by a delta lobe.
+   *
+   * @param pdf of the emitter's own sampling
+   */
+  private double lightPdf(int emitter, double pdf, RenderContext context) {
+    return selects ? selector.probability(context.choice, emitter) * pdf : pdf;
+  }
+
+  private static void reportScattered(
+      BsdfSample sample, double survival, boolean survives, RenderContext context) {
+    if (context.isRecorded) {
+      context.listener.scattered(sample, survival, survives);
+    }
+  }
+
+  /** Reports why the path ends; returns false, since it does not continue. */
+  private static boolean end(End end, RenderContext context) {
+    if (context.isRecorded) {
+      context.listener.pathEnded(end);
+    }
+    return false;
   }
 }

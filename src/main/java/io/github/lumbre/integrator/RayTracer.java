@@ -3,6 +3,9 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.PathVertex.End;
+import io.github.lumbre.integrator.PathVertex.Source;
+import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
@@ -21,30 +24,27 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Whitted's ray tracing (1980): light straight from every light, mirrors, and glass; no light from
- * one diffuse or glossy surface to another. Each area light and dome is sampled once.
- *
- * <p>What a step does is left open for {@link RayRecorder} to listen to; a program that records
- * nothing never loads that class, and the compiler takes the steps for final.
+ * Whitted's ray tracing (1980): direct light from every light, mirrors, and glass; no light from one
+ * diffuse or glossy surface to another. Each area light and environment light is sampled once.
  */
-public sealed class RayTracer implements Integrator permits RayRecorder {
+public final class RayTracer implements Integrator {
   /**
-   * Up to so many glass surfaces a path splits into what is reflected and what passes; from then on
-   * it takes one of the two at random, so that deep glass does not cost 2^depth rays.
+   * At this many glass surfaces a path is split into reflection and refraction; after that it takes
+   * one of the two at random, so that deep glass does not cost 2^depth rays.
    */
   private static final int MAX_SPLITS = 4;
 
   /** For lobes that draw nothing. */
   private static final Point2 MIDDLE = new Point2(.5, .5);
 
-  final Scene scene;
-  final List<Light> lights;
+  private final Scene scene;
+  private final List<Light> lights;
   private final int maxReflections;
   private final int maxRefractions;
 
   /**
-   * @param maxReflections how many mirrors a path may meet, at least 0
-   * @param maxRefractions how many glass surfaces a path may meet, at least 0
+   * @param maxReflections how many mirrors a path may hit, at least 0
+   * @param maxRefractions how many glass surfaces a path may hit, at least 0
    */
   public RayTracer(Scene scene, int maxReflections, int maxRefractions) {
     this.scene = Objects.requireNonNull(scene, "scene");
@@ -53,19 +53,23 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
     this.maxRefractions = maxRefractions;
   }
 
-  /** A ray still to be followed, what it counts for, and what it has met. */
+  /** A ray still to be traced, its throughput, and how many surfaces it has left. */
   record Branch(Ray ray, Rgb throughput, int reflections, int refractions) {}
 
   @Override
-  public Rgb radiance(Ray cameraRay, Sampler sampler, Scratch scratch) {
-    Deque<Branch> pending = scratch.branches;
+  public Rgb radiance(Ray cameraRay, Sampler sampler, RenderContext context) {
+    Deque<Branch> pending = context.branches;
     pending.clear();
     pending.push(new Branch(cameraRay, Rgb.WHITE, 0, 0));
+    if (context.isRecorded) {
+      context.listener.pathStarted();
+    }
     double r = 0;
     double g = 0;
     double b = 0;
     for (int number = 0; !pending.isEmpty(); number++) {
-      Rgb light = follow(pending.pop(), number, sampler, scratch, pending);
+      Branch branch = pending.pop();
+      Rgb light = branch.throughput().times(trace(branch, number, sampler, context));
       r += light.r();
       g += light.g();
       b += light.b();
@@ -73,116 +77,166 @@ public sealed class RayTracer implements Integrator permits RayRecorder {
     return new Rgb(r, g, b);
   }
 
-  /** Returns the light that a branch finds at its end, and adds the branches that begin there. */
-  Rgb follow(Branch branch, int number, Sampler sampler, Scratch scratch, Deque<Branch> pending) {
-    NearestHit hit = scratch.hit;
-    scratch.rays++;
-    if (!scene.intersect(branch.ray(), hit)) {
-      return branch.throughput().times(scene.background(branch.ray().direction()));
+  /** Returns the light that a branch finds at its end, and pushes the branches that start there. */
+  private Rgb trace(Branch branch, int number, Sampler sampler, RenderContext context) {
+    NearestHit hit = context.hit;
+    context.rays++;
+    boolean isHit = scene.intersect(branch.ray(), hit);
+    if (context.isRecorded) {
+      Rgb throughput = branch.throughput();
+      context.listener.rayTraced(hit, throughput.r(), throughput.g(), throughput.b());
     }
-    scratch.metSomething = true;
+    if (!isHit) {
+      return environment(branch.ray().direction(), context);
+    }
+    context.hitSomething = true;
     SurfaceHit surface = scene.surfaceAt(hit);
     Primitive primitive = scene.primitiveAt(hit);
     if (primitive.emission().isPresent()) {
-      return branch
-          .throughput()
-          .times(
-              primitive
-                  .emission()
-                  .get()
-                  .towards(surface.wo(), surface.geometricNormal(), surface.texture()));
+      return emission(primitive.emission().get(), surface, context);
     }
-    Vertex vertex = scratch.vertex;
-    vertex.moveTo(surface, primitive.material());
-    if (vertex.bsdf() instanceof Dielectric glass) {
-      double lobe = sampler.get1d(Sampler.vertex(number) + Sampler.LOBE);
-      splitAtGlass(branch, glass, lobe, scratch, pending);
-      return Rgb.BLACK;
+    context.vertex.moveTo(surface, primitive.material());
+    if (context.isRecorded) {
+      context.listener.vertexReached(hit.shape(), surface, context.vertex.bsdf());
     }
-    if (vertex.bsdf() instanceof RoughDielectric) {
-      int dimension = Sampler.vertex(number);
-      scatterInGlass(branch, sampler, dimension, scratch, pending);
-      return branch.throughput().times(direct(vertex, number, sampler, scratch));
-    }
-    if (vertex.bsdf().isSpecular()) {
-      reflect(branch, scratch, pending);
-      return Rgb.BLACK;
-    }
-    return branch.throughput().times(direct(vertex, number, sampler, scratch));
+    return shade(branch, number, sampler, context);
   }
 
-  private Rgb direct(Vertex vertex, int number, Sampler sampler, Scratch scratch) {
+  /** Returns the light scattered from the lights at a vertex, and pushes what continues there. */
+  private Rgb shade(Branch branch, int number, Sampler sampler, RenderContext context) {
+    Deque<Branch> pending = context.branches;
+    Vertex vertex = context.vertex;
+    int waiting = pending.size();
+    int dimension = Sampler.vertex(number);
+    if (vertex.bsdf() instanceof Dielectric glass) {
+      splitAtGlass(branch, glass, sampler.get1d(dimension + Sampler.LOBE), context, pending);
+    } else if (vertex.bsdf() instanceof RoughDielectric) {
+      scatterInGlass(branch, sampler, dimension, context, pending);
+    } else if (vertex.bsdf().isSpecular()) {
+      reflect(branch, context, pending);
+    }
+    boolean isSpecular = vertex.bsdf().isSpecular();
+    if (context.isRecorded && pending.size() == waiting) {
+      context.listener.pathEnded(isSpecular ? End.DEPTH : End.ABSORBED);
+    }
+    return isSpecular ? Rgb.BLACK : direct(vertex, number, sampler, context);
+  }
+
+  private Rgb environment(Vec3 direction, RenderContext context) {
+    Rgb light = scene.background(direction);
+    if (context.isRecorded) {
+      for (int i = 0; i < scene.environments().size(); i++) {
+        Rgb one = scene.environments().get(i).from(direction);
+        reportFound(Source.ENVIRONMENT, scene.emitterOfEnvironment(i), one, context);
+      }
+      context.listener.lightAdded(light.r(), light.g(), light.b());
+      context.listener.pathEnded(End.ESCAPED);
+    }
+    return light;
+  }
+
+  private Rgb emission(Emission emission, SurfaceHit surface, RenderContext context) {
+    Rgb light = emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
+    if (context.isRecorded) {
+      context.listener.surfaceHit(context.hit.shape(), surface);
+      reportFound(Source.EMISSION, scene.emitterAt(context.hit), light, context);
+      context.listener.lightAdded(light.r(), light.g(), light.b());
+      context.listener.pathEnded(End.EMITTER);
+    }
+    return light;
+  }
+
+  private static void reportFound(Source source, int emitter, Rgb light, RenderContext context) {
+    double bsdfPdf = source == Source.AMBIENT ? 0 : Double.POSITIVE_INFINITY;
+    context.listener.lightFound(
+        source, emitter, light.r(), light.g(), light.b(), 0, bsdfPdf, 1);
+  }
+
+  /** Returns the ambient light and one sample of each light, as the vertex scatters them. */
+  private Rgb direct(Vertex vertex, int number, Sampler sampler, RenderContext context) {
     Rgb ambient = scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
+    if (context.isRecorded && !ambient.isBlack()) {
+      reportFound(Source.AMBIENT, -1, ambient, context);
+    }
     double r = ambient.r();
     double g = ambient.g();
     double b = ambient.b();
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
-      LightSample light = scratch.light;
+      LightSample light = context.light;
       light.ask(vertex.surface().position(), sampler.get2d(dimension));
       lights.get(i).sample(light);
       if (!light.isEmpty()) {
-        Rgb arriving = arriving(i, light, vertex, scratch);
+        Rgb arriving = arriving(i, light, vertex, context);
         r += arriving.r();
         g += arriving.g();
         b += arriving.b();
       }
     }
+    if (context.isRecorded) {
+      context.listener.lightAdded(r, g, b);
+    }
     return new Rgb(r, g, b);
   }
 
   /**
-   * Returns the light of one sample that scatters to the viewer.
+   * Returns the light of one sample that is scattered to the viewer.
    *
    * @param number of the light in the scene's list of lights
    */
-  Rgb arriving(int number, LightSample light, Vertex vertex, Scratch scratch) {
-    BsdfValue value = scratch.value;
+  private Rgb arriving(int number, LightSample light, Vertex vertex, RenderContext context) {
+    BsdfValue value = context.value;
     vertex.evaluate(light, value);
     double r = value.r() * light.r();
     double g = value.g() * light.g();
     double b = value.b() * light.b();
     boolean isBlack = r == 0 && g == 0 && b == 0;
-    boolean arrives = !isBlack && !scratch.isOccluded(scene, vertex.surface());
-    // One place makes the result, so that the compiler need not make it at all.
+    boolean isBlocked = !isBlack && context.isOccluded(scene, vertex.surface());
+    if (context.isRecorded) {
+      double pdf = light.isDelta() ? 1 : light.pdf();
+      int emitter = scene.emitterOfLight(number);
+      context.listener.lightSampled(emitter, light, value, pdf, 1, isBlocked);
+    }
+    boolean arrives = !isBlack && !isBlocked;
+    // Single allocation site, so that escape analysis can remove it.
     double weight = light.isDelta() ? 1 : 1 / light.pdf();
     return new Rgb(arrives ? r * weight : 0, arrives ? g * weight : 0, arrives ? b * weight : 0);
   }
 
-  private void reflect(Branch branch, Scratch scratch, Deque<Branch> pending) {
-    BsdfSample mirrored = scratch.scattered;
-    scratch.vertex.sample(0, MIDDLE, mirrored);
+  private void reflect(Branch branch, RenderContext context, Deque<Branch> pending) {
+    BsdfSample mirrored = context.scattered;
+    context.vertex.sample(0, MIDDLE, mirrored);
     if (branch.reflections() < maxReflections && !mirrored.isAbsorbed()) {
       pending.push(
           new Branch(
-              scratch.vertex.surface().spawn(mirrored.wi()),
+              context.vertex.surface().spawn(mirrored.wi()),
               branch.throughput().times(mirrored.weight()),
               branch.reflections() + 1,
               branch.refractions()));
     }
   }
 
-  /** Follows one random direction through ground glass, which has no two to split into. */
+  /** Continues in one random direction of rough glass, which has no two to split into. */
   private void scatterInGlass(
-      Branch branch, Sampler sampler, int dimension, Scratch scratch, Deque<Branch> pending) {
+      Branch branch, Sampler sampler, int dimension, RenderContext context, Deque<Branch> pending) {
     if (branch.refractions() < maxRefractions) {
-      BsdfSample either = scratch.scattered;
-      scratch.vertex.sample(
+      BsdfSample either = context.scattered;
+      context.vertex.sample(
           sampler.get1d(dimension + Sampler.LOBE),
           sampler.get2d(dimension + Sampler.DIRECTION),
           either);
-      pushGlass(branch, scratch.vertex, either.wi(), either.weight(), pending);
+      pushGlass(branch, context.vertex, either.wi(), either.weight(), pending);
     }
   }
 
   private void splitAtGlass(
-      Branch branch, Dielectric glass, double lobe, Scratch scratch, Deque<Branch> pending) {
-    Vertex vertex = scratch.vertex;
+      Branch branch, Dielectric glass, double lobe, RenderContext context, Deque<Branch> pending) {
+    Vertex vertex = context.vertex;
     if (branch.refractions() >= maxRefractions) {
       return;
     }
     if (branch.refractions() >= MAX_SPLITS) {
-      BsdfSample either = scratch.scattered;
+      BsdfSample either = context.scattered;
       vertex.sample(lobe, MIDDLE, either);
       pushGlass(branch, vertex, either.wi(), either.weight(), pending);
       return;

@@ -1,7 +1,5 @@
 package io.github.lumbre.integrator;
 
-import io.github.lumbre.light.AreaLight;
-import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.sampling.Mis;
 import java.util.List;
@@ -60,8 +58,8 @@ public enum Strategy {
     }
 
     @Override
-    boolean asks(List<Light> emitters) {
-      return !emitters.stream().allMatch(Strategy::canBeMet);
+    boolean samplesLights(List<Light> emitters) {
+      return emitters.stream().anyMatch(Light::isDelta);
     }
   };
 
@@ -81,12 +79,8 @@ public enum Strategy {
    */
   abstract double bsdfWeight(double bsdfPdf, double lightPdf);
 
-  /** Tells whether asking any of the emitters for light can bring some. */
-  boolean asks(List<Light> emitters) {
+  /** Returns whether vertices sample lights at all. */
+  boolean samplesLights(List<Light> emitters) {
     return !emitters.isEmpty();
-  }
-
-  private static boolean canBeMet(Light emitter) {
-    return emitter instanceof AreaLight || emitter instanceof EnvironmentLight;
   }
 }

@@ -62,8 +62,8 @@ final class Vertex {
     return surface.toWorld(local);
   }
 
-  /** Asks for light here, from the side or sides from which it scatters to the viewer. */
-  void ask(LightChoice choice) {
+  /** Selects lights for this vertex: from the side or sides whose light scatters to the viewer. */
+  void receiveFrom(LightChoice choice) {
     double side = bsdf.isTransmissive() ? 0 : Math.copySign(1, outZ);
     choice.moveTo(surface.position(), surface.shadingNormal().times(side));
   }

@@ -3,7 +3,8 @@
  *
  * <p>{@link io.github.lumbre.integrator.PathTracer} estimates all of it, up to a depth; {@link
  * io.github.lumbre.integrator.RayTracer} is Whitted's: direct light, mirrors and glass. Both are
- * stateless and shared by all threads. A {@link io.github.lumbre.integrator.Recorder} is either of
- * them and remembers the last path, for one thread that wants to know how a sample came about.
+ * stateless and shared by all threads; each thread has its own {@link
+ * io.github.lumbre.integrator.RenderContext}. A {@link io.github.lumbre.integrator.PathRecorder}
+ * listens to the steps of a path and explains how a sample came about.
  */
 package io.github.lumbre.integrator;

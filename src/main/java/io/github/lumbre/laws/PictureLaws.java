@@ -9,7 +9,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.PathTracer;
-import io.github.lumbre.integrator.Scratch;
+import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Glass;
@@ -94,7 +94,7 @@ final class PictureLaws {
             .build();
     Integrator integrator = new PathTracer(scene, depth);
     Sampler sampler = new SobolSampler(41);
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     double sum = 0;
     double squares = 0;
     for (int replicate = 0; replicate < REPLICATES; replicate++) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
@@ -32,6 +33,11 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
     if (!radiance.isBlack()) {
       drawn.setSurface(point.position().minus(reference).normalized(), radiance);
     }
+  }
+
+  @Override
+  public double pdf(Vec3 reference, SurfaceHit hit) {
+    return shape.pdf(reference, hit);
   }
 
   @Override

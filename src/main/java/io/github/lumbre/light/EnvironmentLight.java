@@ -91,7 +91,7 @@ public final class EnvironmentLight implements Light {
     return radiance.at(u(d), v(d));
   }
 
-  /** Returns the density per solid angle with which {@link #sample} draws a unit direction. */
+  @Override
   public double pdf(Vec3 direction) {
     if (distribution.isEmpty()) {
       return Warp.INV_FOUR_PI;

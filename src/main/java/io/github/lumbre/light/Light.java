@@ -1,5 +1,6 @@
 package io.github.lumbre.light;
 
+import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
@@ -24,6 +25,27 @@ public sealed interface Light
     drawn.ask(reference, u);
     sample(drawn);
     return drawn.isEmpty() ? Optional.empty() : Optional.of(drawn);
+  }
+
+  /**
+   * Returns the density, per solid angle at a reference point, with which {@link #sample} draws the
+   * point of the light that a ray from there hit; 0 for lights that no ray can hit.
+   *
+   * @param reference point in world space
+   * @param hit on the light's surface, found by a ray from the reference point
+   */
+  default double pdf(Vec3 reference, SurfaceHit hit) {
+    return 0;
+  }
+
+  /**
+   * Returns the density per solid angle with which {@link #sample} draws a direction along which
+   * the light arrives from infinity; 0 for lights at a finite distance and for delta lights.
+   *
+   * @param direction unit, in world space, towards the light
+   */
+  default double pdf(Vec3 direction) {
+    return 0;
   }
 
   /**

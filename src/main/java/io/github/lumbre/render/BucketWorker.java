@@ -3,7 +3,7 @@ package io.github.lumbre.render;
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.integrator.Scratch;
+import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -28,12 +28,14 @@ final class BucketWorker implements Runnable {
   private final SampleTarget target;
   private final RenderQueue queue;
 
-  /** No sample value above it reaches the film as it is. */
-  private final double limit;
+  private final SampleLimit limit;
+
+  /** Samples up to this largest component are added to the film as they are. */
+  private final double largestUnchanged;
 
   private final Sampler sampler;
   private final CameraRay ray = new CameraRay();
-  private final Scratch scratch = new Scratch();
+  private final RenderContext context = new RenderContext();
   private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
 
   /** Grows with the samples; others watch it. */
@@ -61,7 +63,8 @@ final class BucketWorker implements Runnable {
     this.film = film;
     this.target = target;
     this.queue = queue;
-    limit = Math.min(settings.clamp(), Film.LARGEST);
+    limit = SampleLimit.of(settings);
+    largestUnchanged = Math.min(settings.clamp(), Film.LARGEST);
     this.sampler = sampler;
   }
 
@@ -100,7 +103,7 @@ final class BucketWorker implements Runnable {
   }
 
   private long rays() {
-    return scratch.rays() + scratch.shadowRays();
+    return context.rays() + context.shadowRays();
   }
 
   private boolean renderPixel(int x, int y) {
@@ -122,41 +125,39 @@ final class BucketWorker implements Runnable {
   }
 
   private void renderSample(int x, int y, int sample, int pixel) {
-    scratch.startSample();
+    context.startSample();
     samples++;
     if (!CameraSamples.start(scene, settings, sampler, x, y, sample, ray)) {
       film.add(pixel, Rgb.BLACK, false);
       return;
     }
-    Rgb radiance = accepted(integrator.radiance(ray, sampler, scratch), x, y, sample);
-    film.add(pixel, radiance, scratch.metSomething() || !settings.transparent());
+    Rgb radiance = accepted(integrator.radiance(ray, sampler, context), x, y, sample);
+    film.add(pixel, radiance, context.hitSomething() || !settings.transparent());
   }
 
-  /** Returns the radiance, or black and a note of it if it is no radiance. */
+  /** Returns what is added to the film, and counts what is not the radiance itself. */
   private Rgb accepted(Rgb radiance, int x, int y, int sample) {
-    if (CameraSamples.isRejected(radiance)) {
+    if (SampleLimit.isRejected(radiance)) {
       rejected++;
       if (firstRejected.size() < MAX_REPORTED_REJECTS) {
         firstRejected.add(new RenderStatistics.RejectedSample(x, y, sample));
       }
       return Rgb.BLACK;
     }
-    double largest = radiance.max();
-    return largest > limit ? cut(radiance, largest) : radiance;
+    return radiance.max() > largestUnchanged ? limited(radiance) : radiance;
   }
 
-  /** Returns what is left of a sample brighter than the film, or the user, allows. */
-  private Rgb cut(Rgb radiance, double largest) {
+  private Rgb limited(Rgb radiance) {
+    double largest = radiance.max();
     if (largest > Film.LARGEST) {
       saturated++;
     }
-    if (largest <= settings.clamp()) {
-      return radiance;
+    if (largest > limit.clamp()) {
+      clamped++;
+      double kept = limit.clamp() / largest;
+      clampedLight += (1 - kept) * (radiance.r() + radiance.g() + radiance.b()) / 3;
     }
-    clamped++;
-    double kept = settings.clamp() / largest;
-    clampedLight += (1 - kept) * (radiance.r() + radiance.g() + radiance.b()) / 3;
-    return radiance.times(kept);
+    return limit.apply(radiance);
   }
 
   private void report() {
@@ -177,8 +178,8 @@ final class BucketWorker implements Runnable {
   RenderStatistics statistics() {
     return new RenderStatistics(
         samples,
-        scratch.rays(),
-        scratch.shadowRays(),
+        context.rays(),
+        context.shadowRays(),
         rejected,
         firstRejected,
         saturated,

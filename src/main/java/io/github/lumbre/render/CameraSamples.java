@@ -1,13 +1,12 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.camera.CameraRay;
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 
-/** How a sample of a pixel begins, and which samples count. */
+/** How a sample of a pixel starts. */
 final class CameraSamples {
   private CameraSamples() {}
 
@@ -30,10 +29,5 @@ final class CameraSamples {
     double u = (x + jitter.x()) / settings.width();
     double v = (y + jitter.y()) / settings.height();
     return scene.camera().aim(u, v, sampler, ray);
-  }
-
-  /** Tells whether a sample is no radiance: then it counts as black. */
-  static boolean isRejected(Rgb radiance) {
-    return !radiance.isFinite() || radiance.r() < 0 || radiance.g() < 0 || radiance.b() < 0;
   }
 }

@@ -1,9 +1,6 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.integrator.PathOptions;
-import io.github.lumbre.integrator.PathTracer;
-import io.github.lumbre.integrator.RayTracer;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
@@ -49,7 +46,7 @@ public final class FilmRenderer {
    * @param settings whose number of samples is not used here
    */
   public FilmRenderer(RenderSettings settings, Scene scene) {
-    this(settings, scene, integrator(settings, scene));
+    this(settings, scene, Integrator.of(scene, settings));
   }
 
   FilmRenderer(RenderSettings settings, Scene scene, Integrator integrator) {
@@ -87,14 +84,6 @@ public final class FilmRenderer {
    */
   FilmRenderer inOrder(UnaryOperator<List<Bucket>> newOrder) {
     return new FilmRenderer(settings, scene, integrator, samplers, newOrder);
-  }
-
-  private static Integrator integrator(RenderSettings settings, Scene scene) {
-    return switch (settings.mode()) {
-      case PATH -> new PathTracer(scene, PathOptions.of(settings));
-      case RAY ->
-          new RayTracer(scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());
-    };
   }
 
   /** Tells whether this one's films have alpha. */

@@ -2,12 +2,10 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathOptions;
+import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.PathRecorder;
 import io.github.lumbre.integrator.PathVertex;
-import io.github.lumbre.integrator.RayRecorder;
-import io.github.lumbre.integrator.Recorder;
-import io.github.lumbre.integrator.Scratch;
+import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
@@ -17,16 +15,18 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Repeats single samples of a render, to the bit, and tells how they came about. Mutable, and
- * confined to one thread.
+ * Repeats single samples of a render, bit for bit, and explains them. Mutable, and confined to one
+ * thread.
  */
 public final class PixelReplay {
   private final Scene scene;
   private final RenderSettings settings;
   private final Sampler sampler;
-  private final Recorder recorder;
+  private final Integrator integrator;
+  private final SampleLimit limit;
+  private final PathRecorder recorder = new PathRecorder();
+  private final RenderContext context = RenderContext.recordedBy(recorder);
   private final CameraRay ray = new CameraRay();
-  private final Scratch scratch = new Scratch();
 
   /**
    * @param settings those of the render whose samples are repeated
@@ -35,13 +35,8 @@ public final class PixelReplay {
     this.scene = scene;
     this.settings = settings;
     sampler = new SobolSampler(settings.seed());
-    recorder =
-        switch (settings.mode()) {
-          case PATH -> new PathRecorder(scene, PathOptions.of(settings));
-          case RAY ->
-              new RayRecorder(
-                  scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());
-        };
+    integrator = Integrator.of(scene, settings);
+    limit = SampleLimit.of(settings);
   }
 
   /**
@@ -49,12 +44,18 @@ public final class PixelReplay {
    *
    * @param number of the sample
    * @param vertices of the path; none if the camera images nothing there
-   * @param radiance as the integrator returns it
-   * @param film what the film gets: the same, or black if it is rejected
-   * @param rejected whether it is negative or not finite
+   * @param radiance as the integrator returns it: the sum of the vertices' contributions
+   * @param film what is added to the film: the radiance, clamped, or black if it is rejected
+   * @param rejected whether the radiance is negative or not finite
+   * @param clamped whether the radiance is brighter than the settings' clamp, and scaled down to it
    */
   public record Sample(
-      int number, List<PathVertex> vertices, Rgb radiance, Rgb film, boolean rejected) {
+      int number,
+      List<PathVertex> vertices,
+      Rgb radiance,
+      Rgb film,
+      boolean rejected,
+      boolean clamped) {
     public Sample {
       vertices = List.copyOf(vertices);
     }
@@ -91,14 +92,18 @@ public final class PixelReplay {
    * @param y likewise
    */
   public Sample sample(int x, int y, int number) {
-    scratch.startSample();
+    context.startSample();
     if (!CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {
-      return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false);
+      return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false, false);
     }
-    Rgb radiance = recorder.radiance(ray, sampler, scratch);
-    boolean rejected = CameraSamples.isRejected(radiance);
+    Rgb radiance = integrator.radiance(ray, sampler, context);
     return new Sample(
-        number, recorder.vertices(), radiance, rejected ? Rgb.BLACK : radiance, rejected);
+        number,
+        recorder.vertices(),
+        radiance,
+        limit.apply(radiance),
+        SampleLimit.isRejected(radiance),
+        limit.isClamped(radiance));
   }
 
   /**

@@ -36,6 +36,10 @@ public final class Scene {
   private final List<Light> lights;
   private final List<Light> emitters;
   private final List<EnvironmentLight> environments;
+
+  /** The index among the emitters of each environment light, and of each light. */
+  private final int[] emitterOfEnvironment, emitterOfLight;
+
   private final Rgb ambient;
   private final double radius;
 
@@ -68,6 +72,8 @@ public final class Scene {
             .filter(EnvironmentLight.class::isInstance)
             .map(EnvironmentLight.class::cast)
             .toList();
+    emitterOfEnvironment = indices(environments, this.emitters);
+    emitterOfLight = indices(this.lights, this.emitters);
     this.emitterOfPrimitive = new int[primitives.size()];
     for (int i = 0; i < primitives.size(); i++) {
       this.emitterOfPrimitive[i] = emitterOfPrimitive.getOrDefault(i, -1);
@@ -83,11 +89,25 @@ public final class Scene {
     lights = other.lights;
     emitters = other.emitters;
     environments = other.environments;
+    emitterOfEnvironment = other.emitterOfEnvironment;
+    emitterOfLight = other.emitterOfLight;
     ambient = other.ambient;
     radius = other.radius;
     emitterOfPrimitive = other.emitterOfPrimitive;
     this.shortcuts = Set.copyOf(shortcuts);
     primitiveOfShape = primitivesOfShapes();
+  }
+
+  /** Returns the indices of some lights among all, which are in the same order; -1 if missing. */
+  private static int[] indices(List<? extends Light> some, List<Light> all) {
+    int[] indices = new int[some.size()];
+    int next = 0;
+    for (int i = 0; i < indices.length; i++) {
+      int found = all.subList(next, all.size()).indexOf(some.get(i));
+      indices[i] = found < 0 ? -1 : next + found;
+      next = Math.max(next, indices[i] + 1);
+    }
+    return indices;
   }
 
   private Set<Shortcut> shortcuts() {
@@ -207,6 +227,16 @@ public final class Scene {
    */
   public int emitterAt(NearestHit hit) {
     return emitterOfPrimitive[hit.shape()];
+  }
+
+  /** Returns the index among {@link #emitters} of an environment light, by its own index. */
+  public int emitterOfEnvironment(int environment) {
+    return emitterOfEnvironment[environment];
+  }
+
+  /** Returns the index among {@link #emitters} of a light, by its index among {@link #lights}. */
+  public int emitterOfLight(int light) {
+    return emitterOfLight[light];
   }
 
   /** Tells whether anything lies on a ray. */

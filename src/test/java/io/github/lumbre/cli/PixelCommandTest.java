@@ -3,9 +3,11 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -27,9 +29,9 @@ class PixelCommandTest {
     assertThat(outcome.err()).isEmpty();
     assertThat(outcome.out().lines())
         .contains("pixel 8,6, sample 1, seed 0", "vertex 0", "vertex 1")
-        .anyMatch(line -> line.startsWith("  meets      $.objects[2]"))
+        .anyMatch(line -> line.startsWith("  hits       $.objects[2]"))
         .anyMatch(line -> line.startsWith("  made of    $.assets[1]"))
-        .anyMatch(line -> line.startsWith("film gets    ("));
+        .anyMatch(line -> line.startsWith("film         ("));
   }
 
   @Test
@@ -48,7 +50,7 @@ class PixelCommandTest {
     JsonObject sample = JsonParser.parseString(text).getAsJsonObject();
     assertThat(sample.get("format").getAsString()).isEqualTo(PixelJson.FORMAT);
     JsonObject first = sample.getAsJsonArray("vertices").get(0).getAsJsonObject();
-    assertThat(first.getAsJsonObject("meets").get("object_path").getAsString())
+    assertThat(first.getAsJsonObject("hit").get("object_path").getAsString())
         .isEqualTo("$.objects[2]");
     assertThat(sample.get("film")).isEqualTo(sample.get("radiance"));
     String all = pixel(TinyScene.JSON, "8,6", "--json").out();
@@ -70,12 +72,31 @@ class PixelCommandTest {
     JsonObject split = json(corner("--split", "5", "--json"));
     assertThat(split.get("radiance")).isNotEqualTo(plain.get("radiance"));
     JsonArray vertices = split.getAsJsonArray("vertices");
-    assertThat(vertices.get(0).getAsJsonObject().get("end").getAsString()).isEqualTo("goes_on");
+    assertThat(vertices.get(0).getAsJsonObject().get("end").getAsString()).isEqualTo("split");
     assertThat(vertices.size()).isGreaterThan(plain.getAsJsonArray("vertices").size());
-    assertThat(vertices.get(vertices.size() - 1).getAsJsonObject().get("sum"))
-        .isEqualTo(split.get("radiance"));
+    assertThat(vertices.get(0).getAsJsonObject().getAsJsonArray("scattered")).hasSize(5);
+    assertThat(vertices.get(vertices.size() - 1).getAsJsonObject().get("branch").getAsInt())
+        .isPositive();
+    assertThat(sumOfAmounts(vertices)).isEqualTo(numbers(split.getAsJsonArray("radiance")));
     pixel(TinyScene.JSON, "8,9", "--split", "257")
         .assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 257");
+  }
+
+  private static List<Double> sumOfAmounts(JsonArray vertices) {
+    double[] sum = new double[3];
+    for (JsonElement vertex : vertices) {
+      for (JsonElement found : vertex.getAsJsonObject().getAsJsonArray("contributions")) {
+        List<Double> amount = numbers(found.getAsJsonObject().getAsJsonArray("amount"));
+        for (int i = 0; i < sum.length; i++) {
+          sum[i] += amount.get(i);
+        }
+      }
+    }
+    return Arrays.stream(sum).boxed().toList();
+  }
+
+  private static List<Double> numbers(JsonArray array) {
+    return array.asList().stream().map(JsonElement::getAsDouble).toList();
   }
 
   private static Outcome corner(String... flags) {
@@ -105,7 +126,7 @@ class PixelCommandTest {
     assertThat(replay.exitCode()).isZero();
     assertThat(replay.out())
         .contains(
-            "Infinity", "rejected     negative or not finite", "film gets    (0.0, 0.0, 0.0)");
+            "Infinity", "rejected     negative or not finite", "film         (0.0, 0.0, 0.0)");
     Outcome strict = Outcome.of((command + " --strict").split(" "));
     assertThat(strict.exitCode()).isEqualTo(ExitCodes.INTERNAL);
     assertThat(Outcome.of((command + " --json").split(" ")).out()).contains("\"Infinity\"");

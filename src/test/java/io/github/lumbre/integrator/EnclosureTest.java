@@ -42,7 +42,7 @@ class EnclosureTest {
   private static Moments moments(Scene scene, int depth, Ray ray, int samples, long seed) {
     PathTracer tracer = new PathTracer(scene, depth);
     Sampler sampler = new SobolSampler(Effort.seed(seed));
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     Moments moments = new Moments();
     for (int i = 0; i < samples; i++) {
       sampler.startSample(i & 0xffff, i >>> 16, 0);
@@ -126,7 +126,7 @@ class EnclosureTest {
   void deeperPathsAreNeverDarker() {
     Scene scene =
         empty().add(sphere(0, 0, 0, 1), matte(.95)).add(point(Vec3.ZERO, Math.PI)).build();
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     Sampler sampler = new SobolSampler(Effort.seed(3));
     for (int sample = 0; sample < Effort.count(50, 300); sample++) {
       double before = 0;

@@ -26,7 +26,7 @@ record Estimate(double mean, double error) {
 
   static Estimate of(Integrator integrator, Ray ray, int samplesEach, long seed) {
     Sampler sampler = new SobolSampler(seed);
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     double[] values = new double[REPLICATES];
     for (int replicate = 0; replicate < REPLICATES; replicate++) {
       for (int sample = 0; sample < samplesEach; sample++) {

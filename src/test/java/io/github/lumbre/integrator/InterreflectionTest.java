@@ -149,7 +149,7 @@ class InterreflectionTest {
     Scene scene = empty().add(sphere(0, 0, 5, 1), glass(1.5)).addBackground(Rgb.WHITE).build();
     Ray central = new Ray(Vec3.ZERO, Vec3.Z);
 
-    Rgb whitted = new RayTracer(scene, 0, events).radiance(central, sampler(), new Scratch());
+    Rgb whitted = new RayTracer(scene, 0, events).radiance(central, sampler(), new RenderContext());
     Estimate path = Estimate.of(new PathTracer(scene, events), central, 1024);
 
     assertThat(whitted.r()).isCloseTo(expected, within(1e-12));
@@ -256,7 +256,7 @@ class InterreflectionTest {
     Scene scene =
         empty().add(floor(), matte(.7)).add(sphere(0, .5, 0, .5), matte(.3)).add(light).build();
     Sampler sampler = sampler();
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     for (int i = 0; i < 1000; i++) {
       sampler.startSample(i, 3, 0);
       Vec3 eye = new Vec3(0, 1, -4);
@@ -298,7 +298,7 @@ class InterreflectionTest {
   }
 
   private static double radianceOnce(Scene scene, int depth, Ray ray) {
-    return new PathTracer(scene, depth).radiance(ray, sampler(), new Scratch()).r();
+    return new PathTracer(scene, depth).radiance(ray, sampler(), new RenderContext()).r();
   }
 
   private static Sampler sampler() {

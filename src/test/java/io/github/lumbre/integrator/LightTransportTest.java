@@ -78,7 +78,7 @@ class LightTransportTest {
         empty().add(floor(), matte(ALBEDO)).addLamp(ceilingLamp(side, side, 1), glow(1)).build();
     PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(Strategy.LIGHT));
     Sampler sampler = new SobolSampler(Effort.seed(1));
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     int samples = 1 << Effort.count(16, 22);
     double sum = 0;
     for (int sample = 0; sample < samples; sample++) {
@@ -263,7 +263,7 @@ class LightTransportTest {
     Sampler sampler = new SobolSampler(0);
     sampler.startSample(1, 2, 3);
     Ray ray = new Ray(new Vec3(0, 1e-9, 0), new Vec3(0, -1, 0));
-    return new PathTracer(scene, 1).radiance(ray, sampler, new Scratch()).r();
+    return new PathTracer(scene, 1).radiance(ray, sampler, new RenderContext()).r();
   }
 
   @Test

@@ -32,7 +32,7 @@ class SamplingVarianceTest {
   private static Moments moments(Scene scene, Strategy strategy, int samples) {
     PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(strategy));
     Sampler sampler = new SobolSampler(Effort.seed(1));
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     Moments moments = new Moments();
     for (int i = 0; i < samples; i++) {
       // Every sample in a pixel of its own: they are independent then.

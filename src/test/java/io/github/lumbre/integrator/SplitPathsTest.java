@@ -142,16 +142,16 @@ class SplitPathsTest {
   @Test
   void pathsAreSplitOnce() {
     Scene scene = corner();
-    Scratch plain = raysOf(scene, 1);
-    Scratch split = raysOf(scene, 4);
+    RenderContext plain = raysOf(scene, 1);
+    RenderContext split = raysOf(scene, 4);
     assertThat(split.rays()).isBetween(3 * plain.rays() / 2, 4 * plain.rays());
     assertThat(split.shadowRays()).isBetween(3 * plain.shadowRays() / 2, 4 * plain.shadowRays());
   }
 
-  private static Scratch raysOf(Scene scene, int ways) {
+  private static RenderContext raysOf(Scene scene, int ways) {
     PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(5).splitInto(ways));
     SobolSampler sampler = new SobolSampler(3);
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     for (int sample = 0; sample < 1000; sample++) {
       sampler.startSample(0, 0, sample);
       tracer.radiance(VIEW, sampler, scratch);

@@ -7,21 +7,17 @@ import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.integrator.PathOptions;
-import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.integrator.PathVertex;
+import io.github.lumbre.integrator.PathVertex.Contribution;
 import io.github.lumbre.integrator.PathVertex.End;
-import io.github.lumbre.integrator.PathVertex.Gathered;
-import io.github.lumbre.integrator.PathVertex.Source;
-import io.github.lumbre.integrator.RayTracer;
-import io.github.lumbre.integrator.Scratch;
+import io.github.lumbre.integrator.PathVertex.Scattering;
+import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
-import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
@@ -58,10 +54,10 @@ class PixelReplayTest {
     SceneFile file = scene(name, mode);
     RenderSettings settings = file.settings().toBuilder().split(split).build();
     Image image = new BucketRenderer(settings).render(file.scene());
-    Integrator integrator = integrator(file.scene(), settings);
+    Integrator integrator = Integrator.of(file.scene(), settings);
     PixelReplay replay = new PixelReplay(file.scene(), settings);
     Sampler sampler = new SobolSampler(settings.seed());
-    Scratch scratch = new Scratch();
+    RenderContext scratch = new RenderContext();
     CameraRay ray = new CameraRay();
     for (int y = 0; y < HEIGHT; y += 3) {
       for (int x = 0; x < WIDTH; x++) {
@@ -74,53 +70,33 @@ class PixelReplayTest {
           Rgb expected = isImaged ? integrator.radiance(ray, sampler, scratch) : Rgb.BLACK;
           PixelReplay.Sample replayed = replay.sample(x, y, sample);
           assertThat(replayed.film()).isEqualTo(expected);
-          assertAddsUp(replayed, mode);
+          assertAddsUp(replayed);
         }
       }
     }
   }
 
-  private static Integrator integrator(Scene scene, RenderSettings s) {
-    return s.mode() == Mode.PATH
-        ? new PathTracer(scene, PathOptions.toDepth(s.maxTraceDepth()).splitInto(s.split()))
-        : new RayTracer(scene, s.reflectionTraceDepth(), s.refractionTraceDepth());
-  }
-
-  /** The contributions told are all there are; of a path, in the order in which it adds them. */
-  private static void assertAddsUp(PixelReplay.Sample sample, Mode mode) {
+  /** The contributions, added in their order, are the sample's radiance. */
+  private static void assertAddsUp(PixelReplay.Sample sample) {
     Rgb sum = Rgb.BLACK;
     for (PathVertex vertex : sample.vertices()) {
-      for (Gathered light : vertex.gathered()) {
-        sum = sum.plus(light.contribution());
-        assertExplained(vertex, light);
+      for (Contribution contribution : vertex.contributions()) {
+        sum = sum.plus(contribution.amount());
+        assertExplained(vertex, contribution);
       }
     }
-    if (mode == Mode.PATH) {
-      assertThat(sum).isEqualTo(sample.radiance());
-    } else {
-      assertThat(sum.r()).isCloseTo(sample.radiance().r(), within(1e-14 * (1 + sum.r())));
-    }
-    List<PathVertex> vertices = sample.vertices();
-    if (!vertices.isEmpty()) {
-      assertThat(vertices.get(vertices.size() - 1).sum()).isEqualTo(sample.radiance());
-    }
+    assertThat(sum).isEqualTo(sample.radiance());
   }
 
-  /** throughput · f · L · weight / pdf is the contribution. */
-  private static void assertExplained(PathVertex vertex, Gathered light) {
-    Rgb product = vertex.throughput().times(light.f()).times(light.radiance());
-    double factor = light.source() == Source.LIGHT ? light.weight() / light.lightPdf() : 1;
-    if (light.source() == Source.EMISSION || light.source() == Source.BACKGROUND) {
-      factor = light.weight();
-    }
-    if (light.source() != Source.AMBIENT && !light.blocked()) {
-      double expected = product.g() * factor;
-      assertThat(light.contribution().g()).isCloseTo(expected, within(1e-12 * (1 + expected)));
-    }
+  /** A contribution is the throughput times the weighted light of its lights. */
+  private static void assertExplained(PathVertex vertex, Contribution contribution) {
+    double light = contribution.lights().stream().mapToDouble(l -> l.weighted().g()).sum();
+    double expected = vertex.throughput().g() * light;
+    assertThat(contribution.amount().g()).isCloseTo(expected, within(1e-12 * (1 + expected)));
   }
 
   @Test
-  void pathsAreToldToTheirEnd() throws Exception {
+  void pathsAreRecordedToTheirEnd() throws Exception {
     SceneFile file = scene("cornell-box", Mode.PATH);
     PixelReplay replay = new PixelReplay(file.scene(), file.settings());
     for (int x = 0; x < WIDTH; x++) {
@@ -128,18 +104,38 @@ class PixelReplayTest {
       for (int i = 0; i < vertices.size(); i++) {
         PathVertex vertex = vertices.get(i);
         boolean isLast = i == vertices.size() - 1;
-        assertThat(vertex.end() != End.GOES_ON).isEqualTo(isLast);
-        assertThat(vertex.meeting().isPresent()).isEqualTo(vertex.end() != End.ESCAPED);
+        assertThat(vertex.end() != End.CONTINUES).isEqualTo(isLast);
+        assertThat(vertex.hit().isPresent()).isEqualTo(vertex.end() != End.ESCAPED);
         if (!isLast) {
           PathVertex next = vertices.get(i + 1);
-          assertThat(next.ray().direction()).isEqualTo(vertex.scattering().get().wi());
-          double survival = vertex.scattering().get().survival();
+          Scattering scattering = vertex.scattered().get(0);
+          assertThat(next.ray().direction()).isEqualTo(scattering.wi());
           Rgb carried =
-              vertex.throughput().times(vertex.scattering().get().weight()).times(1 / survival);
+              vertex.throughput().times(scattering.weight()).times(1 / scattering.survival());
           assertThat(next.throughput()).isEqualTo(carried);
         }
       }
     }
+  }
+
+  /** The film receives what the render adds to it: clamped and rejected samples included. */
+  @Test
+  void clampedSamplesAreReplayedAsTheFilmReceivesThem() throws Exception {
+    SceneFile file = scene("glass-and-mirror", Mode.PATH);
+    RenderSettings settings = file.settings().toBuilder().clamp(.5).build();
+    Image image = new BucketRenderer(settings).render(file.scene());
+    PixelReplay replay = new PixelReplay(file.scene(), settings);
+    int clamped = 0;
+    for (int y = 0; y < HEIGHT; y++) {
+      for (int x = 0; x < WIDTH; x++) {
+        assertThat(replay.pixel(x, y, 1).mean()).isEqualTo(image.pixel(x, y));
+        PixelReplay.Sample sample = replay.sample(x, y, 0);
+        clamped += sample.clamped() ? 1 : 0;
+        assertThat(sample.clamped()).isEqualTo(!sample.film().equals(sample.radiance()));
+        assertThat(sample.film().max()).isLessThanOrEqualTo(.5 + 1e-15);
+      }
+    }
+    assertThat(clamped).isPositive();
   }
 
   @Test

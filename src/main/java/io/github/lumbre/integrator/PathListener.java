@@ -1,0 +1,98 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.integrator.PathVertex.End;
+import io.github.lumbre.integrator.PathVertex.Source;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
+
+/**
+ * Receives the steps of a path while an {@link Integrator} traces it.
+ *
+ * <p>Arguments are plain numbers and objects that the {@link RenderContext} reuses: an event
+ * allocates nothing, and an object is valid during the call only. Without a listener, the events
+ * cost one predictable branch each.
+ */
+interface PathListener {
+  /** A path starts at the camera. */
+  void pathStarted();
+
+  /**
+   * A ray was traced: from the camera, or from the vertex where the path scattered last.
+   *
+   * @param ray origin and unit direction in world space, and the nearest hit if there is one
+   * @param r red component of the throughput, by which the light found next is multiplied
+   */
+  void rayTraced(NearestHit ray, double r, double g, double b);
+
+  /**
+   * The ray hit a surface that is not shaded: it emits, or the path has reached its greatest depth.
+   */
+  void surfaceHit(int primitive, SurfaceHit surface);
+
+  /** The ray hit a surface that scatters. */
+  void vertexReached(int primitive, SurfaceHit surface, Bsdf bsdf);
+
+  /**
+   * A light was sampled at the vertex.
+   *
+   * @param emitter index among the scene's emitters
+   * @param value f·|cos θi| and density of the BSDF for the light's direction
+   * @param lightPdf density per solid angle of the sample, the probability of the emitter included;
+   *     for a delta light that probability
+   * @param misWeight weight of multiple importance sampling
+   * @param blocked whether the shadow ray hit something
+   */
+  void lightSampled(
+      int emitter,
+      LightSample light,
+      BsdfValue value,
+      double lightPdf,
+      double misWeight,
+      boolean blocked);
+
+  /**
+   * The ray found light by itself, or the vertex receives ambient light.
+   *
+   * @param emitter index among the scene's emitters; -1 if it is none of them
+   * @param r red component of the radiance, unweighted
+   * @param lightPdf density with which light sampling would have drawn the ray; 0 if it cannot
+   * @param bsdfPdf density with which the ray was drawn; infinite for delta lobes and the camera
+   * @param misWeight weight of multiple importance sampling
+   */
+  void lightFound(
+      Source source,
+      int emitter,
+      double r,
+      double g,
+      double b,
+      double lightPdf,
+      double bsdfPdf,
+      double misWeight);
+
+  /**
+   * Light is added to the sample: the throughput times this. It comes from the lights reported
+   * since the last such event.
+   *
+   * @param r red component of the light, weighted
+   */
+  void lightAdded(double r, double g, double b);
+
+  /**
+   * A direction was sampled at the vertex. If it does not survive, the path ends.
+   *
+   * @param sample not absorbed
+   * @param survival probability with which Russian roulette continues the path; 1 without it
+   * @param survives whether the path continues
+   */
+  void scattered(BsdfSample sample, double survival, boolean survives);
+
+  /** A branch of a split path starts at the vertex where the path was split. */
+  void branchStarted(int branch);
+
+  /** The path ends where the last ray led, or is split there. */
+  void pathEnded(End end);
+}
