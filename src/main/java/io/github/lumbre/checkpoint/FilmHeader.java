@@ -5,6 +5,7 @@ import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.Setting;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -41,9 +42,6 @@ public record FilmHeader(
   /** Name in the identity: one number for path tracing; mirrors and glass for ray tracing. */
   public static final String DEPTH = "depth";
 
-  /** Name in the identity: how many ways a path goes on where it is split; left out if one. */
-  public static final String SPLIT = "split";
-
   public static final String SEED = "seed";
   public static final String SIZE = "size";
   public static final String TRANSPARENT = "transparent";
@@ -53,6 +51,18 @@ public record FilmHeader(
   public static final String REVISION = "revision";
 
   private static final String NOTHING = "nothing";
+
+  /** Settings that every identity states in lines of their own form. */
+  private static final Set<Setting<?>> COMBINED =
+      Set.of(
+          Setting.MODE,
+          Setting.MAX_TRACE_DEPTH,
+          Setting.REFLECTION_TRACE_DEPTH,
+          Setting.REFRACTION_TRACE_DEPTH,
+          Setting.SEED,
+          Setting.WIDTH,
+          Setting.HEIGHT,
+          Setting.TRANSPARENT);
 
   public FilmHeader {
     identity = Collections.unmodifiableMap(new LinkedHashMap<>(identity));
@@ -67,8 +77,10 @@ public record FilmHeader(
     identity.put(SCENE_HASH, sceneHash);
     identity.put(MODE, settings.mode().name().toLowerCase(Locale.ROOT));
     identity.put(DEPTH, depth(settings));
-    if (settings.split() > 1) {
-      identity.put(SPLIT, String.valueOf(settings.split()));
+    for (Setting<?> setting : named()) {
+      if (settings.isSet(setting)) {
+        identity.put(setting.name(), settings.text(setting));
+      }
     }
     identity.put(SEED, String.valueOf(settings.seed()));
     identity.put(SIZE, settings.width() + "x" + settings.height());
@@ -78,9 +90,23 @@ public record FilmHeader(
     return identity;
   }
 
-  /** Returns what an identity means that does not have a name. */
-  private static String unsaid(String name) {
-    return name.equals(SPLIT) ? "1" : NOTHING;
+  /**
+   * Returns the settings that stand in an identity under their own names, unless they have their
+   * default.
+   */
+  public static List<Setting<?>> named() {
+    return Setting.all().stream()
+        .filter(setting -> setting.changesSamples() && !COMBINED.contains(setting))
+        .toList();
+  }
+
+  /** Returns what a name stands for that an identity lacks. */
+  private static String missing(String name) {
+    return named().stream()
+        .filter(setting -> setting.name().equals(name))
+        .map(setting -> RenderSettings.DEFAULT.text(setting))
+        .findAny()
+        .orElse(NOTHING);
   }
 
   private static String depth(RenderSettings settings) {
@@ -108,8 +134,8 @@ public record FilmHeader(
     names.addAll(other.keySet());
     List<String> differences = new ArrayList<>();
     for (String name : names) {
-      String value = identity.getOrDefault(name, unsaid(name));
-      String found = other.getOrDefault(name, unsaid(name));
+      String value = identity.getOrDefault(name, missing(name));
+      String found = other.getOrDefault(name, missing(name));
       if (!found.equals(value)) {
         differences.add(name + ": " + here + " has " + value + ", " + there + " has " + found);
       }

@@ -26,6 +26,7 @@ import picocli.CommandLine.Spec;
             + " to do.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
+    modelTransformer = SettingFlags.Adder.class,
     usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,

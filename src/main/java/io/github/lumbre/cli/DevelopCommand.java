@@ -17,6 +17,7 @@ import picocli.CommandLine.Spec;
     header = "Make a picture of a film, without rendering.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
+    modelTransformer = SettingFlags.Adder.class,
     usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,

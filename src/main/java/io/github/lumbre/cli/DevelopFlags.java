@@ -4,9 +4,12 @@ import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.Setting.Group;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -17,19 +20,7 @@ final class DevelopFlags {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
 
-  @Option(
-      names = "--exposure",
-      paramLabel = "EV",
-      converter = FlagConverters.OfExposure.class,
-      description = "Stops by which a PNG is brightened, or auto (as rendered).")
-  private Optional<Exposure> exposure;
-
-  @Option(
-      names = "--tonemap",
-      paramLabel = "NAME",
-      converter = FlagConverters.OfToneCurve.class,
-      description = "Tone curve of a PNG: srgb, gamma22, reinhard or aces (as rendered).")
-  private Optional<ToneCurve> toneCurve;
+  @Mixin private SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
 
   @Option(
       names = "--bits",
@@ -66,8 +57,8 @@ final class DevelopFlags {
 
   private void develop(Path name, FilmFile film, PictureOutput picture) throws CommandException {
     FilmNotes notes = new FilmNotes(name, film.header());
-    Exposure stops = exposure.isPresent() ? exposure.get() : notes.exposure();
-    ToneCurve curve = toneCurve.isPresent() ? toneCurve.get() : notes.toneCurve();
+    Exposure stops = settings.valueOr(Setting.EXPOSURE, notes.exposure());
+    ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = bits.isPresent() ? bits.get() : notes.bits();
     Map<String, String> metadata = notes.metadata();
     picture.write(film.film().develop(), new ImageWriter.Options(stops, curve, depth, metadata));

@@ -8,13 +8,16 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import picocli.CommandLine.TypeConversionException;
 
 /** What a film's header tells the command line: how to go on, and how to develop it. */
@@ -50,17 +53,13 @@ final class FilmNotes {
     notes.put(SCENE, scene.toAbsolutePath().normalize().toString());
     notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
     notes.put(SAMPLES, String.valueOf(settings.samples()));
-    notes.put(EXPOSURE, text(settings.exposure()));
-    notes.put(TONE_CURVE, FlagConverters.lower(settings.toneCurve()));
+    notes.put(EXPOSURE, settings.text(Setting.EXPOSURE));
+    notes.put(TONE_CURVE, settings.text(Setting.TONE_MAP));
     notes.put(BITS, String.valueOf(bits));
     notes.put(LENIENT, String.valueOf(lenient));
     budget.targetError().ifPresent(error -> notes.put(TARGET_ERROR, String.valueOf(error)));
     notes.put(CONFIDENCE, String.valueOf(budget.confidence()));
     return notes;
-  }
-
-  private static String text(Exposure exposure) {
-    return exposure.stops().isPresent() ? "" + exposure.stops().getAsDouble() : "auto";
   }
 
   Path scene() throws CommandException {
@@ -100,11 +99,11 @@ final class FilmNotes {
   }
 
   Exposure exposure() throws CommandException {
-    return note(EXPOSURE, new FlagConverters.OfExposure()::convert);
+    return note(EXPOSURE, Setting.EXPOSURE.type()::parse);
   }
 
   ToneCurve toneCurve() throws CommandException {
-    return note(TONE_CURVE, new FlagConverters.OfToneCurve()::convert);
+    return note(TONE_CURVE, Setting.TONE_MAP.type()::parse);
   }
 
   int bits() throws CommandException {
@@ -118,8 +117,11 @@ final class FilmNotes {
     metadata.put("Scene", String.valueOf(scene().getFileName()));
     metadata.put("SceneHash", identity(FilmHeader.SCENE_HASH, Function.identity()));
     metadata.put("Mode", identity(FilmHeader.MODE, Function.identity()));
-    if (isSplit()) {
-      metadata.put("Split", identity(FilmHeader.SPLIT, Function.identity()));
+    for (Setting<?> setting : FilmHeader.named()) {
+      if (header.identity().containsKey(setting.name())) {
+        String value = identity(setting.name(), Function.identity());
+        metadata.put(PictureMetadata.keyword(setting), value);
+      }
     }
     metadata.put("Seed", identity(FilmHeader.SEED, Function.identity()));
     metadata.put("Size", identity(FilmHeader.SIZE, Function.identity()));
@@ -142,7 +144,7 @@ final class FilmNotes {
     FlagConverters.Size size = identity(FilmHeader.SIZE, new FlagConverters.OfSize()::convert);
     long seed = identity(FilmHeader.SEED, Long::valueOf);
     int[] depths = identity(FilmHeader.DEPTH, FilmNotes::depths);
-    int split = isSplit() ? identity(FilmHeader.SPLIT, FilmNotes::ways) : 1;
+    UnaryOperator<RenderSettings.Builder> named = namedSettings();
     int samples = samples();
     Exposure exposure = exposure();
     ToneCurve toneCurve = toneCurve();
@@ -158,7 +160,8 @@ final class FilmNotes {
               if (!header.window().equals(whole)) {
                 builder.crop(header.window());
               }
-              builder.samples(samples).exposure(exposure).toneCurve(toneCurve).split(split);
+              builder.samples(samples).exposure(exposure).toneCurve(toneCurve);
+              named.apply(builder);
               switch (mode) {
                 case PATH -> builder.maxTraceDepth(depths[0]);
                 case RAY -> builder.rayDepths(depths[0], depths[depths.length - 1]);
@@ -168,17 +171,34 @@ final class FilmNotes {
             });
   }
 
-  private boolean isSplit() {
-    return header.identity().containsKey(FilmHeader.SPLIT);
+  /** Returns a change that sets all that the identity states by the names of settings. */
+  private UnaryOperator<RenderSettings.Builder> namedSettings() throws CommandException {
+    RenderSettings.Builder read = new RenderSettings.Builder();
+    List<Setting<?>> stated =
+        FilmHeader.named().stream().filter(s -> header.identity().containsKey(s.name())).toList();
+    for (Setting<?> setting : stated) {
+      identity(setting.name(), text -> set(setting, text, read));
+    }
+    RenderSettings settings = read.build();
+    return builder -> {
+      FilmHeader.named().forEach(setting -> copy(setting, settings, builder));
+      return builder;
+    };
   }
 
-  private static int ways(String text) {
-    int ways = Integer.parseInt(text);
-    if (ways < 1 || ways > RenderSettings.MAX_SPLIT) {
+  private static <T> RenderSettings.Builder set(
+      Setting<T> setting, String text, RenderSettings.Builder builder) {
+    T value = setting.type().parse(text);
+    if (!setting.type().accepts(value)) {
       throw new IllegalArgumentException(
-          "expected 1 to " + RenderSettings.MAX_SPLIT + ", found " + text);
+          "expected " + setting.type().expected() + ", found " + text);
     }
-    return ways;
+    return builder.set(setting, value);
+  }
+
+  private static <T> void copy(
+      Setting<T> setting, RenderSettings from, RenderSettings.Builder builder) {
+    builder.set(setting, from.get(setting));
   }
 
   private static int[] depths(String text) {

@@ -2,8 +2,6 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.BenchComparison.Clock;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.image.Exposure;
-import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.math.BigDecimal;
@@ -138,21 +136,6 @@ final class FlagConverters {
     }
   }
 
-  /** {@code auto}, or a number of stops. */
-  static final class OfExposure implements ITypeConverter<Exposure> {
-    @Override
-    public Exposure convert(String text) {
-      if (text.equals("auto")) {
-        return Exposure.AUTO;
-      }
-      try {
-        return Exposure.of(Double.parseDouble(text));
-      } catch (IllegalArgumentException e) {
-        throw unexpected("auto or a finite number of stops", text);
-      }
-    }
-  }
-
   /** {@code ray} or {@code path}. */
   static final class OfMode implements ITypeConverter<Mode> {
     @Override
@@ -182,14 +165,6 @@ final class FlagConverters {
     @Override
     public Kernel convert(String text) {
       return oneOf(Kernel.values(), text);
-    }
-  }
-
-  /** {@code srgb}, {@code gamma22}, {@code reinhard} or {@code aces}. */
-  static final class OfToneCurve implements ITypeConverter<ToneCurve> {
-    @Override
-    public ToneCurve convert(String text) {
-      return oneOf(ToneCurve.values(), text);
     }
   }
 

@@ -2,12 +2,14 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
+import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.parser.SceneContents;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -87,9 +89,19 @@ final class JsonSummary {
     values.put("mode", FlagConverters.lower(settings.mode()));
     values.put("samples_per_pixel", settings.samples());
     values.put("adaptive", settings.adaptive());
-    values.put("split", settings.split());
+    for (Setting<?> setting : FilmHeader.named()) {
+      values.put(setting.name(), value(settings.get(setting)));
+    }
     values.put("seed", settings.seed());
     values.put("warnings", file.warnings());
+  }
+
+  /** Returns a value as JSON has it: numbers and texts; null instead of an infinite limit. */
+  private static Object value(Object value) {
+    if (value instanceof Double number) {
+      return Double.isFinite(number) ? number : null;
+    }
+    return value instanceof Enum<?> constant ? FlagConverters.lower(constant) : value;
   }
 
   /** Adds how much of everything a scene holds. */

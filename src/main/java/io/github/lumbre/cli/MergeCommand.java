@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
             + " are of different scenes or settings, are refused.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
+    modelTransformer = SettingFlags.Adder.class,
     usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,

@@ -1,13 +1,15 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** What a picture file tells of itself. */
+/** The metadata of a picture file. */
 final class PictureMetadata {
   private PictureMetadata() {}
 
@@ -26,13 +28,20 @@ final class PictureMetadata {
     metadata.put("SceneHash", file.hash());
     metadata.put("Mode", FlagConverters.lower(settings.mode()));
     metadata.put("Samples", String.valueOf(settings.samples()));
-    if (settings.split() > 1) {
-      metadata.put("Split", String.valueOf(settings.split()));
+    for (Setting<?> setting : FilmHeader.named()) {
+      if (settings.isSet(setting)) {
+        metadata.put(keyword(setting), settings.text(setting));
+      }
     }
     metadata.put("Seed", String.valueOf(settings.seed()));
     metadata.put("Size", settings.width() + "x" + settings.height());
     settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
     metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
     return metadata;
+  }
+
+  /** Returns the keyword of a setting: its name with a capital letter. */
+  static String keyword(Setting<?> setting) {
+    return setting.name().substring(0, 1).toUpperCase(Locale.ROOT) + setting.name().substring(1);
   }
 }

@@ -24,6 +24,7 @@ import picocli.CommandLine.Spec;
             + " alike, these are the samples of the render, to the bit.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
+    modelTransformer = SettingFlags.Adder.class,
     usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,

@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
             + " with any number of threads.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
+    modelTransformer = SettingFlags.Adder.class,
     usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,

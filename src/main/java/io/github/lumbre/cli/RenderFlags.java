@@ -1,12 +1,12 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.FlagConverters.Size;
-import io.github.lumbre.image.Exposure;
-import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.Setting.Group;
 import java.util.Optional;
 import java.util.OptionalInt;
 import picocli.CommandLine.Mixin;
@@ -56,31 +56,9 @@ final class RenderFlags {
       })
   private Optional<Integer> depth;
 
-  @Option(
-      names = "--split",
-      paramLabel = "N",
-      description = {
-        "Path mode: let each path go on in so many ways (1) from its first surface that is no",
-        "mirror or clear glass. Less noise in the same time where light between surfaces makes"
-            + " it; see 'lumbre trade'."
-      })
-  private Optional<Integer> split;
-
-  @Option(
-      names = "--clamp",
-      paramLabel = "VALUE",
-      description =
-          "Darken samples to this largest component: fewer fireflies, and too little light, "
-              + "which is told at the end. Not with --checkpoint. Default: none.")
-  private Optional<Double> clamp = Optional.empty();
-
-  @Mixin private WorkFlags work;
-
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      description = "Seed of everything random (scene or 0).")
-  private Optional<Long> seed;
+  @Mixin
+  private SettingFlags settings =
+      new SettingFlags("", Group.TRANSPORT, Group.SAMPLING, Group.OUTPUT, Group.EXECUTION);
 
   @Option(
       names = "--size",
@@ -102,20 +80,6 @@ final class RenderFlags {
       description = "Refuse a full frame of more pixels (268435456, which is 2^28).")
   private Optional<Integer> maxPixels;
 
-  @Option(
-      names = "--exposure",
-      paramLabel = "EV",
-      converter = FlagConverters.OfExposure.class,
-      description = "Stops by which a PNG is brightened, or auto (scene or 0).")
-  private Optional<Exposure> exposure;
-
-  @Option(
-      names = "--tonemap",
-      paramLabel = "NAME",
-      converter = FlagConverters.OfToneCurve.class,
-      description = "Tone curve of a PNG: srgb, gamma22, reinhard or aces (scene or srgb).")
-  private Optional<ToneCurve> toneCurve;
-
   /**
    * Complains about values out of range before anything is read.
    *
@@ -131,21 +95,16 @@ final class RenderFlags {
           spec.commandLine(), "--samples and --samples-to: expected one of them");
     }
     depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
-    split.ifPresent(n -> require("--split", 1, RenderSettings.MAX_SPLIT, n));
-    if (!(clamp.orElse(1.0) > 0)) {
-      throw new ParameterException(
-          spec.commandLine(), "--clamp: expected more than 0, found " + clamp.get());
-    }
-    work.validate(spec);
+    settings.validate(spec);
     maxPixels.ifPresent(n -> require("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
   }
 
-  /** Tells whether bright samples are to be darkened. */
+  /** Returns whether bright samples are to be scaled down. */
   boolean isClamping() {
-    return clamp.isPresent();
+    return settings.isGiven(Setting.CLAMP);
   }
 
   /** Tells whether only some of the pixels' samples are asked for, by their numbers. */
@@ -210,14 +169,10 @@ final class RenderFlags {
     RenderSettings.Builder builder = inScene.toBuilder();
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
-    clamp.ifPresent(builder::clamp);
-    work.override(builder);
-    seed.ifPresent(builder::seed);
+    settings.override(builder);
+    requirePathsFor(Setting.SPLIT, inScene.mode());
     size.ifPresent(s -> builder.size(s.width(), s.height()));
-    exposure.ifPresent(builder::exposure);
-    toneCurve.ifPresent(builder::toneCurve);
     depth.ifPresent(n -> setDepth(builder, inScene.mode(), n));
-    split.ifPresent(n -> setSplit(builder, inScene.mode(), n));
     if (size.isEmpty()) {
       requireCropIn(inScene.width(), inScene.height());
     }
@@ -225,11 +180,11 @@ final class RenderFlags {
     return builder.build();
   }
 
-  private void setSplit(RenderSettings.Builder builder, Mode mode, int ways) {
-    if (mode == Mode.RAY) {
-      throw new ParameterException(spec.commandLine(), "--split: expected path mode, found ray");
+  private void requirePathsFor(Setting<?> setting, Mode mode) {
+    if (mode == Mode.RAY && settings.isGiven(setting)) {
+      throw new ParameterException(
+          spec.commandLine(), setting.flag() + ": expected path mode, found ray");
     }
-    builder.split(ways);
   }
 
   private static void setDepth(RenderSettings.Builder builder, Mode mode, int depth) {

@@ -1,9 +1,11 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.stream.Collectors;
 
 /** The command that repeats a sample of a render: what to type after a warning. */
 final class ReplayCommand {
@@ -13,7 +15,7 @@ final class ReplayCommand {
   static String of(Path scene, RenderSettings settings, RejectedSample sample) {
     return String.format(
         Locale.ROOT,
-        "lumbre pixel %s %d,%d --sample %d --seed %d --size %dx%d --mode %s%s",
+        "lumbre pixel %s %d,%d --sample %d --seed %d --size %dx%d --mode %s%s%s",
         quoted(scene.toString()),
         sample.x(),
         sample.y(),
@@ -22,21 +24,26 @@ final class ReplayCommand {
         settings.width(),
         settings.height(),
         FlagConverters.lower(settings.mode()),
-        depth(settings));
+        depth(settings),
+        others(settings));
   }
 
   private static String depth(RenderSettings settings) {
     return switch (settings.mode()) {
-      case PATH ->
-          " --depth "
-              + settings.maxTraceDepth()
-              + (settings.split() > 1 ? " --split " + settings.split() : "");
+      case PATH -> " --depth " + settings.maxTraceDepth();
       // Two depths that differ can only come from the scene, which the command reads again.
       case RAY ->
           settings.reflectionTraceDepth() == settings.refractionTraceDepth()
               ? " --depth " + settings.reflectionTraceDepth()
               : "";
     };
+  }
+
+  private static String others(RenderSettings settings) {
+    return FilmHeader.named().stream()
+        .filter(settings::isSet)
+        .map(setting -> " " + setting.flag() + " " + settings.text(setting))
+        .collect(Collectors.joining());
   }
 
   /** Returns a name as a shell takes it. */

@@ -8,6 +8,7 @@ import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting.Group;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -34,6 +35,7 @@ import picocli.CommandLine.Spec;
             + " scene and its files must be as they were.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
+    modelTransformer = SettingFlags.Adder.class,
     usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,
@@ -84,7 +86,7 @@ final class ResumeCommand implements Callable<Integer> {
       description = "Where the scene is now, if it was moved.")
   private Optional<Path> scene;
 
-  @Mixin private WorkFlags work;
+  @Mixin private SettingFlags work = new SettingFlags("", Group.EXECUTION);
 
   @Mixin private BudgetFlags budgets;
 

@@ -2,96 +2,87 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
-import java.util.LinkedHashMap;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scene.SettingType.ChoiceType;
+import io.github.lumbre.scene.SettingType.FlagType;
+import io.github.lumbre.scene.SettingType.IntegerType;
+import io.github.lumbre.scene.SettingType.LimitType;
+import io.github.lumbre.scene.SettingType.LongType;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Reads {@code renderOptions}. */
 final class SettingsReader {
   private static final RenderSettings DEFAULT = RenderSettings.DEFAULT;
   private static final int DEFAULT_ANTIALIASING = 2;
-  private static final Map<String, Mode> MODES = ordered("ray", Mode.RAY, "path", Mode.PATH);
-  private static final Map<String, ToneCurve> TONE_CURVES =
-      ordered(
-          "srgb", ToneCurve.SRGB,
-          "gamma22", ToneCurve.GAMMA22,
-          "reinhard", ToneCurve.REINHARD,
-          "aces", ToneCurve.ACES);
   private static final String TRANSPARENT = "transparent";
+
+  /** Keys beside those of the settings. */
+  private static final Set<String> OTHER_KEYS = Set.of("antialiasing", "background", "name");
+
   static final Set<String> KEYS =
-      Set.of(
-          "width",
-          "height",
-          "antialiasing",
-          "threads",
-          "bucketSize",
-          "reflectionTraceDepth",
-          "refractionTraceDepth",
-          "maxTraceDepth",
-          "mode",
-          "samples",
-          "seed",
-          "exposure",
-          "toneMap",
-          "background",
-          "name");
+      Stream.concat(
+              OTHER_KEYS.stream(),
+              Setting.all().stream().filter(Setting::isInScenes).map(Setting::name))
+          .collect(Collectors.toUnmodifiableSet());
 
   private SettingsReader() {}
 
-  @SuppressWarnings("unchecked")
-  private static <T> Map<String, T> ordered(Object... namesAndValues) {
-    Map<String, T> map = new LinkedHashMap<>();
-    for (int i = 0; i < namesAndValues.length; i += 2) {
-      map.put((String) namesAndValues[i], (T) namesAndValues[i + 1]);
-    }
-    return map;
-  }
-
   /**
-   * Returns the settings that a scene asks for; in place of wrong values, the defaults.
+   * Returns the settings of a scene; in place of wrong values, the defaults.
    *
-   * @param mode to use whatever the scene says
+   * @param mode to use instead of the scene's
    */
   static RenderSettings read(JsonNode options, Optional<Mode> mode) {
     options.warnUnknown(KEYS);
-    Mode inFile = options.choice("mode", MODES, DEFAULT.mode());
-    Mode used = mode.orElse(inFile);
-    int forRays = raySamples(options);
-    int forPaths = options.integer("samples", DEFAULT.samples(), 1, RenderSettings.MAX_SAMPLES);
-    return new RenderSettings.Builder()
-        .mode(used)
-        .samples(used == Mode.RAY ? forRays : forPaths)
-        .size(side(options, "width", DEFAULT.width()), side(options, "height", DEFAULT.height()))
-        .maxTraceDepth(depth(options, "maxTraceDepth", DEFAULT.maxTraceDepth()))
-        .rayDepths(
-            depth(options, "reflectionTraceDepth", DEFAULT.reflectionTraceDepth()),
-            depth(options, "refractionTraceDepth", DEFAULT.refractionTraceDepth()))
-        .threads(options.integer("threads", DEFAULT.threads(), 0, RenderSettings.MAX_THREADS))
-        .bucketSize(options.integer("bucketSize", DEFAULT.bucketSize(), 1, Integer.MAX_VALUE))
-        .seed(options.integer("seed", DEFAULT.seed(), Long.MIN_VALUE, Long.MAX_VALUE))
-        .exposure(exposure(options))
-        .toneCurve(options.choice("toneMap", TONE_CURVES, DEFAULT.toneCurve()))
-        .transparent(isTransparent(options))
-        .build();
+    RenderSettings.Builder builder = new RenderSettings.Builder();
+    Setting.all().stream()
+        .filter(Setting::isInScenes)
+        .forEach(setting -> read(setting, options, builder));
+    int raySamples = raySamples(options);
+    Mode used = mode.orElse(builder.build().mode());
+    if (used == Mode.RAY) {
+      builder.samples(raySamples);
+    }
+    return builder.mode(used).transparent(isTransparent(options)).build();
   }
 
-  /** Returns the settings of a scene that asks for nothing. */
+  /** Returns the settings of a scene that states none. */
   static RenderSettings missing(Optional<Mode> mode) {
     Mode used = mode.orElse(DEFAULT.mode());
     int samples = used == Mode.RAY ? raySamples(DEFAULT_ANTIALIASING) : DEFAULT.samples();
     return DEFAULT.toBuilder().mode(used).samples(samples).build();
   }
 
-  private static int side(JsonNode options, String key, int missing) {
-    return options.integer(key, missing, 1, RenderSettings.MAX_SIDE);
+  private static <T> void read(
+      Setting<T> setting, JsonNode options, RenderSettings.Builder builder) {
+    builder.set(setting, value(setting.type(), setting.name(), setting.missing(), options));
   }
 
-  private static int depth(JsonNode options, String key, int missing) {
-    return options.integer(key, missing, 0, RenderSettings.MAX_DEPTH);
+  @SuppressWarnings("unchecked") // The type of the values is that of the setting's type.
+  private static <T> T value(SettingType<T> type, String key, T missing, JsonNode options) {
+    if (type instanceof IntegerType range) {
+      return (T) (Integer) options.integer(key, (Integer) missing, range.low(), range.high());
+    }
+    if (type instanceof LongType) {
+      return (T) (Long) options.integer(key, (Long) missing, Long.MIN_VALUE, Long.MAX_VALUE);
+    }
+    if (type instanceof LimitType) {
+      return (T) (Double) options.number(key, (Double) missing, Range.POSITIVE);
+    }
+    if (type instanceof FlagType) {
+      return (T) (Boolean) options.flag(key, (Boolean) missing);
+    }
+    if (type instanceof ChoiceType<?> choice) {
+      return options.choice(key, (Map<String, T>) choice.choices(), missing);
+    }
+    return (T) exposure(options, key, (Exposure) missing);
   }
 
   /** The format counts in powers of two, and only every other one exists: 1, 4, 16, … */
@@ -104,19 +95,19 @@ final class SettingsReader {
     return raySamples(n == -1 ? DEFAULT_ANTIALIASING : n);
   }
 
-  private static Exposure exposure(JsonNode options) {
-    Optional<JsonNode> node = options.find("exposure");
+  private static Exposure exposure(JsonNode options, String key, Exposure missing) {
+    Optional<JsonNode> node = options.find(key);
     if (node.isEmpty()) {
-      return DEFAULT.exposure();
+      return missing;
     }
     if (node.get().isText("auto")) {
       return Exposure.AUTO;
     }
     if (!node.get().isNumber()) {
       node.get().error("expected a finite number or \"auto\", found " + node.get().found());
-      return DEFAULT.exposure();
+      return missing;
     }
-    return Exposure.of(options.number("exposure", 0, Range.ANY));
+    return Exposure.of(options.number(key, 0, Range.ANY));
   }
 
   private static boolean isTransparent(JsonNode options) {

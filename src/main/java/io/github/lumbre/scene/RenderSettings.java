@@ -2,52 +2,16 @@ package io.github.lumbre.scene;
 
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
- * How a picture is to be made; the world itself is in {@link Scene}. Immutable; {@link #toBuilder}
- * begins a changed copy.
- *
- * @param width of the full frame in pixels, 1 to 65535
- * @param height of the full frame in pixels, 1 to 65535
- * @param mode ray tracing or path tracing
- * @param samples per pixel, 1 to 2^30, in whichever mode
- * @param maxTraceDepth path mode: how many vertices of a path may scatter
- * @param reflectionTraceDepth ray mode: how many mirrors a path may meet
- * @param refractionTraceDepth ray mode: how many glass surfaces a path may meet
- * @param threads 0 means as many as there are processors
- * @param bucketSize side of the square buckets in pixels
- * @param seed everything random follows from it
- * @param exposure applied when the picture is written with few bits
- * @param toneCurve applied when the picture is written with few bits
- * @param crop the part of the full frame to render; empty means all of it
- * @param transparent whether the share of samples that met something becomes the picture's alpha
- * @param adaptive whether the number of samples is the pixels' mean, and noisy pixels get more
- * @param split path mode: how many ways each path goes on from its first vertex that is no mirror
- *     or clear glass, 1 to 256, each for its share of the light
- * @param clamp above 0: samples of a larger component are darkened to it, which takes fireflies and
- *     light away; infinite for none
+ * How a picture is made; the world itself is in {@link Scene}. A value for each {@link Setting}, and
+ * the part of the frame to render. Immutable; {@link #toBuilder} starts a changed copy.
  */
-public record RenderSettings(
-    int width,
-    int height,
-    Mode mode,
-    int samples,
-    int maxTraceDepth,
-    int reflectionTraceDepth,
-    int refractionTraceDepth,
-    int threads,
-    int bucketSize,
-    long seed,
-    Exposure exposure,
-    ToneCurve toneCurve,
-    Optional<Crop> crop,
-    boolean transparent,
-    boolean adaptive,
-    int split,
-    double clamp) {
-
+public final class RenderSettings {
   /** The largest allowed width and height. */
   public static final int MAX_SIDE = 65535;
 
@@ -57,35 +21,27 @@ public record RenderSettings(
   /** The largest allowed depth, of each kind. */
   public static final int MAX_DEPTH = 1_000_000;
 
-  /** The most ways in which a path may go on. */
+  /** The largest number of branches of a split path. */
   public static final int MAX_SPLIT = 256;
 
   /** The largest allowed number of threads. */
   public static final int MAX_THREADS = 1024;
 
-  /** What a scene file that says nothing gets. */
+  /** The settings of a scene file that states none. */
   public static final RenderSettings DEFAULT = new Builder().build();
 
-  public RenderSettings {
-    requireIn(1, MAX_SIDE, width, "width");
-    requireIn(1, MAX_SIDE, height, "height");
-    requireIn(1, MAX_SAMPLES, samples, "samples");
-    requireIn(0, MAX_DEPTH, maxTraceDepth, "maxTraceDepth");
-    requireIn(0, MAX_DEPTH, reflectionTraceDepth, "reflectionTraceDepth");
-    requireIn(0, MAX_DEPTH, refractionTraceDepth, "refractionTraceDepth");
-    requireIn(0, MAX_THREADS, threads, "threads");
-    requireIn(1, Integer.MAX_VALUE, bucketSize, "bucketSize");
-    requireIn(1, MAX_SPLIT, split, "split");
-    if (!(clamp > 0)) {
-      throw new IllegalArgumentException("clamp: expected more than 0, found " + clamp);
-    }
-    Objects.requireNonNull(mode, "mode");
-    Objects.requireNonNull(exposure, "exposure");
-    Objects.requireNonNull(toneCurve, "toneCurve");
+  /** By the index of each setting. */
+  private final List<Object> values;
+
+  private final Optional<Crop> crop;
+
+  private RenderSettings(Builder from) {
+    values = List.of(from.values);
+    crop = from.crop;
     Crop window = crop.orElse(new Crop(0, 0, 1, 1));
-    if ((long) window.x + window.width > width || (long) window.y + window.height > height) {
+    if ((long) window.x + window.width > width() || (long) window.y + window.height > height()) {
       throw new IllegalArgumentException(
-          "crop: expected inside " + width + "x" + height + ", found " + window);
+          "crop: expected inside " + width() + "x" + height() + ", found " + window);
     }
   }
 
@@ -96,19 +52,142 @@ public record RenderSettings(
     }
   }
 
+  /** Returns the value of a setting. */
+  @SuppressWarnings("unchecked") // Builder.set is the only way in.
+  public <T> T get(Setting<T> setting) {
+    return (T) values.get(setting.index());
+  }
+
+  /** Returns whether a setting has another value than its default. */
+  public boolean isSet(Setting<?> setting) {
+    return !get(setting).equals(setting.missing());
+  }
+
+  /** Returns the value of a setting as a text, which its type reads. */
+  public <T> String text(Setting<T> setting) {
+    return setting.type().format(get(setting));
+  }
+
+  /** Returns {@link Setting#WIDTH}. */
+  public int width() {
+    return get(Setting.WIDTH);
+  }
+
+  /** Returns {@link Setting#HEIGHT}. */
+  public int height() {
+    return get(Setting.HEIGHT);
+  }
+
+  /** Returns {@link Setting#MODE}. */
+  public Mode mode() {
+    return get(Setting.MODE);
+  }
+
+  /** Returns {@link Setting#SAMPLES}. */
+  public int samples() {
+    return get(Setting.SAMPLES);
+  }
+
+  /** Returns {@link Setting#MAX_TRACE_DEPTH}. */
+  public int maxTraceDepth() {
+    return get(Setting.MAX_TRACE_DEPTH);
+  }
+
+  /** Returns {@link Setting#REFLECTION_TRACE_DEPTH}. */
+  public int reflectionTraceDepth() {
+    return get(Setting.REFLECTION_TRACE_DEPTH);
+  }
+
+  /** Returns {@link Setting#REFRACTION_TRACE_DEPTH}. */
+  public int refractionTraceDepth() {
+    return get(Setting.REFRACTION_TRACE_DEPTH);
+  }
+
+  /** Returns {@link Setting#THREADS}. */
+  public int threads() {
+    return get(Setting.THREADS);
+  }
+
+  /** Returns {@link Setting#BUCKET_SIZE}. */
+  public int bucketSize() {
+    return get(Setting.BUCKET_SIZE);
+  }
+
+  /** Returns {@link Setting#SEED}. */
+  public long seed() {
+    return get(Setting.SEED);
+  }
+
+  /** Returns {@link Setting#EXPOSURE}. */
+  public Exposure exposure() {
+    return get(Setting.EXPOSURE);
+  }
+
+  /** Returns {@link Setting#TONE_MAP}. */
+  public ToneCurve toneCurve() {
+    return get(Setting.TONE_MAP);
+  }
+
+  /** Returns {@link Setting#TRANSPARENT}. */
+  public boolean transparent() {
+    return get(Setting.TRANSPARENT);
+  }
+
+  /** Returns {@link Setting#ADAPTIVE}. */
+  public boolean adaptive() {
+    return get(Setting.ADAPTIVE);
+  }
+
+  /** Returns {@link Setting#SPLIT}. */
+  public int split() {
+    return get(Setting.SPLIT);
+  }
+
+  /** Returns {@link Setting#CLAMP}. */
+  public double clamp() {
+    return get(Setting.CLAMP);
+  }
+
+  /** Returns the part of the full frame to render; empty means all of it. */
+  public Optional<Crop> crop() {
+    return crop;
+  }
+
   /** Returns the rectangle to render: the crop, or all of the frame. */
   public Crop window() {
-    return crop.orElse(new Crop(0, 0, width, height));
+    return crop.orElse(new Crop(0, 0, width(), height()));
   }
 
   /** Returns the width of the full frame over its height. */
   public double aspect() {
-    return (double) width / height;
+    return (double) width() / height();
   }
 
-  /** Returns a builder that begins with these settings. */
+  /** Returns a builder that starts with these settings. */
   public Builder toBuilder() {
     return new Builder(this);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof RenderSettings that
+        && values.equals(that.values)
+        && crop.equals(that.crop);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(values, crop);
+  }
+
+  @Override
+  public String toString() {
+    return Setting.all().stream()
+            .filter(this::isSet)
+            .map(setting -> setting.name() + "=" + text(setting))
+            .collect(Collectors.joining(", ", "RenderSettings[", ""))
+        + crop.map(window -> ", crop=" + window).orElse("")
+        + "]";
   }
 
   /** Which light transport is computed. */
@@ -139,148 +218,125 @@ public record RenderSettings(
     }
   }
 
-  /** Collects settings, beginning with the defaults or a copy. Mutable. */
+  /** Collects settings, starting with the defaults or a copy. Mutable. */
   public static final class Builder {
-    private int width = 1920;
-    private int height = 1080;
-    private Mode mode = Mode.PATH;
-    private int samples = 100;
-    private int maxTraceDepth = 5;
-    private int reflectionTraceDepth = 2;
-    private int refractionTraceDepth = 2;
-    private int threads = 0;
-    private int bucketSize = 32;
-    private long seed = 0;
-    private Exposure exposure = Exposure.NONE;
-    private ToneCurve toneCurve = ToneCurve.SRGB;
-    private Optional<Crop> crop = Optional.empty();
-    private boolean transparent = false;
-    private boolean adaptive = false;
-    private int split = 1;
-    private double clamp = Double.POSITIVE_INFINITY;
+    private final Object[] values;
+    private Optional<Crop> crop;
 
-    public Builder() {}
+    /** Starts with the defaults. */
+    public Builder() {
+      values = Setting.all().stream().map(Setting::missing).toArray();
+      crop = Optional.empty();
+    }
 
     private Builder(RenderSettings from) {
-      width = from.width;
-      height = from.height;
-      mode = from.mode;
-      samples = from.samples;
-      maxTraceDepth = from.maxTraceDepth;
-      reflectionTraceDepth = from.reflectionTraceDepth;
-      refractionTraceDepth = from.refractionTraceDepth;
-      threads = from.threads;
-      bucketSize = from.bucketSize;
-      seed = from.seed;
-      exposure = from.exposure;
-      toneCurve = from.toneCurve;
+      values = from.values.toArray();
       crop = from.crop;
-      transparent = from.transparent;
-      adaptive = from.adaptive;
-      split = from.split;
-      clamp = from.clamp;
     }
 
-    public Builder size(int newWidth, int newHeight) {
-      width = newWidth;
-      height = newHeight;
+    /**
+     * Sets a value.
+     *
+     * @throws IllegalArgumentException if it is out of range, naming the setting
+     */
+    public <T> Builder set(Setting<T> setting, T value) {
+      values[setting.index()] = setting.require(value);
       return this;
     }
 
-    /** Sets how many mirrors and how many glass surfaces a path may meet in ray mode. */
+    /**
+     * Sets the value that a text stands for.
+     *
+     * @throws IllegalArgumentException if there is none, or if it is out of range
+     */
+    public <T> Builder setText(Setting<T> setting, String text) {
+      return set(setting, setting.type().parse(text));
+    }
+
+    /** Sets the size of the full frame in pixels. */
+    public Builder size(int width, int height) {
+      return set(Setting.WIDTH, width).set(Setting.HEIGHT, height);
+    }
+
+    /** Sets how many mirrors and how many glass surfaces a path may hit in ray mode. */
     public Builder rayDepths(int reflection, int refraction) {
-      reflectionTraceDepth = reflection;
-      refractionTraceDepth = refraction;
-      return this;
+      return set(Setting.REFLECTION_TRACE_DEPTH, reflection)
+          .set(Setting.REFRACTION_TRACE_DEPTH, refraction);
     }
 
+    /** Sets the part of the full frame to render. */
     public Builder crop(Crop value) {
       crop = Optional.of(value);
       return this;
     }
 
+    /** Sets {@link Setting#MODE}. */
     public Builder mode(Mode value) {
-      mode = value;
-      return this;
+      return set(Setting.MODE, value);
     }
 
+    /** Sets {@link Setting#SAMPLES}. */
     public Builder samples(int value) {
-      samples = value;
-      return this;
+      return set(Setting.SAMPLES, value);
     }
 
+    /** Sets {@link Setting#MAX_TRACE_DEPTH}. */
     public Builder maxTraceDepth(int value) {
-      maxTraceDepth = value;
-      return this;
+      return set(Setting.MAX_TRACE_DEPTH, value);
     }
 
+    /** Sets {@link Setting#THREADS}. */
     public Builder threads(int value) {
-      threads = value;
-      return this;
+      return set(Setting.THREADS, value);
     }
 
+    /** Sets {@link Setting#BUCKET_SIZE}. */
     public Builder bucketSize(int value) {
-      bucketSize = value;
-      return this;
+      return set(Setting.BUCKET_SIZE, value);
     }
 
+    /** Sets {@link Setting#SEED}. */
     public Builder seed(long value) {
-      seed = value;
-      return this;
+      return set(Setting.SEED, value);
     }
 
+    /** Sets {@link Setting#EXPOSURE}. */
     public Builder exposure(Exposure value) {
-      exposure = value;
-      return this;
+      return set(Setting.EXPOSURE, value);
     }
 
+    /** Sets {@link Setting#TONE_MAP}. */
     public Builder toneCurve(ToneCurve value) {
-      toneCurve = value;
-      return this;
+      return set(Setting.TONE_MAP, value);
     }
 
+    /** Sets {@link Setting#TRANSPARENT}. */
     public Builder transparent(boolean value) {
-      transparent = value;
-      return this;
+      return set(Setting.TRANSPARENT, value);
     }
 
+    /** Sets {@link Setting#ADAPTIVE}. */
     public Builder adaptive(boolean value) {
-      adaptive = value;
-      return this;
+      return set(Setting.ADAPTIVE, value);
     }
 
+    /** Sets {@link Setting#SPLIT}. */
     public Builder split(int value) {
-      split = value;
-      return this;
+      return set(Setting.SPLIT, value);
     }
 
+    /** Sets {@link Setting#CLAMP}. */
     public Builder clamp(double value) {
-      clamp = value;
-      return this;
+      return set(Setting.CLAMP, value);
     }
 
     /**
-     * @throws IllegalArgumentException naming the first setting that is out of range
+     * Returns the settings.
+     *
+     * @throws IllegalArgumentException if the crop is not inside the frame
      */
     public RenderSettings build() {
-      return new RenderSettings(
-          width,
-          height,
-          mode,
-          samples,
-          maxTraceDepth,
-          reflectionTraceDepth,
-          refractionTraceDepth,
-          threads,
-          bucketSize,
-          seed,
-          exposure,
-          toneCurve,
-          crop,
-          transparent,
-          adaptive,
-          split,
-          clamp);
+      return new RenderSettings(this);
     }
   }
 }

@@ -7,8 +7,9 @@ import com.google.gson.JsonParser;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
-import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.Setting;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -161,7 +162,7 @@ class FilmCommandsTest {
     assertDone(render("a.pfm", "-s", "3", "--split", "2", "--checkpoint", path("a.film")));
     FilmFile film = FilmFile.read(directory.resolve("a.film"));
     Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
-    identity.put(FilmHeader.SPLIT, "0");
+    identity.put(Setting.SPLIT.name(), "0");
     try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
       file.save(FilmFile.of(identity, film.film(), film.header().notes(), film.header().faults()));
     }

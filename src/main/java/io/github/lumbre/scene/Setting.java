@@ -1,0 +1,313 @@
+package io.github.lumbre.scene;
+
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.scene.SettingType.ChoiceType;
+import io.github.lumbre.scene.SettingType.ExposureType;
+import io.github.lumbre.scene.SettingType.FlagType;
+import io.github.lumbre.scene.SettingType.IntegerType;
+import io.github.lumbre.scene.SettingType.LimitType;
+import io.github.lumbre.scene.SettingType.LongType;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * A setting of a render, declared here once: its name, values, default and meaning. The reader of
+ * scene files, the flags of the command line, checkpoint files, picture metadata and JSON summaries
+ * all take them from here, so that a new setting is a new constant and the code that obeys it.
+ * Immutable once declared.
+ *
+ * @param <T> the type of its values
+ */
+public final class Setting<T> {
+  private static final List<Setting<?>> ALL = new ArrayList<>();
+
+  private static final IntegerType SIDE = new IntegerType(1, RenderSettings.MAX_SIDE);
+  private static final IntegerType DEPTH = new IntegerType(0, RenderSettings.MAX_DEPTH);
+
+  /** Width of the full frame in pixels. */
+  public static final Setting<Integer> WIDTH =
+      new Setting<>("width", Group.FRAME, SIDE, 1920, "Width of the full frame in pixels.")
+          .inScenes()
+          .changingSamples();
+
+  /** Height of the full frame in pixels. */
+  public static final Setting<Integer> HEIGHT =
+      new Setting<>("height", Group.FRAME, SIDE, 1080, "Height of the full frame in pixels.")
+          .inScenes()
+          .changingSamples();
+
+  /** Whether the share of samples that hit something becomes the picture's alpha. */
+  public static final Setting<Boolean> TRANSPARENT =
+      new Setting<>(
+              "transparent",
+              Group.FRAME,
+              new FlagType(),
+              false,
+              "Whether the share of samples that hit something becomes the picture's alpha.")
+          .changingSamples();
+
+  /** Which light transport is computed. */
+  public static final Setting<RenderSettings.Mode> MODE =
+      new Setting<>(
+              "mode",
+              Group.TRANSPORT,
+              new ChoiceType<>(RenderSettings.Mode.class),
+              RenderSettings.Mode.PATH,
+              "ray: classic ray tracing (Whitted); path: path tracing, all light.")
+          .inScenes()
+          .changingSamples();
+
+  /** Path mode: how many vertices of a path may scatter. */
+  public static final Setting<Integer> MAX_TRACE_DEPTH =
+      new Setting<>(
+              "maxTraceDepth",
+              Group.TRANSPORT,
+              DEPTH,
+              5,
+              "Path mode: how many vertices of a path may scatter.")
+          .inScenes()
+          .changingSamples();
+
+  /** Ray mode: how many mirrors a path may hit. */
+  public static final Setting<Integer> REFLECTION_TRACE_DEPTH =
+      new Setting<>(
+              "reflectionTraceDepth",
+              Group.TRANSPORT,
+              DEPTH,
+              2,
+              "Ray mode: how many mirrors a path may hit.")
+          .inScenes()
+          .changingSamples();
+
+  /** Ray mode: how many glass surfaces a path may hit. */
+  public static final Setting<Integer> REFRACTION_TRACE_DEPTH =
+      new Setting<>(
+              "refractionTraceDepth",
+              Group.TRANSPORT,
+              DEPTH,
+              2,
+              "Ray mode: how many glass surfaces a path may hit.")
+          .inScenes()
+          .changingSamples();
+
+  /** Path mode: into how many branches a path is split at its first non-specular surface. */
+  public static final Setting<Integer> SPLIT =
+      new Setting<>(
+              "split",
+              Group.TRANSPORT,
+              new IntegerType(1, RenderSettings.MAX_SPLIT),
+              1,
+              "Path mode: split each path into N branches at its first surface that is not a mirror"
+                  + " or clear glass. Less noise in the same time where indirect light dominates;"
+                  + " see 'lumbre trade'.")
+          .withFlag("--split", "N")
+          .changingSamples();
+
+  /** The largest component of a sample; brighter samples are scaled down, a bias. */
+  public static final Setting<Double> CLAMP =
+      new Setting<>(
+              "clamp",
+              Group.TRANSPORT,
+              new LimitType(),
+              Double.POSITIVE_INFINITY,
+              "Scale brighter samples down to this largest component: fewer fireflies, but light is"
+                  + " lost; the summary reports how much. Not with --checkpoint.")
+          .withFlag("--clamp", "VALUE")
+          .changingSamples();
+
+  /** Samples per pixel, in either mode. */
+  public static final Setting<Integer> SAMPLES =
+      new Setting<>(
+              "samples",
+              Group.SAMPLING,
+              new IntegerType(1, RenderSettings.MAX_SAMPLES),
+              100,
+              "Samples per pixel.")
+          .inScenes();
+
+  /** Whether the number of samples is a mean, and noisy pixels receive more. */
+  public static final Setting<Boolean> ADAPTIVE =
+      new Setting<>(
+          "adaptive",
+          Group.SAMPLING,
+          new FlagType(),
+          false,
+          "Whether noisy pixels receive more of the samples.");
+
+  /** Seed of all random numbers. */
+  public static final Setting<Long> SEED =
+      new Setting<>("seed", Group.SAMPLING, new LongType(), 0L, "Seed of all random numbers.")
+          .inScenes()
+          .withFlag("--seed", "N")
+          .changingSamples();
+
+  /** Exposure of pictures with few bits. */
+  public static final Setting<Exposure> EXPOSURE =
+      new Setting<>(
+              "exposure",
+              Group.OUTPUT,
+              new ExposureType(),
+              Exposure.NONE,
+              "Stops by which a PNG is brightened, or auto.")
+          .inScenes()
+          .withFlag("--exposure", "EV");
+
+  /** Tone curve of pictures with few bits. */
+  public static final Setting<ToneCurve> TONE_MAP =
+      new Setting<>(
+              "toneMap",
+              Group.OUTPUT,
+              new ChoiceType<>(ToneCurve.class),
+              ToneCurve.SRGB,
+              "Tone curve of a PNG: srgb, gamma22, reinhard or aces.")
+          .inScenes()
+          .withFlag("--tonemap", "NAME");
+
+  /** Number of threads; 0 means one for each processor. */
+  public static final Setting<Integer> THREADS =
+      new Setting<>(
+              "threads",
+              Group.EXECUTION,
+              new IntegerType(0, RenderSettings.MAX_THREADS),
+              0,
+              "Threads; 0 means one for each processor. The picture is the same.")
+          .inScenes()
+          .withFlag("--threads", "N");
+
+  /** Side of the square buckets in pixels. */
+  public static final Setting<Integer> BUCKET_SIZE =
+      new Setting<>(
+              "bucketSize",
+              Group.EXECUTION,
+              new IntegerType(1, Integer.MAX_VALUE),
+              32,
+              "Side in pixels of the squares that threads render. The picture is the same.")
+          .inScenes()
+          .withFlag("--bucket", "N");
+
+  private final int index;
+  private final String name;
+  private final Group group;
+  private final SettingType<T> type;
+  private final T missing;
+  private final String meaning;
+  private boolean inScenes;
+  private boolean changesSamples;
+  private String flag = "";
+  private String label = "";
+
+  /** What a setting is about, in the order of the help texts. */
+  public enum Group {
+    /** Size and background of the picture. */
+    FRAME,
+    /** Which light is found, and how. */
+    TRANSPORT,
+    /** How many samples, and which random numbers. */
+    SAMPLING,
+    /** How the picture is developed and written. */
+    OUTPUT,
+    /** How the work is divided; the picture is the same. */
+    EXECUTION
+  }
+
+  private Setting(String name, Group group, SettingType<T> type, T missing, String meaning) {
+    this.name = name;
+    this.group = group;
+    this.type = type;
+    this.missing = missing;
+    this.meaning = meaning;
+    index = ALL.size();
+    ALL.add(this);
+  }
+
+  private Setting<T> inScenes() {
+    inScenes = true;
+    return this;
+  }
+
+  private Setting<T> changingSamples() {
+    changesSamples = true;
+    return this;
+  }
+
+  private Setting<T> withFlag(String newFlag, String newLabel) {
+    flag = newFlag;
+    label = newLabel;
+    return this;
+  }
+
+  /** Returns all settings, in the order of their declaration. */
+  public static List<Setting<?>> all() {
+    return List.copyOf(ALL);
+  }
+
+  /** Returns the index of this setting in {@link #all}. */
+  int index() {
+    return index;
+  }
+
+  /** Returns the name: a key of {@code renderOptions}, a line of a checkpoint file. */
+  public String name() {
+    return name;
+  }
+
+  /** Returns what the setting is about. */
+  public Group group() {
+    return group;
+  }
+
+  /** Returns the values that it may have. */
+  public SettingType<T> type() {
+    return type;
+  }
+
+  /** Returns the default. */
+  public T missing() {
+    return missing;
+  }
+
+  /** Returns a sentence for help texts, without the default. */
+  public String meaning() {
+    return meaning;
+  }
+
+  /** Returns whether scene files may state it in {@code renderOptions} by its name. */
+  public boolean isInScenes() {
+    return inScenes;
+  }
+
+  /** Returns whether a sample depends on it: films that differ in it cannot be added. */
+  public boolean changesSamples() {
+    return changesSamples;
+  }
+
+  /** Returns the flag of the command line; empty if there is none that only sets this. */
+  public String flag() {
+    return flag;
+  }
+
+  /** Returns the placeholder of the flag's value in help texts. */
+  public String label() {
+    return label;
+  }
+
+  /**
+   * Returns the value if it is in range.
+   *
+   * @throws IllegalArgumentException naming the setting, what was expected and what was found
+   */
+  T require(T value) {
+    if (!type.accepts(Objects.requireNonNull(value, name))) {
+      throw new IllegalArgumentException(
+          name + ": expected " + type.expected() + ", found " + type.format(value));
+    }
+    return value;
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+}

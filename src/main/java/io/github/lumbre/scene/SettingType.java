@@ -1,0 +1,172 @@
+package io.github.lumbre.scene;
+
+import io.github.lumbre.image.Exposure;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * The values that a {@link Setting} may have, and their text form: the same in scene files, on the
+ * command line, in checkpoint files and in pictures. Immutable.
+ *
+ * @param <T> the type of the values
+ */
+public sealed interface SettingType<T> {
+  /**
+   * Returns the value that a text stands for.
+   *
+   * @throws IllegalArgumentException if there is none, naming what was expected and found
+   */
+  T parse(String text);
+
+  /** Returns whether a value is in range. */
+  default boolean accepts(T value) {
+    return true;
+  }
+
+  /** Returns what is accepted, in words: {@code 1 to 256}. */
+  String expected();
+
+  /** Returns the text of a value, which {@link #parse} reads. */
+  default String format(T value) {
+    return String.valueOf(value);
+  }
+
+  /** Integers in a range, both ends included. */
+  record IntegerType(int low, int high) implements SettingType<Integer> {
+    @Override
+    public Integer parse(String text) {
+      return number(text, Integer::valueOf, "an integer up to " + Integer.MAX_VALUE);
+    }
+
+    @Override
+    public boolean accepts(Integer value) {
+      return value >= low && value <= high;
+    }
+
+    @Override
+    public String expected() {
+      return low + " to " + high;
+    }
+  }
+
+  /** All 64-bit integers. */
+  record LongType() implements SettingType<Long> {
+    @Override
+    public Long parse(String text) {
+      return number(text, Long::valueOf, expected());
+    }
+
+    @Override
+    public String expected() {
+      return "an integer up to " + Long.MAX_VALUE;
+    }
+  }
+
+  /** Positive numbers, infinity included: a limit that may be absent. */
+  record LimitType() implements SettingType<Double> {
+    @Override
+    public Double parse(String text) {
+      return number(text, Double::valueOf, "a number");
+    }
+
+    @Override
+    public boolean accepts(Double value) {
+      return value > 0;
+    }
+
+    @Override
+    public String expected() {
+      return "more than 0";
+    }
+  }
+
+  /** Yes or no. */
+  record FlagType() implements SettingType<Boolean> {
+    @Override
+    public Boolean parse(String text) {
+      if (!text.equals("true") && !text.equals("false")) {
+        throw unexpected(expected(), text);
+      }
+      return Boolean.valueOf(text);
+    }
+
+    @Override
+    public String expected() {
+      return "true or false";
+    }
+  }
+
+  /** The constants of an enum, written in lower case with hyphens. */
+  record ChoiceType<E extends Enum<E>>(Class<E> type) implements SettingType<E> {
+    @Override
+    public E parse(String text) {
+      return Arrays.stream(type.getEnumConstants())
+          .filter(value -> format(value).equals(text))
+          .findFirst()
+          .orElseThrow(() -> unexpected(expected(), text));
+    }
+
+    @Override
+    public String expected() {
+      return Arrays.stream(type.getEnumConstants())
+          .map(this::format)
+          .collect(Collectors.joining(", ", "one of ", ""));
+    }
+
+    @Override
+    public String format(E value) {
+      return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    /** Returns the constants by their texts, in their order. */
+    public Map<String, E> choices() {
+      return Arrays.stream(type.getEnumConstants())
+          .collect(
+              Collectors.toMap(
+                  this::format, Function.identity(), (a, b) -> a, LinkedHashMap::new));
+    }
+  }
+
+  /** A number of stops, or {@code auto}. */
+  record ExposureType() implements SettingType<Exposure> {
+    private static final String AUTO = "auto";
+
+    @Override
+    public Exposure parse(String text) {
+      if (text.equals(AUTO)) {
+        return Exposure.AUTO;
+      }
+      try {
+        return Exposure.of(Double.parseDouble(text));
+      } catch (IllegalArgumentException e) {
+        throw unexpected(expected(), text);
+      }
+    }
+
+    @Override
+    public String expected() {
+      return "auto or a finite number of stops";
+    }
+
+    @Override
+    public String format(Exposure value) {
+      return value.stops().isPresent() ? String.valueOf(value.stops().getAsDouble()) : AUTO;
+    }
+  }
+
+  private static <N> N number(String text, Function<String, N> parser, String expected) {
+    try {
+      return parser.apply(text);
+    } catch (NumberFormatException e) {
+      throw unexpected(expected, text);
+    }
+  }
+
+  private static IllegalArgumentException unexpected(String expected, String found) {
+    return new IllegalArgumentException("expected " + expected + ", found '" + found + "'");
+  }
+}
