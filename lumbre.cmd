@@ -84,7 +84,5 @@ set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.
 set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::evaluate"
 
 rem The options of the virtual machine, all of them.
-set "LUMBRE_NATIVE="
-if %LUMBRE_MAJOR% GEQ 22 set "LUMBRE_NATIVE=--enable-native-access=ALL-UNNAMED"
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_PARTS% %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_PARTS% %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
 exit /b %ERRORLEVEL%

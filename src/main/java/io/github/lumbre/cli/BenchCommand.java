@@ -48,7 +48,7 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:The JSON file cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; what is measured by then is written"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is measured by then is written"
     })
 final class BenchCommand implements Callable<Integer> {
   private static final int DEFAULT_REPETITIONS = 5;
@@ -183,7 +183,7 @@ final class BenchCommand implements Callable<Integer> {
       return readPairs(new LoadBench(repeat()), out);
     }
     try (TextOutput output = TextOutput.reserve(json);
-        Interruption interruption = Interruption.listen(() -> {});
+        Interruption interruption = Interruption.listen();
         RenderMonitor monitor = new RenderMonitor(interruption, false)) {
       boolean complete =
           interruption.beginRender()

@@ -44,7 +44,7 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:The CSV file or the hashes cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; what is rendered by then is written"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is rendered by then is written"
     })
 final class BenchmarkCommand implements Callable<Integer> {
   private static final int MAX_REPETITIONS = 1000;
@@ -135,7 +135,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     TableHashes stored = TableHashes.load(folder.directory());
     Messages out = new Messages(spec.commandLine().getOut());
     BenchmarkReport report = new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out);
-    try (Interruption interruption = Interruption.listen(() -> {})) {
+    try (Interruption interruption = Interruption.listen()) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
       BenchmarkRunner runner =
           new BenchmarkRunner(folder, plan, () -> new RenderMonitor(interruption, hasDisplay));

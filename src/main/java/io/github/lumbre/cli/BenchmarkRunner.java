@@ -6,6 +6,7 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -46,7 +47,11 @@ final class BenchmarkRunner {
     long start = System.nanoTime();
     SceneParser parser =
         new SceneParser().inMode(row.mode()).overriding(inScene -> settings(row, inScene));
-    SceneFile file = scenes.load(row.scene(), parser, messages);
+    SceneFile file;
+    try (RenderMonitor monitor = monitors.get()) {
+      Path path = scenes.file(row.scene());
+      file = monitor.reading(path, () -> SceneFolder.load(path, parser, messages));
+    }
     double loadSeconds = secondsSince(start);
     MemoryEstimate.require(file.settings());
 

@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:A picture or the page cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; pictures that are complete stay"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; pictures that are complete stay"
     })
 final class GalleryCommand implements Callable<Integer> {
   @Parameters(
@@ -80,7 +80,7 @@ final class GalleryCommand implements Callable<Integer> {
     makeDirectory(directory);
     GalleryPage page = GalleryPage.load(directory);
     boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
-    try (Interruption interruption = Interruption.listen(() -> {})) {
+    try (Interruption interruption = Interruption.listen()) {
       GalleryRenderer renderer =
           new GalleryRenderer(
               folder, directory, seconds, () -> new RenderMonitor(interruption, hasDisplay));

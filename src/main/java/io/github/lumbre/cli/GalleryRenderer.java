@@ -49,7 +49,11 @@ final class GalleryRenderer {
     try (PictureOutput output = PictureOutput.reserve(GalleryPage.picture(directory, scene))) {
       SceneParser parser =
           new SceneParser().overriding(inScene -> inScene.toBuilder().threads(0).build());
-      SceneFile file = scenes.load(scene, parser, messages);
+      SceneFile file;
+      try (RenderMonitor monitor = monitors.get()) {
+        Path path = scenes.file(scene);
+        file = monitor.reading(path, () -> SceneFolder.load(path, parser, messages));
+      }
       MemoryEstimate.require(file.settings());
       OptionalDouble rate = rate(file);
       return rate.isEmpty()

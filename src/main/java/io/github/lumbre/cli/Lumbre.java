@@ -64,6 +64,7 @@ public final class Lumbre implements Runnable {
   /** Runs the command that the arguments name, and ends the program. */
   public static void main(String[] args) {
     redirectErrors();
+    Interruption.install();
     long start = ManagementFactory.getRuntimeMXBean().getStartTime();
     System.setProperty(BudgetFlags.START, String.valueOf(start));
     Charset charset = Charset.defaultCharset();
@@ -72,8 +73,7 @@ public final class Lumbre implements Runnable {
     int exitCode = run(args, out, err);
     out.flush();
     err.flush();
-    Interruption.letEnd();
-    System.exit(exitCode);
+    System.exit(Interruption.exitCode(exitCode));
   }
 
   /**

@@ -56,10 +56,10 @@ import picocli.CommandLine.Spec;
       "2:The command line is wrong",
       "3:The scene is missing, unreadable or invalid",
       "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
+      "5:Something exceeds a limit or memory, or --timeout passed before anything was rendered",
       "6:The picture or the film cannot be written",
       "7:A fault of the program, or under --strict a sample that is not a number",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; a render begun saves what it has"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; a render begun saves what it has"
     })
 final class RenderCommand implements Callable<Integer> {
   @Mixin private SceneOptions options;
@@ -133,18 +133,19 @@ final class RenderCommand implements Callable<Integer> {
     Messages messages = run.errors();
     try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
         FilmKeeper keeper = keeper(target, messages);
-        Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
-      SceneFile file = options.load(parser(), messages);
+        Interruption interruption = Interruption.listen();
+        RenderMonitor monitor = run.monitor(interruption, deadline)) {
+      SceneFile file = monitor.reading(options.scene(), () -> options.load(parser(), messages));
       if (dryRun) {
         return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
-      RenderMonitor monitor = run.monitor(interruption, deadline);
       RunBudget budget =
           budgets.since(
               start, startup, file.settings(), quality.targetError(), BudgetFlags.CONFIDENCE);
       RenderJob job = job(file, picture, keeper, monitor, budget, report);
-      return interruption.beginRender() ? job.run(flags.firstSample()) : ExitCodes.INTERRUPTED;
+      interruption.requireRender();
+      return job.run(flags.firstSample());
     }
   }
 

@@ -68,7 +68,7 @@ record RenderJob(
     LightReport light;
     try (monitor) {
       statistics = addSamples(renderer, schedule, film, faults);
-      light = LightReport.of(file, film, statistics, how.quiet() || monitor.isCancelled());
+      light = light(film, statistics);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
@@ -103,10 +103,9 @@ record RenderJob(
   private RenderStatistics addSamples(
       FilmRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
       throws InterruptedException {
-    if (!budget.isOpen()) {
-      long all = (long) film.window().width() * film.window().height() * file.settings().samples();
-      monitor.started(Math.max(0, all - film.totalSamples()));
-    }
+    monitor.limited(budget);
+    long all = (long) film.window().width() * film.window().height() * file.settings().samples();
+    monitor.started(budget.isOpen() ? 0 : Math.max(0, all - film.totalSamples()));
     Progress progress = keeper.pausing(budget.within(monitor));
     RenderStatistics statistics = faults;
     long start = System.nanoTime();
@@ -141,7 +140,7 @@ record RenderJob(
     if (budget.isOpen()) {
       RenderSettings.Crop window = film.window();
       double all = (double) window.width() * window.height() * likely;
-      monitor.started(Math.max(1, (long) all - film.totalSamples()));
+      monitor.expected(Math.max(1, (long) all - film.totalSamples()));
     }
     if (!how.quiet()) {
       OptionalDouble left = budget.secondsLeft();
@@ -155,6 +154,14 @@ record RenderJob(
                   : OptionalDouble.empty());
       messages.line(told.line());
     }
+  }
+
+  /** Estimates what the picture lacks; without what takes a while if the render was stopped. */
+  private LightReport light(Film film, RenderStatistics statistics) throws InterruptedException {
+    boolean isBrief = how.quiet() || monitor.isCancelled();
+    Optional<LightReport> report =
+        monitor.unlessStopped(() -> LightReport.of(file, film, statistics, isBrief));
+    return report.isPresent() ? report.get() : LightReport.of(file, film, statistics, true);
   }
 
   private void warnOfUnreadable(long points) {

@@ -52,10 +52,10 @@ import picocli.CommandLine.Spec;
       "2:The command line is wrong",
       "3:The film is damaged or of another scene, or the scene cannot be used",
       "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
+      "5:Something exceeds a limit or memory, or --timeout passed before anything was rendered",
       "6:The picture or the film cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; film and picture are saved"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; film and picture are saved"
     })
 final class ResumeCommand implements Callable<Integer> {
   /** Samples per pixel that do not limit a run. */
@@ -117,15 +117,14 @@ final class ResumeCommand implements Callable<Integer> {
       FilmNotes notes = new FilmNotes(film, header);
       Path target = output.isPresent() ? output.get() : notes.output();
       try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
-          Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
+          Interruption interruption = Interruption.listen();
+          RenderMonitor monitor = run.monitor(interruption, deadline)) {
         Path path = scene.isPresent() ? scene.get() : notes.scene();
         report.put("scene", path.toString());
-        SceneFile file = parse(notes, header, path);
+        SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
         RunBudget budget = budget(notes, file.settings(), start, startup);
         MemoryEstimate.require(file.settings());
-        if (!interruption.beginRender()) {
-          return ExitCodes.INTERRUPTED;
-        }
+        interruption.requireRender();
         setDamagedAside(loaded);
         keeper.begin(
             header.identity(),
@@ -137,7 +136,7 @@ final class ResumeCommand implements Callable<Integer> {
                 file,
                 picture,
                 keeper,
-                run.monitor(interruption, deadline),
+                monitor,
                 run.errors(),
                 report,
                 budget,

@@ -19,7 +19,8 @@ final class RunFlags {
       converter = FlagConverters.OfDuration.class,
       description = {
         "Stop after such a time, reading the scene included: 90s, 5m, 2h.",
-        "The picture is what was rendered until then, marked as partial."
+        "The picture is what was rendered until then, marked as partial; exit code 5 if that is",
+        "nothing."
       })
   private Optional<Duration> timeout;
 
@@ -64,16 +65,16 @@ final class RunFlags {
   }
 
   RenderMonitor monitor(Interruption interruption, Deadline deadline) {
-    return new RenderMonitor(interruption, this::display, deadline, errors());
+    return new RenderMonitor(interruption, display(), deadline, errors());
   }
 
-  private ProgressDisplay display(long totalSamples) {
+  private ProgressDisplay display() {
     ProgressStyle style =
         progress.orElse(
             !quiet && Boolean.getBoolean("lumbre.tty") ? ProgressStyle.BAR : ProgressStyle.NONE);
     return switch (style) {
-      case BAR -> ProgressDisplay.bar(totalSamples);
-      case JSON -> new JsonProgress(totalSamples, errors());
+      case BAR -> ProgressBar.onStandardError();
+      case JSON -> new JsonProgress(errors());
       case NONE -> ProgressDisplay.NONE;
     };
   }
@@ -94,7 +95,8 @@ final class RunFlags {
     return json ? report.around(() -> printed(report, action.run()), out()) : action.run();
   }
 
-  private int printed(JsonSummary report, int exitCode) {
+  private int printed(JsonSummary report, int ofCommand) {
+    int exitCode = Interruption.exitCode(ofCommand);
     report.put("exit_code", exitCode);
     report.print(out());
     return exitCode;

@@ -44,7 +44,7 @@ import picocli.CommandLine.Spec;
       "5:Something is larger than a limit or than memory",
       "6:The page cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeCommand implements Callable<Integer> {
   /** The most samples per pixel of settings beside one that goes on to an error. */

@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
       "2:The command line is wrong",
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeQualityCommand implements Callable<Integer> {
   private static final int SIDE = 48;

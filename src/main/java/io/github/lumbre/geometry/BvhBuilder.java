@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ForkJoinTask;
 
 /**
@@ -10,6 +11,8 @@ import java.util.concurrent.ForkJoinTask;
  * shapes; a leaf holds one kind only. Large ranges are built by the threads of the fork-join pool
  * in which {@link #build} is called, or else of the common one. Each works on a part of the order
  * that was its before it began, so that the tree does not depend on their number.
+ *
+ * <p>An interrupt of the thread that calls ends the building at the next large range.
  */
 final class BvhBuilder {
   /** Deepest leaf. */
@@ -29,6 +32,11 @@ final class BvhBuilder {
   private final int triangles;
   private final LeafCost costs;
 
+  /** The thread whose interrupt ends the building, whichever thread notices. */
+  private final Thread owner = Thread.currentThread();
+
+  private volatile boolean cancelled;
+
   /**
    * @param boxes six doubles an item: minimum and maximum on x, y, z; finite; will be reordered
    * @param triangles how many of the items, the first ones, are triangles
@@ -47,7 +55,11 @@ final class BvhBuilder {
     }
   }
 
-  /** Returns the tree over all items, of which there must be one at least. */
+  /**
+   * Returns the tree over all items, of which there must be one at least.
+   *
+   * @throws CancellationException if the thread that made this is interrupted
+   */
   BvhNode build() {
     return build(0, order.length, 0, newSplitter());
   }
@@ -80,6 +92,9 @@ final class BvhBuilder {
 
   private BvhNode buildInner(
       double[] box, int first, int middle, int end, int depth, BvhSplitter splitter) {
+    if (end - first >= MIN_TASK) {
+      checkInterrupt();
+    }
     if (Math.min(middle - first, end - middle) < MIN_TASK) {
       BvhNode left = build(first, middle, depth, splitter);
       return new BvhNode.Inner(box, left, build(middle, end, depth, splitter));
@@ -88,5 +103,13 @@ final class BvhBuilder {
         ForkJoinTask.adapt(() -> build(middle, end, depth, newSplitter())).fork();
     BvhNode left = build(first, middle, depth, splitter);
     return new BvhNode.Inner(box, left, right.join());
+  }
+
+  private void checkInterrupt() {
+    if (cancelled || owner.isInterrupted()) {
+      // The owner may clear its status while other threads still build.
+      cancelled = true;
+      throw new CancellationException("building the hierarchy was interrupted");
+    }
   }
 }

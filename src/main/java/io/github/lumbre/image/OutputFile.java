@@ -66,6 +66,15 @@ public final class OutputFile implements Closeable {
     return LockedFile.open(target, hidden(destination(target), ".lock"));
   }
 
+  /**
+   * Deletes the temporary files and reservations of this virtual machine that are neither committed
+   * nor closed. For a program that ends at once; those files cannot be used afterwards. Safe for
+   * use by any thread.
+   */
+  public static void deleteUnfinished() {
+    LockedFile.deleteAll();
+  }
+
   private static Path hidden(Path destination, String ending) {
     return destination.resolveSibling("." + destination.getFileName() + ending);
   }

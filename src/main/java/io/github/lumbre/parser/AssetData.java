@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -10,6 +11,7 @@ import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.regex.Pattern;
 
 /**
@@ -23,6 +25,9 @@ final class AssetData {
 
   /** Beyond this, an array of Java cannot hold a file. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
+
+  /** Bytes between two checks for an interrupt; a power of two, so that sums do not overflow. */
+  private static final int HASH_BLOCK = 1 << 24;
 
   private final Path sceneFile;
   private final MessageDigest digest;
@@ -109,11 +114,20 @@ final class AssetData {
         return Optional.empty();
       }
       byte[] bytes = Files.readAllBytes(path.get());
-      digest.update(bytes);
+      hash(bytes);
       return Optional.of(new Content(asset, FILE_KEY, bytes));
+    } catch (ClosedByInterruptException e) {
+      throw new CancellationException(e.toString());
     } catch (IOException e) {
       asset.error(Kind.ASSET, FILE_KEY, "expected a readable file, found " + Problems.quoted(name));
       return Optional.empty();
+    }
+  }
+
+  private void hash(byte[] bytes) {
+    for (int at = 0; at < bytes.length; at += HASH_BLOCK) {
+      Interrupts.check();
+      digest.update(bytes, at, Math.min(HASH_BLOCK, bytes.length - at));
     }
   }
 

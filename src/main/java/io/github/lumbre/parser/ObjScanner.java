@@ -7,6 +7,9 @@ import java.nio.charset.StandardCharsets;
  * the end of a line joins it with the next. Mutable.
  */
 final class ObjScanner {
+  /** Lines between two checks for an interrupt; a power of two. */
+  private static final int LINES_PER_CHECK = 1 << 14;
+
   /** Products of two numbers must not overflow. */
   private static final double MAX_NUMBER = 1e150;
 
@@ -48,6 +51,9 @@ final class ObjScanner {
     if (at < text.length) {
       at++;
       line++;
+    }
+    if ((line & LINES_PER_CHECK - 1) == 0) {
+      Interrupts.check();
     }
   }
 

@@ -6,6 +6,8 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ImageTexture;
 import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -15,6 +17,7 @@ import java.util.HexFormat;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
 
@@ -118,6 +121,8 @@ public final class SceneParser {
    * Reads a scene.
    *
    * @throws SceneFormatException if the scene cannot be used, with all that is wrong
+   * @throws InterruptedIOException if the calling thread is interrupted, which is noticed within a
+   *     fraction of a second; the interrupt status stays set
    * @throws IOException if the file exists but cannot be read
    */
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
@@ -128,6 +133,11 @@ public final class SceneParser {
       // What was to hold the scene is free again, and nothing else was touched.
       problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
       throw problems.exception();
+    } catch (CancellationException | ClosedByInterruptException e) {
+      InterruptedIOException interrupted =
+          new InterruptedIOException("reading the scene was interrupted");
+      interrupted.initCause(e);
+      throw interrupted;
     }
   }
 

@@ -113,6 +113,7 @@ final class SceneReader {
   }
 
   private void readShape(Placed object) {
+    Interrupts.check();
     Surface surface = materials.of(object.node());
     Optional<Shape> shape = shapes.read(object);
     shape.ifPresent(
@@ -140,6 +141,7 @@ final class SceneReader {
   Scene scene() {
     SceneBuilder scene = Scene.seenBy(camera.orElseThrow());
     for (Addition addition : additions) {
+      Interrupts.check();
       addition.action.accept(scene);
       note(addition.origin, scene);
     }

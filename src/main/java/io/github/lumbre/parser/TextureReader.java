@@ -139,6 +139,7 @@ final class TextureReader {
   }
 
   private Optional<Picture> read(JsonNode texture) {
+    Interrupts.check();
     return family.choose(texture, "Image").flatMap(reader -> reader.read(texture));
   }
 
