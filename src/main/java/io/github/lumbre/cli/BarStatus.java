@@ -26,7 +26,7 @@ record BarStatus(
   private static final int LEAST_CELLS = 8;
 
   /**
-   * Returns {@code 42 % [=====> ] 0:00:12 left, 1.5 M samples/s, noise 3.1 % (target 2 %)}, without
+   * Returns {@code 42 % [=====> ] 0:00:12 left, 1.5 M samples/s, noise 3.1 % (target 2.0 %)}, without
    * the last parts if they do not fit.
    *
    * @param columns that the line may take
@@ -64,7 +64,7 @@ record BarStatus(
       parts.add(
           String.format(
               Locale.ROOT,
-              "noise %.3g %% (target %.3g %%)",
+              "noise %.2g %% (target %.2g %%)",
               100 * error.getAsDouble(),
               100 * targetError.getAsDouble()));
     }

@@ -12,8 +12,9 @@ import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Lets SIGINT, SIGTERM and SIGHUP end a command early instead of losing its result. The first
- * signal stops what is being read or rendered, and the command saves what it has. A second signal
- * ends the program at once. Shared by the render's threads and those that handle signals.
+ * signal stops what is being read or rendered, and the command saves what it has. A second SIGINT
+ * or SIGTERM ends the program at once; a second SIGHUP does not, since the end of a terminal sends
+ * several. Shared by the render's threads and those that handle signals.
  *
  * <p>A command that does not listen is ended by the first signal. However the program ends, it
  * deletes the temporary files of outputs that are not complete.
@@ -69,9 +70,12 @@ final class Interruption implements AutoCloseable {
 
   private static void arrived(int code) {
     if (!FIRST.compareAndSet(0, code)) {
-      ProgressBar.vanish();
-      OutputFile.deleteUnfinished();
-      Runtime.getRuntime().halt(code);
+      if (code != ExitCodes.HUNG_UP) {
+        ProgressBar.vanish();
+        OutputFile.deleteUnfinished();
+        Runtime.getRuntime().halt(code);
+      }
+      return;
     }
     Optional<Interruption> listening = LISTENING.get();
     if (listening.isEmpty() || !listening.get().letCommandEnd()) {
