@@ -58,7 +58,8 @@ class TerminalIT {
         columns,
         Map.of(
             "JAVA_HOME", System.getProperty("java.home"),
-            "LUMBRE_JAVA_OPTS", "-Xmx512m",
+            // Renders are short: the second compiler would take more time than it saves.
+            "LUMBRE_JAVA_OPTS", "-Xmx512m -XX:TieredStopAtLevel=1",
             "LUMBRE", home.resolve("lumbre").toString()),
         command);
   }
@@ -88,7 +89,7 @@ class TerminalIT {
   @Test
   void barMovesEverySecondAndLeavesOneCleanLine() throws IOException, InterruptedException {
     try (PseudoTerminal terminal =
-        lumbre(120, "render tiny.json -o a.png --time 8s --target-error 0.001%")) {
+        lumbre(120, "render tiny.json -o a.png --timeout 10s --target-error 0.001%")) {
       awaitBar(terminal);
       long start = System.nanoTime();
       assertThat(terminal.exitCode()).isEqualTo(ExitCodes.TARGET);
@@ -103,7 +104,7 @@ class TerminalIT {
       assertThat(percents.get(percents.size() - 1) - percents.get(0)).isGreaterThan(30);
       List<String> screen = terminal.screen();
       assertThat(screen).noneMatch(line -> line.contains(" left"));
-      assertThat(screen).filteredOn(line -> line.startsWith("a.png: 16x12 pixels")).hasSize(1);
+      assertThat(screen).filteredOn(line -> line.startsWith("a.png: ")).hasSize(1);
     }
     assertNothingLeftBehind();
   }
