@@ -41,6 +41,8 @@ final class DevelopCommand implements Callable<Integer> {
 
   @Mixin private DevelopFlags flags;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -51,6 +53,7 @@ final class DevelopCommand implements Callable<Integer> {
           spec.commandLine(),
           output + ": expected a name that ends in one of " + ImageFormat.endings());
     }
+    overwrite.guard().readsFilm(film).writes("-o", output, OutputContent.PICTURE).check();
     Messages messages = new Messages(spec.commandLine().getErr());
     flags.develop(film, () -> FilmInput.read(film, messages), output);
     return ExitCodes.OK;

@@ -31,12 +31,25 @@ final class PictureOutput implements AutoCloseable {
     return Path.of((base.isEmpty() ? "picture" : base) + ImageFormat.PNG.ending());
   }
 
-  /** Tells whether two paths lead to the same file. */
+  /** Returns whether two paths lead to the same file, which need not exist. */
   static boolean isSame(Path one, Path other) {
     try {
       return Files.isSameFile(one, other);
     } catch (IOException e) {
-      return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
+      return real(one).equals(real(other));
+    }
+  }
+
+  /** Returns a path whose symbolic links are resolved; the file itself need not exist. */
+  private static Path real(Path path) {
+    Path absolute = path.toAbsolutePath();
+    Path parent = absolute.getParent();
+    try {
+      return Files.exists(absolute) || parent == null
+          ? absolute.toRealPath()
+          : parent.toRealPath().resolve(absolute.getFileName());
+    } catch (IOException e) {
+      return absolute.normalize();
     }
   }
 

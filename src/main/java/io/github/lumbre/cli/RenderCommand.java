@@ -105,6 +105,8 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private CheckpointFlags checkpoints;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -130,9 +132,10 @@ final class RenderCommand implements Callable<Integer> {
     Instant start = BudgetFlags.start();
     Duration startup = Duration.between(start, Instant.now());
     Path target = target();
+    checkOutputs(target);
     Messages messages = run.errors();
     try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
-        FilmKeeper keeper = keeper(target, messages);
+        FilmKeeper keeper = keeper(messages);
         Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
       SceneFile file = options.load(parser(), messages);
       if (dryRun) {
@@ -153,14 +156,11 @@ final class RenderCommand implements Callable<Integer> {
     return flags.over(options.parser(), isOpen, quality.isAdaptive(), quality.depth());
   }
 
-  private FilmKeeper keeper(Path target, Messages messages) throws CommandException {
+  private FilmKeeper keeper(Messages messages) throws CommandException {
     if (checkpoint.isEmpty()) {
       return FilmKeeper.none(messages);
     }
     Path path = checkpoint.get();
-    require(
-        !PictureOutput.isSame(path, target) && !PictureOutput.isSame(path, options.scene()),
-        "--checkpoint: " + path + " is the scene or the picture");
     for (Path existing : List.of(path, OutputFile.previous(path))) {
       if (Files.exists(existing)) {
         throw new CommandException(
@@ -205,10 +205,18 @@ final class RenderCommand implements Callable<Integer> {
     require(
         ImageFormat.of(target).isPresent(),
         target + ": expected a name that ends in one of " + ImageFormat.endings());
-    require(
-        !PictureOutput.isSame(scene, target),
-        target + ": is the scene itself, which is never overwritten");
     return target;
+  }
+
+  private void checkOutputs(Path target) throws CommandException {
+    OutputGuard guard =
+        overwrite
+            .guard()
+            .readsScene(options.scene())
+            .writes("-o", target, OutputContent.PICTURE);
+    // An existing film is refused later, with the advice to resume it.
+    checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));
+    guard.check();
   }
 
   private void require(boolean condition, String message) {

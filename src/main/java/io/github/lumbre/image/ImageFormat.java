@@ -30,6 +30,20 @@ public enum ImageFormat {
     return Arrays.stream(values()).filter(format -> lower.endsWith(format.ending())).findFirst();
   }
 
+  /**
+   * Returns whether a file is a picture of any kind that this package writes or reads, or a Radiance
+   * HDR picture.
+   *
+   * @param start the first bytes of the file, at least eight of them if it has so many
+   */
+  public static boolean startsPicture(byte[] start) {
+    return PngFile.startsIn(start)
+        || JpegFile.startsIn(start)
+        || ExrReader.startsIn(start)
+        || PfmReader.startsIn(start)
+        || (start.length >= 2 && start[0] == '#' && start[1] == '?');
+  }
+
   /** Returns all endings, for messages: {@code .png, .pfm, .exr}. */
   public static String endings() {
     return Arrays.stream(values()).map(ImageFormat::ending).collect(Collectors.joining(", "));

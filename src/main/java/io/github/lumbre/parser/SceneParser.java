@@ -131,6 +131,21 @@ public final class SceneParser {
     }
   }
 
+  /**
+   * Returns the files that a scene's assets name and that exist, whether the scene uses them or not.
+   *
+   * @throws SceneFormatException if the file holds no scene
+   * @throws IOException if the file exists but cannot be read
+   */
+  public static Set<Path> files(Path file) throws SceneFormatException, IOException {
+    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    JsonNode root = JsonTree.read(read(file, problems), problems);
+    if (root.asObject().isEmpty()) {
+      throw problems.exception();
+    }
+    return new AssetData(file, sha256()).files(root.objects("assets"));
+  }
+
   private static byte[] read(Path file, Problems problems)
       throws SceneFormatException, IOException {
     try {
