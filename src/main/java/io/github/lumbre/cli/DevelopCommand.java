@@ -36,7 +36,7 @@ final class DevelopCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
-      description = "The picture: .png for the screen, .exr or .pfm for linear light.")
+      description = "The picture: .png or .jpg for the screen, .exr or .pfm for linear light.")
   private Path output;
 
   @Mixin private DevelopFlags flags;

@@ -57,7 +57,7 @@ final class MergeCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
-      description = "A picture, if its name ends in .png, .exr or .pfm; otherwise a film.")
+      description = "A picture, if its name ends in .png, .jpg, .exr or .pfm; otherwise a film.")
   private Path output;
 
   @Mixin private DevelopFlags flags;

@@ -18,8 +18,25 @@ import java.util.Set;
 final class OutputGuard {
   private final boolean overwrite;
   private final List<Input> inputs = new ArrayList<>();
-  private final List<Path> scenes = new ArrayList<>();
+  private final List<Assets> assets = new ArrayList<>();
   private final List<Output> outputs = new ArrayList<>();
+
+  /** Lists the files that a scene's assets name. */
+  @FunctionalInterface
+  interface AssetList {
+    Set<Path> files() throws SceneFormatException, IOException;
+  }
+
+  private record Assets(Path scene, AssetList list) {
+    /** Returns the files; none if the scene cannot be read, which the command itself reports. */
+    Set<Path> files() {
+      try {
+        return list.files();
+      } catch (SceneFormatException | IOException e) {
+        return Set.of();
+      }
+    }
+  }
 
   private record Input(Path path, String role) {}
 
@@ -53,8 +70,13 @@ final class OutputGuard {
 
   /** Adds a scene, with all files that its assets name. */
   OutputGuard readsScene(Path scene) {
-    scenes.add(scene);
-    return reads(scene, "the scene");
+    return reads(scene, "the scene").readsAssets(scene, () -> SceneParser.files(scene));
+  }
+
+  /** Adds the files that a scene's assets name. */
+  OutputGuard readsAssets(Path scene, AssetList list) {
+    assets.add(new Assets(scene, list));
+    return this;
   }
 
   /**
@@ -109,21 +131,12 @@ final class OutputGuard {
     if (existing.isEmpty()) {
       return;
     }
-    for (Path scene : scenes) {
-      for (Path asset : assets(scene)) {
+    for (Assets ofScene : assets) {
+      for (Path asset : ofScene.files()) {
         for (Output output : existing) {
-          requireDifferent(output, new Input(asset, "a file of the scene " + scene));
+          requireDifferent(output, new Input(asset, "a file of the scene " + ofScene.scene));
         }
       }
-    }
-  }
-
-  /** Returns a scene's files; none if the scene cannot be read, which the command itself reports. */
-  private static Set<Path> assets(Path scene) {
-    try {
-      return SceneParser.files(scene);
-    } catch (SceneFormatException | IOException e) {
-      return Set.of();
     }
   }
 

@@ -44,6 +44,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json",
       "  lumbre render scene.json -s 16 --size 480x270 --exposure auto",
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
+      "  lumbre render - -o - --format jpg < scene.json > picture.jpg",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
       "  lumbre render scene.json --timeout 5m",
       "  lumbre render scene.json --target-error 2%% --time 10m",
@@ -68,10 +69,18 @@ final class RenderCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = {
-        "The picture: .png for the screen, .exr or .pfm for linear light.",
+        "The picture: .png or .jpg for the screen, .exr or .pfm for linear light; - writes it to"
+            + " standard output.",
         "Default: the scene's name with .png, in the working directory."
       })
   private Optional<Path> output;
+
+  @Option(
+      names = "--format",
+      paramLabel = "NAME",
+      converter = FlagConverters.OfImageFormat.class,
+      description = "With -o -: png, exr, pfm or jpg (png).")
+  private Optional<ImageFormat> format;
 
   @Mixin private RenderFlags flags;
 
@@ -87,6 +96,13 @@ final class RenderCommand implements Callable<Integer> {
       defaultValue = "8",
       description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
   private int bits;
+
+  @Option(
+      names = "--jpeg-quality",
+      paramLabel = "N",
+      defaultValue = "90",
+      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
+  private int jpegQuality;
 
   @Mixin private RunFlags run;
 
@@ -131,10 +147,12 @@ final class RenderCommand implements Callable<Integer> {
     Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
     Duration startup = Duration.between(start, Instant.now());
+    new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
+    requireStreams();
     Path target = target();
     checkOutputs(target);
     Messages messages = run.errors();
-    try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
+    try (PictureOutput picture = picture(target);
         FilmKeeper keeper = keeper(messages);
         Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
       SceneFile file = options.load(parser(), messages);
@@ -142,6 +160,7 @@ final class RenderCommand implements Callable<Integer> {
         return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
+      picture.requireFits(file.settings());
       RenderMonitor monitor = run.monitor(interruption, deadline);
       RunBudget budget =
           budgets.since(
@@ -184,7 +203,7 @@ final class RenderCommand implements Callable<Integer> {
         FilmNotes.of(scene, file, picture.target(), bits, options.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
-    RenderJob.How how = run.how(bits, options.isStrict());
+    RenderJob.How how = run.how(bits, options.isStrict()).withJpegQuality(jpegQuality);
     return new RenderJob(scene, file, picture, keeper, monitor, run.errors(), report, budget, how);
   }
 
@@ -203,17 +222,40 @@ final class RenderCommand implements Callable<Integer> {
     Path scene = options.scene();
     Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene));
     require(
-        ImageFormat.of(target).isPresent(),
+        isStandardOutput() || ImageFormat.of(target).isPresent(),
         target + ": expected a name that ends in one of " + ImageFormat.endings());
     return target;
   }
 
+  private boolean isStandardOutput() {
+    return output.equals(Optional.of(PictureOutput.STANDARD));
+  }
+
+  /** Refuses combinations of flags that standard input and output exclude. */
+  private void requireStreams() {
+    require(format.isEmpty() || isStandardOutput(), "--format: expected -o - with it");
+    require(
+        checkpoint.isEmpty() || !options.isStandardInput() && !isStandardOutput(),
+        "--checkpoint: expected files for the scene and the picture, found -; 'lumbre resume' must"
+            + " find both again");
+    require(!isStandardOutput() || !run.isJson(), "-o -: expected no --json beside it");
+    require(
+        !isStandardOutput() || !StandardOutput.isTerminal(),
+        "-o -: standard output is a terminal; expected a file or a pipe");
+  }
+
+  private PictureOutput picture(Path target) throws CommandException {
+    return isStandardOutput()
+        ? PictureOutput.toStandardOutput(
+            format.orElse(ImageFormat.PNG), checkpoints.fallback())
+        : PictureOutput.reserve(target, checkpoints.fallback());
+  }
+
   private void checkOutputs(Path target) throws CommandException {
-    OutputGuard guard =
-        overwrite
-            .guard()
-            .readsScene(options.scene())
-            .writes("-o", target, OutputContent.PICTURE);
+    OutputGuard guard = options.guardedBy(overwrite.guard());
+    if (!isStandardOutput()) {
+      guard.writes("-o", target, OutputContent.PICTURE);
+    }
     // An existing film is refused later, with the advice to resume it.
     checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));
     guard.check();

@@ -133,9 +133,8 @@ final class TradeCommand implements Callable<Integer> {
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
     require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
-    overwrite
-        .guard()
-        .readsScene(options.scene())
+    options
+        .guardedBy(overwrite.guard())
         .writes("-o", page, OutputContent.TRADE_PAGE)
         .writes("-o", beside(page, ".csv"), OutputContent.TRADE_CSV)
         .writes("-o", beside(page, ".json"), OutputContent.TRADE_JSON)
