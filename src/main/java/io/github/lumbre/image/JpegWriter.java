@@ -3,6 +3,8 @@ package io.github.lumbre.image;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.stream.Collectors;
 import javax.imageio.IIOException;
@@ -14,9 +16,6 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import org.w3c.dom.Element;
-import org.w3c.dom.Node;
-import org.w3c.dom.NodeList;
 
 /**
  * Writes baseline JPEG files: exposure and tone curve, 8 bits, full color resolution (4:4:4),
@@ -38,7 +37,7 @@ final class JpegWriter {
       param.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
       param.setCompressionQuality(options.jpegQuality() / 100f);
       IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), param);
-      metadata.setFromTree(METADATA, changed(metadata.getAsTree(METADATA), options.metadata()));
+      metadata.mergeTree(METADATA, markers(image, options.metadata()));
       writer.write(null, new IIOImage(picture, null, metadata), param);
     } catch (IIOException e) {
       // Its own message says nothing; the cause's is "No space left on device".
@@ -48,29 +47,45 @@ final class JpegWriter {
     }
   }
 
-  private static Node changed(Node root, Map<String, String> metadata) {
-    NodeList components = ((Element) root).getElementsByTagName("componentSpec");
-    for (int i = 0; i < components.getLength(); i++) {
-      Element component = (Element) components.item(i);
-      component.setAttribute("HsamplingFactor", "1");
-      component.setAttribute("VsamplingFactor", "1");
+  /** Returns what the file has besides the encoder's defaults: sampling factors and a comment. */
+  private static IIOMetadataNode markers(Image image, Map<String, String> metadata) {
+    IIOMetadataNode frame = node("sof", "process", 0, "samplePrecision", 8);
+    frame.setAttribute("numLines", "" + image.height());
+    frame.setAttribute("samplesPerLine", "" + image.width());
+    frame.setAttribute("numFrameComponents", "3");
+    for (int component = 1; component <= 3; component++) {
+      IIOMetadataNode spec = node("componentSpec", "HsamplingFactor", 1, "VsamplingFactor", 1);
+      spec.setAttribute("componentId", "" + component);
+      spec.setAttribute("QtableSelector", component == 1 ? "0" : "1");
+      frame.appendChild(spec);
     }
+    IIOMetadataNode sequence = new IIOMetadataNode("markerSequence");
+    sequence.appendChild(frame);
     if (!metadata.isEmpty()) {
-      Node markers = ((Element) root).getElementsByTagName("markerSequence").item(0);
       IIOMetadataNode comment = new IIOMetadataNode("com");
-      comment.setAttribute("comment", text(metadata));
-      markers.insertBefore(comment, markers.getFirstChild());
+      comment.setUserObject(comment(metadata));
+      sequence.appendChild(comment);
     }
+    IIOMetadataNode root = new IIOMetadataNode(METADATA);
+    root.appendChild(new IIOMetadataNode("JPEGvariety"));
+    root.appendChild(sequence);
     return root;
   }
 
-  /** Returns a line for each keyword, in Latin-1, which is all that the encoder writes. */
-  private static String text(Map<String, String> metadata) {
+  private static IIOMetadataNode node(String name, String key, int value, String key2, int value2) {
+    IIOMetadataNode node = new IIOMetadataNode(name);
+    node.setAttribute(key, "" + value);
+    node.setAttribute(key2, "" + value2);
+    return node;
+  }
+
+  /** Returns a line for each keyword, in UTF-8: as text, the default character set would decide. */
+  private static byte[] comment(Map<String, String> metadata) {
     String lines =
         metadata.entrySet().stream()
             .map(e -> e.getKey() + ": " + e.getValue())
             .collect(Collectors.joining("\n"));
-    String latin = lines.replaceAll("[^\\x0a\\x20-\\x7e\\xa1-\\xff]", "?");
-    return latin.length() <= MAX_COMMENT ? latin : latin.substring(0, MAX_COMMENT);
+    byte[] bytes = lines.getBytes(StandardCharsets.UTF_8);
+    return Arrays.copyOf(bytes, Math.min(bytes.length, MAX_COMMENT));
   }
 }

@@ -78,7 +78,7 @@ class JpegWriterTest {
 
   @Test
   void metadataIsAComment() throws IOException {
-    String file = new String(written(stripes(), 90), StandardCharsets.ISO_8859_1);
-    assertThat(file).contains("Scene: käse ?");
+    String file = new String(written(stripes(), 90), StandardCharsets.UTF_8);
+    assertThat(file).contains("Scene: käse \u4e00");
   }
 }
