@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -162,6 +163,8 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -179,6 +182,10 @@ final class BenchCommand implements Callable<Integer> {
     }
     BenchPlan plan = plan(checks);
     requireDistinctFiles(checks);
+    OutputGuard guard = overwrite.guard();
+    scenes.forEach(guard::readsScene);
+    json.ifPresent(file -> guard.writes("--json", file, OutputContent.BENCH_JSON));
+    guard.check();
     if (loading) {
       return readPairs(new LoadBench(repeat()), out);
     }

@@ -101,6 +101,8 @@ final class BenchmarkCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   /** How much of the work to do; one of the two at most. */
@@ -132,6 +134,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     kernel.apply();
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
     List<ReportRow> selected = selected(folder);
+    checkOutputs(folder, selected);
     TableHashes stored = TableHashes.load(folder.directory());
     Messages out = new Messages(spec.commandLine().getOut());
     BenchmarkReport report = new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out);
@@ -143,6 +146,22 @@ final class BenchmarkCommand implements Callable<Integer> {
       int verdict = settle(stored, report.results());
       return complete ? verdict : ExitCodes.INTERRUPTED;
     }
+  }
+
+  private void checkOutputs(SceneFolder folder, List<ReportRow> selected) throws CommandException {
+    OutputGuard guard =
+        overwrite.guard().reads(folder.directory().resolve(ReportTable.FILE), "the table");
+    for (ReportRow row : selected) {
+      guard.readsScene(folder.file(row.scene()));
+    }
+    Path stored = folder.directory().resolve(TableHashes.FILE);
+    if (hashes.store) {
+      guard.writes("--scenes", stored, OutputContent.HASHES);
+    } else {
+      guard.reads(stored, "the file of hashes");
+    }
+    csv.ifPresent(file -> guard.writes("--csv", file, OutputContent.BENCHMARK_CSV));
+    guard.check();
   }
 
   private BenchmarkPlan plan() {

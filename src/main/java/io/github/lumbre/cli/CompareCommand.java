@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -94,11 +95,17 @@ final class CompareCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws CommandException {
     validate();
+    OutputGuard guard =
+        overwrite.guard().reads(picture, "the picture").reads(reference, "the reference");
+    errorMap.ifPresent(map -> guard.writes("--error-map", map, OutputContent.PICTURE));
+    guard.check();
     Image a = read(picture);
     Image b = read(reference);
     if (a.width() != b.width() || a.height() != b.height()) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -69,6 +70,8 @@ final class GalleryCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -77,6 +80,7 @@ final class GalleryCommand implements Callable<Integer> {
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
     List<String> selected = selected(folder.names());
     Path directory = out.orElseGet(() -> Home.resolve("renders"));
+    checkOutputs(folder, selected, directory);
     makeDirectory(directory);
     GalleryPage page = GalleryPage.load(directory);
     boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
@@ -105,6 +109,19 @@ final class GalleryCommand implements Callable<Integer> {
       page.save();
     }
     return true;
+  }
+
+  /** Pictures must not replace files of the selected scenes, nor of the others in the folder. */
+  private void checkOutputs(SceneFolder folder, List<String> selected, Path directory)
+      throws CommandException {
+    OutputGuard guard = overwrite.guard();
+    for (String scene : folder.names()) {
+      guard.readsScene(folder.file(scene));
+    }
+    for (String scene : selected) {
+      guard.writes("--out", GalleryPage.picture(directory, scene), OutputContent.PICTURE);
+    }
+    guard.writes("--out", directory.resolve(GalleryPage.FILE), OutputContent.GALLERY_PAGE).check();
   }
 
   private List<String> selected(List<String> known) {

@@ -68,10 +68,12 @@ public final class Lumbre implements Runnable {
     long start = ManagementFactory.getRuntimeMXBean().getStartTime();
     System.setProperty(BudgetFlags.START, String.valueOf(start));
     Charset charset = Charset.defaultCharset();
-    PrintWriter out = new PrintWriter(System.out, true, charset);
+    StandardOutput results = StandardOutput.open();
+    PrintWriter out = new PrintWriter(results, true, charset);
     PrintWriter err = new PrintWriter(System.err, true, charset);
     int exitCode = run(args, out, err);
     out.flush();
+    exitCode = results.exitCode(exitCode, err);
     err.flush();
     System.exit(Interruption.exitCode(exitCode));
   }

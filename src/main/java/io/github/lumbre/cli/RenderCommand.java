@@ -44,6 +44,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json",
       "  lumbre render scene.json -s 16 --size 480x270 --exposure auto",
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
+      "  lumbre render - -o - --format jpg < scene.json > picture.jpg",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
       "  lumbre render scene.json --timeout 5m",
       "  lumbre render scene.json --target-error 2%% --time 10m",
@@ -68,10 +69,18 @@ final class RenderCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = {
-        "The picture: .png for the screen, .exr or .pfm for linear light.",
+        "The picture: .png or .jpg for the screen, .exr or .pfm for linear light; - writes it to"
+            + " standard output.",
         "Default: the scene's name with .png, in the working directory."
       })
   private Optional<Path> output;
+
+  @Option(
+      names = "--format",
+      paramLabel = "NAME",
+      converter = FlagConverters.OfImageFormat.class,
+      description = "With -o -: png, exr, pfm or jpg (png).")
+  private Optional<ImageFormat> format;
 
   @Mixin private RenderFlags flags;
 
@@ -87,6 +96,13 @@ final class RenderCommand implements Callable<Integer> {
       defaultValue = "8",
       description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
   private int bits;
+
+  @Option(
+      names = "--jpeg-quality",
+      paramLabel = "N",
+      defaultValue = "90",
+      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
+  private int jpegQuality;
 
   @Mixin private RunFlags run;
 
@@ -104,6 +120,8 @@ final class RenderCommand implements Callable<Integer> {
   private Optional<Path> checkpoint;
 
   @Mixin private CheckpointFlags checkpoints;
+
+  @Mixin private OverwriteFlag overwrite;
 
   @Spec private CommandSpec spec;
 
@@ -129,10 +147,13 @@ final class RenderCommand implements Callable<Integer> {
     Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
     Duration startup = Duration.between(start, Instant.now());
+    new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
+    requireStreams();
     Path target = target();
+    checkOutputs(target);
     Messages messages = run.errors();
-    try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
-        FilmKeeper keeper = keeper(target, messages);
+    try (PictureOutput picture = picture(target);
+        FilmKeeper keeper = keeper(messages);
         Interruption interruption = Interruption.listen();
         RenderMonitor monitor = run.monitor(interruption, deadline)) {
       SceneFile file = monitor.reading(options.scene(), () -> options.load(parser(), messages));
@@ -140,6 +161,7 @@ final class RenderCommand implements Callable<Integer> {
         return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
+      picture.requireFits(file.settings());
       RunBudget budget =
           budgets.since(
               start, startup, file.settings(), quality.targetError(), BudgetFlags.CONFIDENCE);
@@ -154,14 +176,11 @@ final class RenderCommand implements Callable<Integer> {
     return flags.over(options.parser(), isOpen, quality.isAdaptive(), quality.depth());
   }
 
-  private FilmKeeper keeper(Path target, Messages messages) throws CommandException {
+  private FilmKeeper keeper(Messages messages) throws CommandException {
     if (checkpoint.isEmpty()) {
       return FilmKeeper.none(messages);
     }
     Path path = checkpoint.get();
-    require(
-        !PictureOutput.isSame(path, target) && !PictureOutput.isSame(path, options.scene()),
-        "--checkpoint: " + path + " is the scene or the picture");
     for (Path existing : List.of(path, OutputFile.previous(path))) {
       if (Files.exists(existing)) {
         throw new CommandException(
@@ -185,7 +204,7 @@ final class RenderCommand implements Callable<Integer> {
         FilmNotes.of(scene, file, picture.target(), bits, options.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
-    RenderJob.How how = run.how(bits, options.isStrict());
+    RenderJob.How how = run.how(bits, options.isStrict()).withJpegQuality(jpegQuality);
     return new RenderJob(scene, file, picture, keeper, monitor, run.errors(), report, budget, how);
   }
 
@@ -204,12 +223,43 @@ final class RenderCommand implements Callable<Integer> {
     Path scene = options.scene();
     Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene));
     require(
-        ImageFormat.of(target).isPresent(),
+        isStandardOutput() || ImageFormat.of(target).isPresent(),
         target + ": expected a name that ends in one of " + ImageFormat.endings());
-    require(
-        !PictureOutput.isSame(scene, target),
-        target + ": is the scene itself, which is never overwritten");
     return target;
+  }
+
+  private boolean isStandardOutput() {
+    return output.equals(Optional.of(PictureOutput.STANDARD));
+  }
+
+  /** Refuses combinations of flags that standard input and output exclude. */
+  private void requireStreams() {
+    require(format.isEmpty() || isStandardOutput(), "--format: expected -o - with it");
+    require(
+        checkpoint.isEmpty() || !options.isStandardInput() && !isStandardOutput(),
+        "--checkpoint: expected files for the scene and the picture, found -; 'lumbre resume' must"
+            + " find both again");
+    require(!isStandardOutput() || !run.isJson(), "-o -: expected no --json beside it");
+    require(
+        !isStandardOutput() || !StandardOutput.isTerminal(),
+        "-o -: standard output is a terminal; expected a file or a pipe");
+  }
+
+  private PictureOutput picture(Path target) throws CommandException {
+    return isStandardOutput()
+        ? PictureOutput.toStandardOutput(
+            format.orElse(ImageFormat.PNG), checkpoints.fallback())
+        : PictureOutput.reserve(target, checkpoints.fallback());
+  }
+
+  private void checkOutputs(Path target) throws CommandException {
+    OutputGuard guard = options.guardedBy(overwrite.guard());
+    if (!isStandardOutput()) {
+      guard.writes("-o", target, OutputContent.PICTURE);
+    }
+    // An existing film is refused later, with the advice to resume it.
+    checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));
+    guard.check();
   }
 
   private void require(boolean condition, String message) {

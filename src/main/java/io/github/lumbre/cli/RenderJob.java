@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.measure.Forecast;
 import io.github.lumbre.parser.SceneFile;
@@ -42,9 +41,14 @@ record RenderJob(
    * What is written and told at the end.
    *
    * @param bits per channel of a PNG
+   * @param jpegQuality of a JPEG, 1 to 100
    * @param strict whether samples and texture points that are no numbers make an error
    */
-  record How(int bits, boolean quiet, boolean stats, boolean strict) {}
+  record How(int bits, int jpegQuality, boolean quiet, boolean stats, boolean strict) {
+    How withJpegQuality(int quality) {
+      return new How(bits, quality, quiet, stats, strict);
+    }
+  }
 
   /** Renders a new film. */
   int run(int firstSample) throws CommandException {
@@ -206,7 +210,8 @@ record RenderJob(
     light.putInto(metadata);
     picture.write(
         result.image(),
-        new ImageWriter.Options(settings.exposure(), settings.toneCurve(), how.bits(), metadata));
+        new ImageWriter.Options(
+            settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata));
     tell(summary, noise, light);
     report.putScene(file);
     report.put("output", picture.target().toString());
@@ -229,7 +234,7 @@ record RenderJob(
       light.print(messages);
       noise.printDoubts(messages);
     }
-    if (!how.quiet() && ImageFormat.of(target).equals(Optional.of(ImageFormat.PNG))) {
+    if (!how.quiet() && picture.isForScreen()) {
       summary.printIfDark(messages);
     }
     if (how.stats()) {

@@ -97,6 +97,8 @@ final class ResumeCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -116,10 +118,17 @@ final class ResumeCommand implements Callable<Integer> {
       requireOnePart(header);
       FilmNotes notes = new FilmNotes(film, header);
       Path target = output.isPresent() ? output.get() : notes.output();
+      Path path = scene.isPresent() ? scene.get() : notes.scene();
+      overwrite
+          .guard()
+          .readsScene(path)
+          .updatesFilm("FILM", film)
+          .updates("FILM", damaged(), OutputContent.FILM)
+          .writes("-o", target, OutputContent.PICTURE)
+          .check();
       try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
           Interruption interruption = Interruption.listen();
           RenderMonitor monitor = run.monitor(interruption, deadline)) {
-        Path path = scene.isPresent() ? scene.get() : notes.scene();
         report.put("scene", path.toString());
         SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
         RunBudget budget = budget(notes, file.settings(), start, startup);
@@ -220,12 +229,16 @@ final class ResumeCommand implements Callable<Integer> {
     }
   }
 
+  private Path damaged() {
+    return film.resolveSibling(film.getFileName() + ".damaged");
+  }
+
   /** Gives a damaged film another name, lest the next save puts it in place of the good one. */
   private void setDamagedAside(CheckpointFile.Loaded loaded) throws CommandException {
     if (loaded.problem().isEmpty() || !Files.exists(film)) {
       return;
     }
-    Path aside = film.resolveSibling(film.getFileName() + ".damaged");
+    Path aside = damaged();
     try {
       Files.move(film, aside, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.FlagConverters.ProgressStyle;
+import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.parser.SceneFormatException;
 import java.time.Duration;
 import java.util.Optional;
@@ -86,7 +87,8 @@ final class RunFlags {
    * @param strict whether samples that are no numbers make an error
    */
   RenderJob.How how(int bits, boolean strict) {
-    return new RenderJob.How(bits, quiet, stats, strict);
+    return new RenderJob.How(
+        bits, ImageWriter.Options.DEFAULT_JPEG_QUALITY, quiet, stats, strict);
   }
 
   /** Runs what a command does and returns its exit code, after a summary if one was asked for. */

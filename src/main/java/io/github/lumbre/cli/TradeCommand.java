@@ -123,6 +123,8 @@ final class TradeCommand implements Callable<Integer> {
 
   @Mixin private KernelFlag kernel;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -131,6 +133,12 @@ final class TradeCommand implements Callable<Integer> {
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
     require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
+    options
+        .guardedBy(overwrite.guard())
+        .writes("-o", page, OutputContent.TRADE_PAGE)
+        .writes("-o", beside(page, ".csv"), OutputContent.TRADE_CSV)
+        .writes("-o", beside(page, ".json"), OutputContent.TRADE_JSON)
+        .check();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (TextOutput html = TextOutput.reserve(Optional.of(page));
         TextOutput csv = TextOutput.reserve(Optional.of(beside(page, ".csv")));

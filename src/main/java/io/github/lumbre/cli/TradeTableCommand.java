@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -53,10 +54,19 @@ final class TradeTableCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws CommandException {
+    OutputGuard guard = overwrite.guard();
+    studies.forEach(study -> guard.reads(study, "a study"));
+    guard
+        .writes("-o", output, OutputContent.TRADE_TABLES)
+        .writes("-o", beside("-noise.svg"), OutputContent.TRADE_CHART)
+        .writes("-o", beside("-depth.svg"), OutputContent.TRADE_CHART)
+        .check();
     List<SceneTrade> scenes = new ArrayList<>();
     for (Path study : studies) {
       scenes.add(read(study));

@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageInputStream;
@@ -57,6 +58,15 @@ public final class ImageReader {
                   : Pixels.of(reader.read(0)));
     }
     throw malformed("expected a PNG or JPEG picture, found neither");
+  }
+
+  /**
+   * Returns the color space that a file states and {@link #decode} ignores, such as "an ICC profile
+   * (Adobe RGB (1998))" or "a gamma of 1.0"; empty if it states none, or sRGB. The text may hold any
+   * characters.
+   */
+  public static Optional<String> ignoredColorSpace(byte[] file) {
+    return ColorTag.ignoredIn(Objects.requireNonNull(file, "file"));
   }
 
   /** Checks the size that a header claims. */

@@ -107,6 +107,11 @@ public final class OutputFile implements Closeable {
     }
   }
 
+  /** Returns the hidden file beside a file that {@link #open} creates while it is reserved. */
+  public static Path temporary(Path file) {
+    return hidden(file, ".tmp");
+  }
+
   /** Returns where a file's predecessor is kept by {@link #commitKeepingPrevious}. */
   public static Path previous(Path file) {
     return file.resolveSibling(file.getFileName() + ".bak");

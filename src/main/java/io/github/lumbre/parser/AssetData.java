@@ -10,7 +10,10 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.regex.Pattern;
 
@@ -64,6 +67,18 @@ final class AssetData {
       return Optional.empty();
     }
     return asset.string(base64Key).flatMap(text -> decoded(asset, base64Key, text));
+  }
+
+  /** Returns the files that assets name, as far as they exist and are in the scene's folder. */
+  Set<Path> files(List<JsonNode> assets) throws IOException {
+    Set<Path> files = new LinkedHashSet<>();
+    for (JsonNode asset : assets) {
+      Optional<String> name = asset.has(FILE_KEY) ? asset.string(FILE_KEY) : Optional.empty();
+      if (name.isPresent()) {
+        inFolder(name.get()).filter(Files::isRegularFile).ifPresent(files::add);
+      }
+    }
+    return files;
   }
 
   private static Optional<Content> decoded(JsonNode asset, String key, String text) {

@@ -141,6 +141,51 @@ public final class SceneParser {
     }
   }
 
+  /**
+   * Reads a scene from the content of a file, which need not exist.
+   *
+   * @param content the scene, UTF-8
+   * @param file in whose folder assets are, and whose name is in messages
+   * @throws SceneFormatException if the scene cannot be used, with all that is wrong
+   */
+  public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
+    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    try {
+      return parse(file, content, problems);
+    } catch (OutOfMemoryError e) {
+      // What was to hold the scene is free again, and nothing else was touched.
+      problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
+      throw problems.exception();
+    }
+  }
+
+  /**
+   * Returns the files that a scene's assets name and that exist, whether the scene uses them or not.
+   *
+   * @throws SceneFormatException if the file holds no scene
+   * @throws IOException if the file exists but cannot be read
+   */
+  public static Set<Path> files(Path file) throws SceneFormatException, IOException {
+    return files(read(file, new Problems(String.valueOf(file.getFileName()))), file);
+  }
+
+  /**
+   * Returns the files that a scene's assets name; see {@link #files(Path)} and {@link
+   * #parse(byte[], Path)}.
+   *
+   * @throws SceneFormatException if the content is no scene
+   * @throws IOException if the folder cannot be read
+   */
+  public static Set<Path> files(byte[] content, Path file)
+      throws SceneFormatException, IOException {
+    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    JsonNode root = JsonTree.read(content, problems);
+    if (root.asObject().isEmpty()) {
+      throw problems.exception();
+    }
+    return new AssetData(file, sha256()).files(root.objects("assets"));
+  }
+
   private static byte[] read(Path file, Problems problems)
       throws SceneFormatException, IOException {
     try {

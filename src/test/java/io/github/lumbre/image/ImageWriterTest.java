@@ -57,10 +57,10 @@ class ImageWriterTest {
 
   @Test
   void anUnknownEndingIsRefusedBeforeAnythingIsCreated() throws IOException {
-    Path file = directory.resolve("a.jpg");
+    Path file = directory.resolve("a.gif");
     assertThatThrownBy(() -> ImageWriter.write(Image.black(1, 1), file))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage(file + ": expected a name that ends in one of .png, .pfm, .exr");
+        .hasMessage(file + ": expected a name that ends in one of .png, .pfm, .exr, .jpg, .jpeg");
     assertThat(directory).isEmptyDirectory();
   }
 
