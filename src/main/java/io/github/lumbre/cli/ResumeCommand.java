@@ -4,6 +4,7 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -208,7 +209,9 @@ final class ResumeCommand implements Callable<Integer> {
       return file;
     } catch (IOException e) {
       throw new CommandException(
-          ExitCodes.SCENE, path + ": the film's scene cannot be read: " + e.getMessage(), e);
+          ExitCodes.SCENE,
+          path + ": the film's scene cannot be read: " + FileFailure.reason(e),
+          e);
     }
   }
 

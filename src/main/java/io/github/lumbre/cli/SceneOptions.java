@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -78,11 +79,8 @@ final class SceneOptions {
     try {
       return parser.parse(scene);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.SCENE, scene + ": cannot be read: " + reason(e), e);
+      throw new CommandException(
+          ExitCodes.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
     }
-  }
-
-  private static String reason(IOException e) {
-    return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
   }
 }

@@ -1,11 +1,14 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.Base64;
@@ -89,53 +92,81 @@ final class AssetData {
 
   private Optional<Content> file(JsonNode asset, String name) {
     try {
-      Optional<Path> path = inFolder(name);
-      if (path.isEmpty()) {
-        asset.error(
-            FILE_KEY,
-            "expected a relative path inside the scene's folder, found " + Problems.quoted(name));
-        return Optional.empty();
-      }
-      if (!Files.isRegularFile(path.get())) {
-        asset.error(
-            Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
-        return Optional.empty();
-      }
-      if (Files.size(path.get()) > MAX_BYTES) {
-        asset.error(
-            Kind.LIMIT,
-            FILE_KEY,
-            "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path.get()));
+      Optional<Path> path = inFolder(asset, name);
+      if (path.isEmpty() || !isFile(asset, name, path.get())) {
         return Optional.empty();
       }
       byte[] bytes = Files.readAllBytes(path.get());
       digest.update(bytes);
       return Optional.of(new Content(asset, FILE_KEY, bytes));
     } catch (IOException e) {
-      asset.error(Kind.ASSET, FILE_KEY, "expected a readable file, found " + Problems.quoted(name));
+      asset.error(
+          Kind.ASSET,
+          FILE_KEY,
+          "expected a readable file, found "
+              + Problems.quoted(name)
+              + ": "
+              + FileFailure.reason(e));
       return Optional.empty();
     }
   }
 
-  /** Returns the path of a file, or empty if it is not inside the scene's folder. */
-  private Optional<Path> inFolder(String name) throws IOException {
+  /** Returns whether a path leads to a file of a size that can be read, or adds an error. */
+  private static boolean isFile(JsonNode asset, String name, Path path) throws IOException {
+    if (!Files.readAttributes(path, BasicFileAttributes.class).isRegularFile()) {
+      String found = Files.isDirectory(path) ? "a folder" : "what is none";
+      asset.error(
+          Kind.ASSET, FILE_KEY, "expected a file, found " + found + " at " + Problems.quoted(name));
+      return false;
+    }
+    if (Files.size(path) > MAX_BYTES) {
+      asset.error(
+          Kind.LIMIT,
+          FILE_KEY,
+          "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path));
+      return false;
+    }
+    return true;
+  }
+
+  /** Returns the path of a file, or adds an error if it is not inside the scene's folder. */
+  private Optional<Path> inFolder(JsonNode asset, String name) throws IOException {
+    Path folder = sceneFile.toAbsolutePath().getParent().toRealPath();
+    Optional<Path> path = relative(name).map(folder::resolve).map(Path::normalize);
+    if (path.isEmpty() || !path.get().startsWith(folder)) {
+      asset.error(
+          FILE_KEY,
+          "expected a relative path inside the scene's folder, found " + Problems.quoted(name));
+      return Optional.empty();
+    }
+    Path real;
+    try {
+      real = path.get().toRealPath();
+    } catch (NoSuchFileException e) {
+      asset.error(
+          Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
+      return Optional.empty();
+    }
+    if (!real.startsWith(folder)) {
+      asset.error(
+          FILE_KEY,
+          "expected a file inside the scene's folder, found the link "
+              + Problems.quoted(name)
+              + ", which leads out of it; copy the file into the folder");
+      return Optional.empty();
+    }
+    return Optional.of(real);
+  }
+
+  /** Returns a path as a scene may state it, or empty if it is none. */
+  private static Optional<Path> relative(String name) {
     if (name.isEmpty() || URL.matcher(name).matches() || name.startsWith("\\")) {
       return Optional.empty();
     }
-    Path folder = sceneFile.toAbsolutePath().getParent().toRealPath();
-    Path relative;
     try {
-      relative = Path.of(name);
+      return Optional.of(Path.of(name)).filter(path -> !path.isAbsolute());
     } catch (InvalidPathException e) {
       return Optional.empty();
     }
-    Path path = folder.resolve(relative).normalize();
-    if (relative.isAbsolute() || !path.startsWith(folder)) {
-      return Optional.empty();
-    }
-    // A link may lead out again.
-    return Files.exists(path)
-        ? Optional.of(path.toRealPath()).filter(real -> real.startsWith(folder))
-        : Optional.of(path);
   }
 }

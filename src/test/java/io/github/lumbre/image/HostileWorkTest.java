@@ -77,15 +77,22 @@ class HostileWorkTest {
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isEqualTo(128);
   }
 
-  /** Chunks cost their own bytes and no more: a million of them are read in one go. */
+  /** The decoder of the JDK takes its time for each chunk of image data, so it gets a single one. */
   @Test
-  void emptyChunksOfPngAreReadInOneGo() throws IOException {
+  void chunksOfImageDataBecomeOne() throws IOException {
     PngFixture fixture = new PngFixture().header(1, 1, 8, PngFixture.RGB, false);
     byte[] data = PngFixture.deflated(new byte[4]);
-    for (int i = 0; i < 1_000_000; i++) {
-      fixture.chunk("IDAT", new byte[0]);
+    for (int i = 0; i < 1000; i++) {
+      fixture.chunk("IDAT", i < data.length ? new byte[] {data[i]} : new byte[0]);
     }
-    byte[] file = fixture.chunk("IDAT", data).end();
+    byte[] file = fixture.end();
+    byte[] content = PngFile.read(file).content();
+    assertThat(content)
+        .isEqualTo(
+            new PngFixture()
+                .header(1, 1, 8, PngFixture.RGB, false)
+                .chunk("IDAT", data)
+                .end());
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isZero();
   }
 }
