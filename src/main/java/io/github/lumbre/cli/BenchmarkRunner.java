@@ -16,6 +16,7 @@ import java.util.function.Supplier;
 final class BenchmarkRunner {
   private final SceneFolder scenes;
   private final BenchmarkPlan plan;
+  private final SceneParser parser;
   private final Supplier<RenderMonitor> monitors;
 
   /** What is kept of a render. */
@@ -23,10 +24,16 @@ final class BenchmarkRunner {
       boolean complete, double seconds, RenderStatistics statistics, String hash) {}
 
   /**
+   * @param parser of the scenes
    * @param monitors gives each render one to report to
    */
-  BenchmarkRunner(SceneFolder scenes, BenchmarkPlan plan, Supplier<RenderMonitor> monitors) {
+  BenchmarkRunner(
+      SceneFolder scenes,
+      BenchmarkPlan plan,
+      SceneParser parser,
+      Supplier<RenderMonitor> monitors) {
     this.scenes = scenes;
+    this.parser = parser;
     this.plan = plan;
     this.monitors = monitors;
   }
@@ -44,9 +51,8 @@ final class BenchmarkRunner {
   Optional<BenchmarkResult> run(ReportRow row, Messages messages)
       throws SceneFormatException, CommandException, InterruptedException {
     long start = System.nanoTime();
-    SceneParser parser =
-        new SceneParser().inMode(row.mode()).overriding(inScene -> settings(row, inScene));
-    SceneFile file = scenes.load(row.scene(), parser, messages);
+    SceneParser ofRow = parser.inMode(row.mode()).overriding(inScene -> settings(row, inScene));
+    SceneFile file = scenes.load(row.scene(), ofRow, messages);
     double loadSeconds = secondsSince(start);
     MemoryEstimate.require(file.settings());
 

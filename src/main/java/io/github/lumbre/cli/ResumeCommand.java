@@ -154,7 +154,7 @@ final class ResumeCommand implements Callable<Integer> {
     work.validate(spec);
     budgets.validate();
     checkpoints.validate();
-    kernel.apply();
+    kernel.validate();
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
       throw new CommandException(ExitCodes.SCENE, film + ": does not exist");
     }
@@ -197,12 +197,13 @@ final class ResumeCommand implements Callable<Integer> {
     }
     try {
       SceneFile file =
-          notes
-              .parser(
-                  settings -> {
-                    settings.samples(limit);
-                    work.override(settings);
-                  })
+          kernel
+              .over(
+                  notes.parser(
+                      settings -> {
+                        settings.samples(limit);
+                        work.override(settings);
+                      }))
               .parse(path);
       requireSame(header, file, path);
       run.errors().warnings(file.warnings());

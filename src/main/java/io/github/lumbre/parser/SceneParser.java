@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
@@ -39,10 +40,18 @@ public final class SceneParser {
   private final int maxPixels;
   private final TextureChange textures;
   private final boolean decodesUnused;
+  private final Optional<Kernel> kernel;
 
   /** A parser that takes scene files as they are. */
   public SceneParser() {
-    this(false, Optional.empty(), UnaryOperator.identity(), MAX_PIXELS, TextureChange.NONE, false);
+    this(
+        false,
+        Optional.empty(),
+        UnaryOperator.identity(),
+        MAX_PIXELS,
+        TextureChange.NONE,
+        false,
+        Optional.empty());
   }
 
   private SceneParser(
@@ -51,24 +60,26 @@ public final class SceneParser {
       UnaryOperator<RenderSettings> change,
       int maxPixels,
       TextureChange textures,
-      boolean decodesUnused) {
+      boolean decodesUnused,
+      Optional<Kernel> kernel) {
     this.lenient = lenient;
     this.mode = mode;
     this.change = change;
     this.maxPixels = maxPixels;
     this.textures = textures;
     this.decodesUnused = decodesUnused;
+    this.kernel = kernel;
   }
 
   /** Returns a parser that takes references to missing assets as warnings. */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused);
+    return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that renders in the given mode, whatever the file says. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
     return new SceneParser(
-        lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused);
+        lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that changes the settings that the file gives before it uses them. */
@@ -79,7 +90,8 @@ public final class SceneParser {
         Objects.requireNonNull(newChange, "newChange"),
         maxPixels,
         textures,
-        decodesUnused);
+        decodesUnused,
+        kernel);
   }
 
   /**
@@ -91,19 +103,19 @@ public final class SceneParser {
     if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
       throw new IllegalArgumentException("pixels: expected 1 to 2^29, found " + newMaxPixels);
     }
-    return new SceneParser(lenient, mode, change, newMaxPixels, textures, decodesUnused);
+    return new SceneParser(lenient, mode, change, newMaxPixels, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that filters all textures in one way, whatever the file says. */
   public SceneParser filtering(ImageTexture.Filter filter) {
     TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused);
+    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
   /** Returns a parser whose textures tell each time that they are asked for a value. */
   public SceneParser countingTextures(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused);
+    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
   /**
@@ -111,7 +123,16 @@ public final class SceneParser {
    * wrong with them: it makes the same scene, and tells what leaving them out saves.
    */
   public SceneParser decodingUnused() {
-    return new SceneParser(lenient, mode, change, maxPixels, textures, true);
+    return new SceneParser(lenient, mode, change, maxPixels, textures, true, kernel);
+  }
+
+  /**
+   * Returns a parser of scenes that are searched by a kernel, which must be available; without it,
+   * by the one that {@link Kernel#configured} returns.
+   */
+  public SceneParser searchedBy(Kernel newKernel) {
+    return new SceneParser(
+        lenient, mode, change, maxPixels, textures, decodesUnused, Optional.of(newKernel));
   }
 
   /**
@@ -161,7 +182,13 @@ public final class SceneParser {
     digest.update(text);
     AssetTable assets = new AssetTable(root, lenient);
     SceneReader world =
-        new SceneReader(root, assets, new AssetData(file, digest), settings.seed(), textures);
+        new SceneReader(
+            root,
+            assets,
+            new AssetData(file, digest),
+            settings.seed(),
+            textures,
+            kernel.orElseGet(Kernel::configured));
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene();

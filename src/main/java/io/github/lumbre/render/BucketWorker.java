@@ -7,6 +7,7 @@ import io.github.lumbre.integrator.Scratch;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.UnreadablePoints;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -44,6 +45,7 @@ final class BucketWorker implements Runnable {
   private long reported;
   private long rejected;
   private long saturated;
+  private long unreadable;
   private long clamped;
   private double clampedLight;
 
@@ -68,6 +70,8 @@ final class BucketWorker implements Runnable {
   @Override
   public void run() {
     boolean returned = false;
+    // What this thread did before belongs to somebody else.
+    UnreadablePoints.take();
     try {
       bucket = queue.take();
       while (bucket.isPresent() && render(bucket.get())) {
@@ -77,6 +81,7 @@ final class BucketWorker implements Runnable {
       returned = true;
     } finally {
       bucket = Optional.empty();
+      unreadable = UnreadablePoints.take();
       if (!returned) {
         queue.stop();
       }
@@ -182,6 +187,7 @@ final class BucketWorker implements Runnable {
         rejected,
         firstRejected,
         saturated,
+        unreadable,
         clamped,
         clampedLight);
   }
