@@ -10,6 +10,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -22,6 +23,7 @@ final class FilmNotes {
   private static final String SOFTWARE = "software";
   private static final String SCENE = "scene";
   private static final String OUTPUT = "output";
+  private static final String FILES = "files";
   private static final String SAMPLES = "samples";
   private static final String EXPOSURE = "exposure";
   private static final String TONE_CURVE = "tonemap";
@@ -48,6 +50,7 @@ final class FilmNotes {
     Map<String, String> notes = new LinkedHashMap<>();
     notes.put(SOFTWARE, "Lumbre " + Version.number());
     notes.put(SCENE, scene.toAbsolutePath().normalize().toString());
+    FilmFiles.text(file.files()).ifPresent(text -> notes.put(FILES, text));
     notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
     notes.put(SAMPLES, String.valueOf(settings.samples()));
     notes.put(EXPOSURE, text(settings.exposure()));
@@ -69,6 +72,16 @@ final class FilmNotes {
 
   Path output() throws CommandException {
     return note(OUTPUT, Path::of);
+  }
+
+  /**
+   * Returns what of a scene is not as it was for the film: the names of the files; none if the film
+   * does not have their hashes, as those of older versions.
+   */
+  List<String> changedFiles(Path scene, SceneFile now) {
+    return Optional.ofNullable(header.notes().get(FILES))
+        .map(then -> FilmFiles.changed(then, now.files(), String.valueOf(scene.getFileName())))
+        .orElse(List.of());
   }
 
   /** Returns how many samples per pixel the film is to have, at least those that it has. */

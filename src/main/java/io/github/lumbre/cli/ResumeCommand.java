@@ -205,6 +205,7 @@ final class ResumeCommand implements Callable<Integer> {
                         work.override(settings);
                       }))
               .parse(path);
+      requireSameFiles(notes, header, file, path);
       requireSame(header, file, path);
       run.errors().warnings(file.warnings());
       return file;
@@ -214,6 +215,26 @@ final class ResumeCommand implements Callable<Integer> {
           path + ": the film's scene cannot be read: " + FileFailure.reason(e),
           e);
     }
+  }
+
+  /** Passes if the scene and its files are those of the film. */
+  private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
+      throws CommandException {
+    if (file.hash().equals(header.identity().get(FilmHeader.SCENE_HASH))) {
+      return;
+    }
+    List<String> changed = notes.changedFiles(path, file);
+    String what =
+        changed.isEmpty()
+            ? path + ", or a file that it uses, has"
+            : String.join(", ", changed) + (changed.size() == 1 ? " has" : " have");
+    throw new CommandException(
+        ExitCodes.SCENE,
+        film
+            + ": "
+            + what
+            + " changed since the film was begun; to resume, restore what was there, or name a copy"
+            + " of the scene as it was: --scene COPY");
   }
 
   private void requireSame(FilmHeader header, SceneFile file, Path path) throws CommandException {

@@ -12,7 +12,9 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /**
@@ -29,6 +31,7 @@ final class AssetData {
 
   private final Path sceneFile;
   private final MessageDigest digest;
+  private final Map<String, String> hashes = new TreeMap<>();
 
   /**
    * @param digest receives the bytes of all files that are read
@@ -62,6 +65,11 @@ final class AssetData {
       return Optional.empty();
     }
     return asset.string(base64Key).flatMap(text -> decoded(asset, base64Key, text));
+  }
+
+  /** Returns the SHA-256 of each file that was read, by its name in the scene. */
+  Map<String, String> hashes() {
+    return Map.copyOf(hashes);
   }
 
   private static Optional<Content> decoded(JsonNode asset, String key, String text) {
@@ -98,6 +106,7 @@ final class AssetData {
       }
       byte[] bytes = Files.readAllBytes(path.get());
       digest.update(bytes);
+      hashes.put(name, Sha256.of(bytes));
       return Optional.of(new Content(asset, FILE_KEY, bytes));
     } catch (IOException e) {
       asset.error(

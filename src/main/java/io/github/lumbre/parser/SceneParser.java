@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Objects;
 import java.util.Optional;
@@ -178,14 +177,16 @@ public final class SceneParser {
     Optional<JsonNode> options = root.object("renderOptions");
     RenderSettings settings = settings(options, problems);
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
-    MessageDigest digest = sha256();
+    MessageDigest digest = Sha256.digest();
     digest.update(text);
+    String ownHash = Sha256.soFar(digest);
     AssetTable assets = new AssetTable(root, lenient);
+    AssetData data = new AssetData(file, digest);
     SceneReader world =
         new SceneReader(
             root,
             assets,
-            new AssetData(file, digest),
+            data,
             settings.seed(),
             textures,
             kernel.orElseGet(Kernel::configured));
@@ -198,6 +199,7 @@ public final class SceneParser {
             settings,
             problems.warnings(),
             HexFormat.of().formatHex(digest.digest()),
+            new FileHashes(ownHash, data.hashes()),
             world.contents(),
             world.origins());
     if (decodesUnused) {
@@ -231,13 +233,5 @@ public final class SceneParser {
               + used.height());
     }
     return used;
-  }
-
-  private static MessageDigest sha256() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new AssertionError("every Java has SHA-256", e);
-    }
   }
 }

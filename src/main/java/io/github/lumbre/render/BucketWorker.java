@@ -7,7 +7,6 @@ import io.github.lumbre.integrator.Scratch;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.texture.UnreadablePoints;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -71,7 +70,7 @@ final class BucketWorker implements Runnable {
   public void run() {
     boolean returned = false;
     // What this thread did before belongs to somebody else.
-    UnreadablePoints.take();
+    scratch.takeUnreadablePoints();
     try {
       bucket = queue.take();
       while (bucket.isPresent() && render(bucket.get())) {
@@ -81,7 +80,7 @@ final class BucketWorker implements Runnable {
       returned = true;
     } finally {
       bucket = Optional.empty();
-      unreadable = UnreadablePoints.take();
+      unreadable = scratch.takeUnreadablePoints();
       if (!returned) {
         queue.stop();
       }
