@@ -3,11 +3,13 @@ package io.github.lumbre.cli;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -67,11 +69,19 @@ final class FilmNotes {
   }
 
   Path scene() throws CommandException {
-    return note(SCENE, Path::of);
+    return note(SCENE, FilmNotes::path);
+  }
+
+  private static Path path(String text) {
+    try {
+      return Path.of(text);
+    } catch (InvalidPathException e) {
+      throw new IllegalArgumentException(FileFailure.reason(e), e);
+    }
   }
 
   Path output() throws CommandException {
-    return note(OUTPUT, Path::of);
+    return note(OUTPUT, FilmNotes::path);
   }
 
   /**

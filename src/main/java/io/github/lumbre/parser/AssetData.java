@@ -141,7 +141,19 @@ final class AssetData {
   /** Returns the path of a file, or adds an error if it is not inside the scene's folder. */
   private Optional<Path> inFolder(JsonNode asset, String name) throws IOException {
     Path folder = sceneFile.toAbsolutePath().getParent().toRealPath();
-    Optional<Path> path = relative(name).map(folder::resolve).map(Path::normalize);
+    Optional<Path> path;
+    try {
+      path = relative(name).map(folder::resolve).map(Path::normalize);
+    } catch (InvalidPathException e) {
+      asset.error(
+          Kind.ASSET,
+          FILE_KEY,
+          "expected a readable file, found "
+              + Problems.quoted(name)
+              + ": "
+              + FileFailure.reason(e));
+      return Optional.empty();
+    }
     if (path.isEmpty() || !path.get().startsWith(folder)) {
       asset.error(
           FILE_KEY,
@@ -167,15 +179,16 @@ final class AssetData {
     return Optional.of(real);
   }
 
-  /** Returns a path as a scene may state it, or empty if it is none. */
+  /**
+   * Returns a path as a scene may state it, or empty if it may not.
+   *
+   * @throws InvalidPathException if it is none
+   */
   private static Optional<Path> relative(String name) {
-    if (name.isEmpty() || URL.matcher(name).matches() || name.startsWith("\\")) {
+    boolean isUrl = URL.matcher(name).matches();
+    if (name.isEmpty() || isUrl || name.startsWith("\\") || name.indexOf(0) >= 0) {
       return Optional.empty();
     }
-    try {
-      return Optional.of(Path.of(name)).filter(path -> !path.isAbsolute());
-    } catch (InvalidPathException e) {
-      return Optional.empty();
-    }
+    return Optional.of(Path.of(name)).filter(path -> !path.isAbsolute());
   }
 }
