@@ -83,6 +83,11 @@ public record FilmHeader(
     return name.equals(SPLIT) ? "1" : NOTHING;
   }
 
+  /** Returns a value for people, who do not read all digits of a hash. */
+  private static String shown(String value) {
+    return value.length() == 64 ? value.substring(0, 12) + "…" : value;
+  }
+
   private static String depth(RenderSettings settings) {
     return switch (settings.mode()) {
       case PATH -> String.valueOf(settings.maxTraceDepth());
@@ -111,7 +116,8 @@ public record FilmHeader(
       String value = identity.getOrDefault(name, unsaid(name));
       String found = other.getOrDefault(name, unsaid(name));
       if (!found.equals(value)) {
-        differences.add(name + ": " + here + " has " + value + ", " + there + " has " + found);
+        differences.add(
+            name + ": " + here + " has " + shown(value) + ", " + there + " has " + shown(found));
       }
     }
     if (!differences.isEmpty()) {

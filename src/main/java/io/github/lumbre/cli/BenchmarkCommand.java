@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.nio.file.Files;
@@ -131,7 +132,7 @@ final class BenchmarkCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     BenchmarkPlan plan = plan();
-    kernel.apply();
+    kernel.validate();
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
     List<ReportRow> selected = selected(folder);
     checkOutputs(folder, selected);
@@ -141,7 +142,11 @@ final class BenchmarkCommand implements Callable<Integer> {
     try (Interruption interruption = Interruption.listen()) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
       BenchmarkRunner runner =
-          new BenchmarkRunner(folder, plan, () -> new RenderMonitor(interruption, hasDisplay));
+          new BenchmarkRunner(
+              folder,
+              plan,
+              kernel.over(new SceneParser()),
+              () -> new RenderMonitor(interruption, hasDisplay));
       boolean complete = interruption.beginRender() && run(selected, runner, report);
       int verdict = settle(stored, report.results());
       return complete ? verdict : ExitCodes.INTERRUPTED;

@@ -17,6 +17,7 @@ import java.util.function.Supplier;
 final class BenchmarkRunner {
   private final SceneFolder scenes;
   private final BenchmarkPlan plan;
+  private final SceneParser parser;
   private final Supplier<RenderMonitor> monitors;
 
   /** What is kept of a render. */
@@ -24,10 +25,16 @@ final class BenchmarkRunner {
       boolean complete, double seconds, RenderStatistics statistics, String hash) {}
 
   /**
+   * @param parser of the scenes
    * @param monitors gives each render one to report to
    */
-  BenchmarkRunner(SceneFolder scenes, BenchmarkPlan plan, Supplier<RenderMonitor> monitors) {
+  BenchmarkRunner(
+      SceneFolder scenes,
+      BenchmarkPlan plan,
+      SceneParser parser,
+      Supplier<RenderMonitor> monitors) {
     this.scenes = scenes;
+    this.parser = parser;
     this.plan = plan;
     this.monitors = monitors;
   }
@@ -45,12 +52,11 @@ final class BenchmarkRunner {
   Optional<BenchmarkResult> run(ReportRow row, Messages messages)
       throws SceneFormatException, CommandException, InterruptedException {
     long start = System.nanoTime();
-    SceneParser parser =
-        new SceneParser().inMode(row.mode()).overriding(inScene -> settings(row, inScene));
+    SceneParser ofRow = parser.inMode(row.mode()).overriding(inScene -> settings(row, inScene));
     SceneFile file;
     try (RenderMonitor monitor = monitors.get()) {
       Path path = scenes.file(row.scene());
-      file = monitor.reading(path, () -> SceneFolder.load(path, parser, messages));
+      file = monitor.reading(path, () -> SceneFolder.load(path, ofRow, messages));
     }
     double loadSeconds = secondsSince(start);
     MemoryEstimate.require(file.settings());

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageFormatException;
@@ -173,7 +174,8 @@ final class CompareCommand implements Callable<Integer> {
       throw new CommandException(
           tooLarge ? ExitCodes.LIMIT : ExitCodes.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.USAGE, file + ": cannot be read: " + e.getMessage(), e);
+      throw new CommandException(
+          ExitCodes.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

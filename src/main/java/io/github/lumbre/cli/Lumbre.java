@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
@@ -8,6 +9,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
@@ -59,6 +61,9 @@ import picocli.CommandLine.Spec;
       "  lumbre help render"
     })
 public final class Lumbre implements Runnable {
+  /** What Java makes of bytes that the locale's encoding does not know. */
+  private static final char GARBLED = '\ufffd';
+
   @Spec private CommandSpec spec;
 
   /** Runs the command that the arguments name, and ends the program. */
@@ -67,7 +72,7 @@ public final class Lumbre implements Runnable {
     Interruption.install();
     long start = ManagementFactory.getRuntimeMXBean().getStartTime();
     System.setProperty(BudgetFlags.START, String.valueOf(start));
-    Charset charset = Charset.defaultCharset();
+    Charset charset = charset(Charset.defaultCharset());
     StandardOutput results = StandardOutput.open();
     PrintWriter out = new PrintWriter(results, true, charset);
     PrintWriter err = new PrintWriter(System.err, true, charset);
@@ -76,6 +81,11 @@ public final class Lumbre implements Runnable {
     exitCode = results.exitCode(exitCode, err);
     err.flush();
     System.exit(Interruption.exitCode(exitCode));
+  }
+
+  /** Returns how to print: ASCII lacks letters of names, and UTF-8 has all of its own. */
+  private static Charset charset(Charset fromLocale) {
+    return fromLocale.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : fromLocale;
   }
 
   /**
@@ -107,6 +117,18 @@ public final class Lumbre implements Runnable {
     command.setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF));
     command.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
     command.setOverwrittenOptionsAllowed(false).setAbbreviatedOptionsAllowed(false);
+    for (String arg : args) {
+      if (arg.indexOf(GARBLED) >= 0) {
+        new Messages(err)
+            .error(
+                arg
+                    + ": the locale's encoding of arguments, "
+                    + System.getProperty("sun.jnu.encoding")
+                    + ", lacks letters of it; "
+                    + FileFailure.REMEDY);
+        return ExitCodes.USAGE;
+      }
+    }
     try {
       return command.execute(args);
     } catch (Error e) {

@@ -135,7 +135,7 @@ final class RenderCommand implements Callable<Integer> {
     flags.validate();
     budgets.validate();
     checkpoints.validate();
-    kernel.apply();
+    kernel.validate();
     require(
         !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
         "--adaptive: not with --checkpoint, --samples-from or --samples-to, since a film does not"
@@ -173,7 +173,7 @@ final class RenderCommand implements Callable<Integer> {
 
   private SceneParser parser() {
     boolean isOpen = budgets.areGiven() || quality.targetError().isPresent();
-    return flags.over(options.parser(), isOpen, quality.isAdaptive(), quality.depth());
+    return flags.over(kernel.over(options.parser()), isOpen, quality.isAdaptive(), quality.depth());
   }
 
   private FilmKeeper keeper(Messages messages) throws CommandException {

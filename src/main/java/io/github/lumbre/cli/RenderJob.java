@@ -13,7 +13,6 @@ import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.texture.UnreadablePoints;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
@@ -66,7 +65,6 @@ record RenderJob(
   private int run(FilmRenderer renderer, Film film, RenderStatistics faults)
       throws CommandException {
     long start = System.nanoTime();
-    long unreadableBefore = UnreadablePoints.total();
     Schedule schedule = renderer.schedule();
     RenderStatistics statistics;
     LightReport light;
@@ -84,7 +82,7 @@ record RenderJob(
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);
-    long unreadable = UnreadablePoints.total() - unreadableBefore;
+    long unreadable = statistics.unreadable();
     warnOfUnreadable(unreadable);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();

@@ -4,6 +4,7 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -161,7 +162,7 @@ final class ResumeCommand implements Callable<Integer> {
     work.validate(spec);
     budgets.validate();
     checkpoints.validate();
-    kernel.apply();
+    kernel.validate();
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
       throw new CommandException(ExitCodes.SCENE, film + ": does not exist");
     }
@@ -204,20 +205,44 @@ final class ResumeCommand implements Callable<Integer> {
     }
     try {
       SceneFile file =
-          notes
-              .parser(
-                  settings -> {
-                    settings.samples(limit);
-                    work.override(settings);
-                  })
+          kernel
+              .over(
+                  notes.parser(
+                      settings -> {
+                        settings.samples(limit);
+                        work.override(settings);
+                      }))
               .parse(path);
+      requireSameFiles(notes, header, file, path);
       requireSame(header, file, path);
       run.errors().warnings(file.warnings());
       return file;
     } catch (IOException e) {
       throw new CommandException(
-          ExitCodes.SCENE, path + ": the film's scene cannot be read: " + e.getMessage(), e);
+          ExitCodes.SCENE,
+          path + ": the film's scene cannot be read: " + FileFailure.reason(e),
+          e);
     }
+  }
+
+  /** Passes if the scene and its files are those of the film. */
+  private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
+      throws CommandException {
+    if (file.hash().equals(header.identity().get(FilmHeader.SCENE_HASH))) {
+      return;
+    }
+    List<String> changed = notes.changedFiles(path, file);
+    String what =
+        changed.isEmpty()
+            ? path + ", or a file that it uses, has"
+            : String.join(", ", changed) + (changed.size() == 1 ? " has" : " have");
+    throw new CommandException(
+        ExitCodes.SCENE,
+        film
+            + ": "
+            + what
+            + " changed since the film was begun; to resume, restore what was there, or name a copy"
+            + " of the scene as it was: --scene COPY");
   }
 
   private void requireSame(FilmHeader header, SceneFile file, Path path) throws CommandException {

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -69,7 +70,7 @@ final class SceneOptions {
       return text.get();
     } catch (IOException e) {
       throw new CommandException(
-          ExitCodes.SCENE, "standard input cannot be read: " + reason(e), e);
+          ExitCodes.SCENE, "standard input cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -118,11 +119,8 @@ final class SceneOptions {
     try {
       return parser.parse(scene);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.SCENE, scene + ": cannot be read: " + reason(e), e);
+      throw new CommandException(
+          ExitCodes.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
     }
-  }
-
-  private static String reason(IOException e) {
-    return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
   }
 }

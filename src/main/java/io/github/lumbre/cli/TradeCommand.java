@@ -129,7 +129,7 @@ final class TradeCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, CommandException {
-    kernel.apply();
+    kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
     require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
@@ -143,7 +143,7 @@ final class TradeCommand implements Callable<Integer> {
     try (TextOutput html = TextOutput.reserve(Optional.of(page));
         TextOutput csv = TextOutput.reserve(Optional.of(beside(page, ".csv")));
         TextOutput json = TextOutput.reserve(Optional.of(beside(page, ".json")))) {
-      TradeRun run = new TradeRun(options, budget(), threads, messages);
+      TradeRun run = new TradeRun(options, kernel, budget(), threads, messages);
       TradeResult result = run.run(knobs());
       run.tellCommand(CommandText.of(spec));
       html.write(run.page());

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.JsonParseException;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.measure.SceneTables;
 import io.github.lumbre.measure.SceneTrade;
 import java.io.IOException;
@@ -96,7 +97,8 @@ final class TradeTableCommand implements Callable<Integer> {
       }
       return file.trade();
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.USAGE, study + ": cannot be read", e);
+      throw new CommandException(
+          ExitCodes.USAGE, study + ": cannot be read: " + FileFailure.reason(e), e);
     } catch (JsonParseException e) {
       throw new CommandException(ExitCodes.USAGE, study + ": expected JSON of trade", e);
     }

@@ -92,7 +92,10 @@ public final class ImageWriter {
     }
   }
 
-  /** Writes a picture by {@link Options#DEFAULT}; see {@link #write(Image, Path, Options)}. */
+  /**
+   * Writes a picture by {@link Options#DEFAULT}; see {@link #write(Image, Path, Options)}. The
+   * exposure and the tone curve that a scene's settings have are options, and are not known here.
+   */
   public static void write(Image image, Path file) throws IOException {
     write(image, file, Options.DEFAULT);
   }

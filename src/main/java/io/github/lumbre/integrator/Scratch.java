@@ -7,6 +7,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.UnreadablePoints;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
@@ -59,6 +60,14 @@ public final class Scratch {
   /** Returns how many rays were followed to see whether they meet anything. */
   public long shadowRays() {
     return shadowRays;
+  }
+
+  /**
+   * Returns how many points of textures that this thread evaluated were not finite, since this was
+   * last called.
+   */
+  public long takeUnreadablePoints() {
+    return UnreadablePoints.take();
   }
 
   /** Forgets whether a ray met anything, for the next ray from the camera. */

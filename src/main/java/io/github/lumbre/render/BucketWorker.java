@@ -44,6 +44,7 @@ final class BucketWorker implements Runnable {
   private long reported;
   private long rejected;
   private long saturated;
+  private long unreadable;
   private long clamped;
   private double clampedLight;
 
@@ -68,6 +69,8 @@ final class BucketWorker implements Runnable {
   @Override
   public void run() {
     boolean returned = false;
+    // What this thread did before belongs to somebody else.
+    scratch.takeUnreadablePoints();
     try {
       bucket = queue.take();
       while (bucket.isPresent() && render(bucket.get())) {
@@ -77,6 +80,7 @@ final class BucketWorker implements Runnable {
       returned = true;
     } finally {
       bucket = Optional.empty();
+      unreadable = scratch.takeUnreadablePoints();
       if (!returned) {
         queue.stop();
       }
@@ -182,6 +186,7 @@ final class BucketWorker implements Runnable {
         rejected,
         firstRejected,
         saturated,
+        unreadable,
         clamped,
         clampedLight);
   }

@@ -20,7 +20,7 @@ class SummaryTest {
 
   private static Summary summary(boolean complete, List<RejectedSample> rejected) {
     RenderStatistics statistics =
-        new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0, 0, 0);
+        new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0, 0, 0, 0);
     return new Summary(SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2);
   }
 
