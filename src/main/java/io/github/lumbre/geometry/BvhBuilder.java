@@ -1,6 +1,7 @@
 package io.github.lumbre.geometry;
 
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinTask;
 
 /**
@@ -102,7 +103,21 @@ final class BvhBuilder {
     ForkJoinTask<BvhNode> right =
         ForkJoinTask.adapt(() -> build(middle, end, depth, newSplitter())).fork();
     BvhNode left = build(first, middle, depth, splitter);
-    return new BvhNode.Inner(box, left, right.join());
+    return new BvhNode.Inner(box, left, joined(right));
+  }
+
+  /** Waits for a task; unlike its own join, this does not hide an interrupt from other tasks. */
+  private BvhNode joined(ForkJoinTask<BvhNode> task) {
+    try {
+      return task.get();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      cancelled = true;
+      throw new CancellationException("building the hierarchy was interrupted");
+    } catch (ExecutionException e) {
+      // Throws what the task has thrown.
+      return task.join();
+    }
   }
 
   private void checkInterrupt() {

@@ -13,12 +13,15 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
@@ -27,6 +30,11 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** An interrupt of the thread that reads a scene ends each stage of reading it. */
 class InterruptedReadingTest {
+  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+  /** Processor time within which reading is to end. */
+  private static final long MAX_NANOS = 300_000_000;
+
   @TempDir private Path directory;
 
   @AfterEach
@@ -86,12 +94,16 @@ class InterruptedReadingTest {
     assertCancelled(() -> Bvh.over(spheres));
   }
 
-  /** A mesh that takes seconds, in a thread that is interrupted at five moments of them. */
+  /**
+   * A scene that takes a while, read again and again in a thread that is interrupted at five
+   * moments. Processor time is measured, since others may use the machine as well.
+   */
   @Test
   void readingEndsSoonAfterTheInterrupt() throws IOException, InterruptedException {
     Path scene = writeLargeScene();
     for (int millis : new int[] {20, 100, 300, 500, 800}) {
       AtomicReference<Throwable> end = new AtomicReference<>();
+      AtomicLong endNanos = new AtomicLong();
       Thread thread =
           new Thread(
               () -> {
@@ -102,12 +114,15 @@ class InterruptedReadingTest {
                 } catch (IOException | SceneFormatException | RuntimeException e) {
                   end.set(e);
                 }
+                endNanos.set(THREADS.getCurrentThreadCpuTime());
               });
       thread.start();
       Thread.sleep(millis);
+      long nanos = THREADS.getThreadCpuTime(thread.getId());
       thread.interrupt();
-      thread.join(2000);
+      thread.join(60_000);
       assertThat(thread.isAlive()).as("after %d ms", millis).isFalse();
+      assertThat(endNanos.get() - nanos).as("after %d ms", millis).isLessThan(MAX_NANOS);
       assertThat(end.get()).isInstanceOf(InterruptedIOException.class);
     }
   }
