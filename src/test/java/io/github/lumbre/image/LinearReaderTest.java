@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
@@ -150,6 +151,25 @@ class LinearReaderTest {
       file.order(scale.startsWith("-") ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
       file.putFloat(3).putFloat(5).putFloat(7);
       assertThat(LinearReader.decode(file.array()).rgb()).containsExactly(3, 5, 7);
+    }
+  }
+
+  @Test
+  void filesAreReadByTheirContentAndNotTheirName() throws IOException {
+    Image image = ImageFixture.random(4, 3, false);
+    Path file = directory.resolve("a.png");
+    Files.write(file, written(image, "b.exr"));
+    assertThat(LinearReader.read(file).rgb()).isEqualTo(image.rgb());
+  }
+
+  @Test
+  void jpegIsDecodedToLinearLight() throws IOException {
+    byte[] file =
+        new JpegFixture().header(1, 1, "RGB").scan(1, 1, "RGB", (c, x, y) -> 100 + 50 * c).end();
+    Image read = LinearReader.decode(file);
+    assertThat(read.width()).isEqualTo(8);
+    for (int c = 0; c < 3; c++) {
+      assertThat(read.rgb()[3 * 37 + c]).isEqualTo((float) Srgb.fromByte(100 + 50 * c));
     }
   }
 }

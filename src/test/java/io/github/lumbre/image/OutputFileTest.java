@@ -302,4 +302,12 @@ class OutputFileTest {
     }
     assertThat(target).hasContent("new");
   }
+
+  @Test
+  void refusalNamesTheReasonOfTheFileSystem() throws IOException {
+    Files.createDirectory(directory.resolve(".a.png.tmp"));
+    assertThatThrownBy(() -> OutputFile.open(directory.resolve("a.png")))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("cannot be written: Is a directory");
+  }
 }
