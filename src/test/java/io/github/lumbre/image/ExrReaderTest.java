@@ -261,4 +261,16 @@ class ExrReaderTest {
     assertRefused(eight, "OpenEXR is damaged or ends too early");
     assertRefused(Arrays.copyOf(eight, 7), "found none of them");
   }
+
+  /** Of 400x48 pixels, three blocks of 8 bytes: more than a thousand of theirs for each. */
+  @Test
+  void claimsOfManyPixelsOverFewBytesTakeNoMemory() throws IOException {
+    Parts parts = new Parts(ImageFixture.random(400, 48, false), 3, 16);
+    for (byte[] block : List.copyOf(parts.blocks)) {
+      byte[] few = Arrays.copyOf(block, 16);
+      little(few).putInt(4, 8);
+      parts.blocks.set(parts.blocks.indexOf(block), few);
+    }
+    assertRefused(parts.file(), "OpenEXR ends too early");
+  }
 }
