@@ -169,4 +169,25 @@ class ImageWriterTest {
       throw new AssertionError("the caller's to close");
     }
   }
+
+  @Test
+  void arraysHaveTheLengthOfThePicture() {
+    for (int length : new int[] {0, 17, 19}) {
+      assertThatThrownBy(() -> new Image(2, 3, new float[length], new float[0]))
+          .hasMessage("rgb: expected 18 values, found " + length);
+    }
+    for (int length : new int[] {1, 5, 7}) {
+      assertThatThrownBy(() -> new Image(2, 3, new float[18], new float[length]))
+          .hasMessage("alpha: expected 0 or 6 values, found " + length);
+    }
+  }
+
+  @Test
+  void everyPrintableCharacterIsForKeywords() {
+    for (String keyword : new String[] {"a b", "~", "!"}) {
+      Map<String, String> metadata = Map.of(keyword, "text");
+      assertThat(new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, metadata).metadata())
+          .isEqualTo(metadata);
+    }
+  }
 }

@@ -1,99 +1,132 @@
 package io.github.lumbre.image;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
- * Writes progressive JPEG files of medium grey in any number of scans, all of them allowed by ITU-T
- * T.81, annex G: 64 coefficients, each of them bit by bit.
+ * Builds baseline JPEG files of even blocks of 8x8 texels (ITU-T T.81): nothing is lost but the
+ * rounding of the transform. Mutable.
  */
-public final class JpegFixture {
-  private static final int LONGEST_RUN_BITS = 14;
-  private static final int HIGHEST_BIT = 13;
+final class JpegFixture {
+  /** The component's value of a block. */
+  interface Values {
+    int at(int component, int blockX, int blockY);
+  }
 
-  private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+  private final ByteArrayOutputStream file = new ByteArrayOutputStream();
   private int bits;
   private int bitCount;
 
-  private JpegFixture() {}
+  JpegFixture() {
+    file.writeBytes(new byte[] {(byte) 0xff, (byte) 0xd8});
+  }
+
+  JpegFixture segment(int marker, byte[] content) {
+    file.write(0xff);
+    file.write(marker);
+    file.write(content.length + 2 >> 8);
+    file.write(content.length + 2);
+    file.writeBytes(content);
+    return this;
+  }
+
+  JpegFixture bytes(int... bytes) {
+    for (int b : bytes) {
+      file.write(b);
+    }
+    return this;
+  }
+
+  JpegFixture jfif() {
+    return segment(0xe0, new byte[] {'J', 'F', 'I', 'F', 0, 1, 1, 0, 0, 1, 0, 1, 0, 0});
+  }
 
   /**
-   * Returns a file.
-   *
-   * @param blocks on a side, of 8x8 pixels each
-   * @param scans from 1 to 896
+   * @param transform 0 for none, 1 for YCbCr, 2 for YCCK
    */
-  public static byte[] grey(int blocks, int scans) {
-    JpegFixture file = new JpegFixture();
-    file.header(8 * blocks);
-    for (int scan = 0; scan < scans; scan++) {
-      int coefficient = scan / (HIGHEST_BIT + 1);
-      int bit = HIGHEST_BIT - scan % (HIGHEST_BIT + 1);
-      int approximation = (bit == HIGHEST_BIT ? 0 : bit + 1) << 4 | bit;
-      file.bytes(0xff, 0xda, 0, 8, 1, 1, 0, coefficient, coefficient, approximation);
-      if (coefficient == 0) {
-        file.zeros(blocks * blocks);
-      } else {
-        file.endOfBlocks(blocks * blocks);
+  JpegFixture adobe(int transform) {
+    byte[] content = "Adobe\0d\0\0\0\0\0".getBytes(StandardCharsets.US_ASCII);
+    content[11] = (byte) transform;
+    return segment(0xee, content);
+  }
+
+  /** Adds quantisation by one, the frame of as many components as there are ids, and tables. */
+  JpegFixture header(int blocksX, int blocksY, String ids) {
+    byte[] ones = new byte[65];
+    Arrays.fill(ones, 1, 65, (byte) 1);
+    segment(0xdb, ones);
+    ByteArrayOutputStream frame = new ByteArrayOutputStream();
+    frame.writeBytes(new byte[] {8, 0, (byte) (8 * blocksY), 0, (byte) (8 * blocksX)});
+    frame.write(ids.length());
+    for (byte id : ids.getBytes(StandardCharsets.ISO_8859_1)) {
+      frame.writeBytes(new byte[] {id, 0x11, 0});
+    }
+    segment(0xc0, frame.toByteArray());
+    // The sizes of differences 0 to 11 in codes of four bits; an end of the block in one bit.
+    byte[] sizes = new byte[1 + 16 + 12];
+    sizes[4] = 12;
+    for (int i = 0; i < 12; i++) {
+      sizes[17 + i] = (byte) i;
+    }
+    segment(0xc4, sizes);
+    byte[] end = new byte[1 + 16 + 1];
+    end[0] = 0x10;
+    end[1] = 1;
+    return segment(0xc4, end);
+  }
+
+  JpegFixture scan(int blocksX, int blocksY, String ids, Values values) {
+    ByteArrayOutputStream start = new ByteArrayOutputStream();
+    start.write(ids.length());
+    for (byte id : ids.getBytes(StandardCharsets.ISO_8859_1)) {
+      start.writeBytes(new byte[] {id, 0});
+    }
+    start.writeBytes(new byte[] {0, 63, 0});
+    segment(0xda, start.toByteArray());
+    int[] last = new int[ids.length()];
+    for (int y = 0; y < blocksY; y++) {
+      for (int x = 0; x < blocksX; x++) {
+        for (int c = 0; c < ids.length(); c++) {
+          int mean = 8 * (values.at(c, x, y) - 128);
+          difference(mean - last[c]);
+          last[c] = mean;
+          put(0, 1);
+        }
       }
-      file.flush();
     }
-    file.bytes(0xff, 0xd9);
-    return file.out.toByteArray();
+    while (bitCount != 0) {
+      put(1, 1);
+    }
+    return this;
   }
 
-  private void header(int side) {
-    bytes(0xff, 0xd8, 0xff, 0xdb, 0, 67, 0);
-    for (int i = 0; i < 64; i++) {
-      bytes(1);
-    }
-    bytes(0xff, 0xc2, 0, 11, 8, side >> 8, side, side >> 8, side, 1, 1, 0x11, 0);
-    // One DC code, of one bit, for a difference of zero.
-    bytes(0xff, 0xc4, 0, 20, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
-    // Fifteen AC codes, of four bits each, for runs of blocks that end.
-    bytes(0xff, 0xc4, 0, 34, 0x10, 0, 0, 0, 15, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
-    for (int run = 0; run <= LONGEST_RUN_BITS; run++) {
-      bytes(run << 4);
-    }
+  private void difference(int value) {
+    int size = 32 - Integer.numberOfLeadingZeros(Math.abs(value));
+    put(size, 4);
+    put(value < 0 ? value + (1 << size) - 1 : value, size);
   }
 
-  private void zeros(int count) {
-    for (int i = 0; i < count; i++) {
-      bits(0, 1);
-    }
-  }
-
-  private void endOfBlocks(int blocks) {
-    int left = blocks;
-    while (left > 0) {
-      int run = Math.min(LONGEST_RUN_BITS, 31 - Integer.numberOfLeadingZeros(left));
-      bits(run, 4);
-      bits(0, run);
-      left -= 1 << run;
-    }
-  }
-
-  private void bits(int value, int count) {
+  private void put(int value, int count) {
     for (int i = count - 1; i >= 0; i--) {
       bits = bits << 1 | value >> i & 1;
-      if (++bitCount == 8) {
-        bytes(bits);
+      bitCount++;
+      if (bitCount == 8) {
+        file.write(bits);
         if ((bits & 0xff) == 0xff) {
-          bytes(0);
+          file.write(0);
         }
+        bits = 0;
         bitCount = 0;
       }
     }
   }
 
-  private void flush() {
-    while (bitCount != 0) {
-      bits(1, 1);
-    }
+  byte[] unfinished() {
+    return file.toByteArray();
   }
 
-  private void bytes(int... values) {
-    for (int value : values) {
-      out.write(value);
-    }
+  byte[] end() {
+    return bytes(0xff, 0xd9).unfinished();
   }
 }
