@@ -11,10 +11,10 @@ import org.junit.jupiter.api.Test;
 
 class RenderStatisticsTest {
   private static final RenderStatistics ONE =
-      new RenderStatistics(1, 2, 3, 4, List.of(new RejectedSample(5, 1, 0)), 5, 6, 7);
+      new RenderStatistics(1, 2, 3, 4, List.of(new RejectedSample(5, 1, 0)), 5, 6, 7, 8);
 
   private static final RenderStatistics OTHER =
-      new RenderStatistics(10, 20, 30, 40, List.of(new RejectedSample(2, 1, 0)), 50, 60, 70);
+      new RenderStatistics(10, 20, 30, 40, List.of(new RejectedSample(2, 1, 0)), 50, 60, 70, 80);
 
   @Test
   void allThatWasDoneIsSummed() {
@@ -28,7 +28,8 @@ class RenderStatisticsTest {
                 List.of(new RejectedSample(2, 1, 0), new RejectedSample(5, 1, 0)),
                 55,
                 66,
-                77));
+                77,
+                88));
     assertThat(ONE.plus(RenderStatistics.ZERO)).isEqualTo(ONE);
     assertThat(RenderStatistics.ZERO.plus(ONE)).isEqualTo(ONE);
   }
@@ -36,7 +37,7 @@ class RenderStatisticsTest {
   @Test
   void faultsAreNoWork() {
     assertThat(ONE.faults())
-        .isEqualTo(new RenderStatistics(0, 0, 0, 4, ONE.firstRejected(), 5, 0, 0));
+        .isEqualTo(new RenderStatistics(0, 0, 0, 4, ONE.firstRejected(), 5, 0, 0, 0));
     assertThat(RenderStatistics.ofFaults(4, ONE.firstRejected(), 5)).isEqualTo(ONE.faults());
   }
 
