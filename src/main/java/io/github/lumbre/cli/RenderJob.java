@@ -228,7 +228,7 @@ record RenderJob(
     }
   }
 
-  /** Returns the warning that pixels have no sample, or that a short --time was exceeded for one. */
+  /** Returns the warning that pixels have no sample, or only one since --time was short. */
   private Optional<String> coverage(Film film) {
     double share = film.shareWithoutSamples();
     if (share > 0) {
@@ -240,8 +240,8 @@ record RenderJob(
     }
     return budget.isOutOfTime() && film.mostSamples() == 1
         ? Optional.of(
-            "warning: --time was too short for more than the first pass, one sample per pixel, which"
-                + " is always completed")
+            "warning: --time was too short for more than the first pass, one sample per pixel,"
+                + " which is always completed")
         : Optional.empty();
   }
 

@@ -105,7 +105,8 @@ final class RunBudget {
             ? "the render ends after " + BudgetWatch.MOST_WITHOUT_BOUND + " samples per pixel"
             : "--samples or --time ends the render";
     return Optional.of(
-        "warning: --target-error: a frame of fewer than 64 pixels has no bound of its noise; " + end);
+        "warning: --target-error: a frame of fewer than 64 pixels has no bound of its noise; "
+            + end);
   }
 
   /** Returns whether time or error end the run, or the frame has no bound and enough samples. */

@@ -9,8 +9,8 @@ import java.util.Optional;
  * Looks at a film between passes and tells whether the error is reached that was asked for.
  * Mutable, for one render.
  *
- * <p>It checks the error after 32 samples per pixel, 48, 64, 96, ..., and in frames of enough pixels
- * after 4, 8 and 16 too (see {@link Looks}). This depends on nothing but the scene: the same seed
+ * <p>It checks the error after 32 samples per pixel, 48, 64, 96, ..., and in frames of enough
+ * pixels after 4, 8 and 16 too (see {@link Looks}). This depends on nothing but the scene: the same seed
  * stops at the same number of samples on every machine.
  */
 public final class BudgetWatch {
@@ -88,8 +88,8 @@ public final class BudgetWatch {
   }
 
   /**
-   * Returns whether the film has {@value #MOST_WITHOUT_BOUND} samples per pixel and its frame is too
-   * small for a bound, and the budget has no number of samples.
+   * Returns whether the film has {@value #MOST_WITHOUT_BOUND} samples per pixel and its frame is
+   * too small for a bound, and the budget has no number of samples.
    */
   public boolean isHopeless(Film film) {
     return isWithoutBound(film)
@@ -117,13 +117,16 @@ public final class BudgetWatch {
 
   /** Estimates the noise; without a target this is the only check. */
   private Optional<NoiseEstimate> estimate(Film film, int look) {
+    boolean isEarly = Looks.isEarly(film.meanSamples());
     double confidence = budget.confidence();
     if (budget.targetError().isPresent()) {
       confidence =
-          Looks.isEarly(film.meanSamples())
-              ? Looks.earlyConfidence(confidence)
-              : Looks.confidence(confidence, look);
+          isEarly ? Looks.earlyConfidence(confidence) : Looks.confidence(confidence, look);
     }
-    return NoiseEstimator.of(film, confidence).map(noise -> noise.claiming(budget.confidence()));
+    Optional<NoiseEstimate> noise =
+        isEarly
+            ? NoiseEstimator.ofFewSamples(film, confidence)
+            : NoiseEstimator.of(film, confidence);
+    return noise.map(n -> n.claiming(budget.confidence()));
   }
 }

@@ -45,6 +45,17 @@ class NoiseEstimatorTest {
     assertThat(error).isCloseTo(1000 * 1000 / 4.0 / .01, within(1.0));
   }
 
+  /** A bright spot on a lit surface: the error is (.3 − 3)² / (.3² + .01), 73, in all channels. */
+  @Test
+  void brightSpotsOnLitSurfacesDoNotHideFromTheCautiousEstimate() {
+    PixelHalves halves = new PixelHalves(2, Rgb.grey(6), 2, Rgb.grey(.3));
+    assertThat(halves.relativeSquaredError()).isLessThan(6);
+    assertThat(halves.cautiousSquaredError()).isGreaterThan(3 * halves.relativeSquaredError());
+    PixelHalves even = new PixelHalves(2, Rgb.grey(.31), 2, Rgb.grey(.3));
+    assertThat(even.cautiousSquaredError())
+        .isCloseTo(even.relativeSquaredError(), within(.03 * even.relativeSquaredError()));
+  }
+
   @Test
   void boundHoldsAsOftenAsItSays() {
     Random random = new Random(11);
