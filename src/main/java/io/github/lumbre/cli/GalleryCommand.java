@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -64,8 +65,17 @@ final class GalleryCommand implements Callable<Integer> {
       names = "--seconds",
       paramLabel = "N",
       defaultValue = "180",
-      description = "About how long each picture may take (${DEFAULT-VALUE}).")
+      description =
+          "About how long each picture may take (${DEFAULT-VALUE}). 64 samples per pixel are"
+              + " rendered in any case; a warning names the scenes for which they take longer.")
   private int seconds;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Threads; 0 means one per processor (${DEFAULT-VALUE}).")
+  private int threads;
 
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
@@ -77,6 +87,7 @@ final class GalleryCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     require(seconds >= 1, "--seconds: expected at least 1, found " + seconds);
+    new FlagChecks(spec).requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
     List<String> selected = selected(folder.names());
     Path directory = out.orElseGet(() -> Home.resolve("renders"));
@@ -87,7 +98,11 @@ final class GalleryCommand implements Callable<Integer> {
     try (Interruption interruption = Interruption.listen()) {
       GalleryRenderer renderer =
           new GalleryRenderer(
-              folder, directory, seconds, () -> new RenderMonitor(interruption, hasDisplay));
+              folder,
+              directory,
+              seconds,
+              threads,
+              () -> new RenderMonitor(interruption, hasDisplay));
       boolean complete = interruption.beginRender() && render(selected, renderer, page);
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
     } catch (InterruptedException e) {

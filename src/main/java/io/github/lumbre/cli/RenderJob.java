@@ -14,6 +14,7 @@ import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -108,16 +109,18 @@ record RenderJob(
     monitor.limited(budget);
     long all = (long) film.window().width() * film.window().height() * file.settings().samples();
     monitor.started(budget.isOpen() ? 0 : Math.max(0, all - film.totalSamples()));
-    Progress progress = keeper.pausing(budget.within(monitor));
+    warn(budget.doubt(film));
     RenderStatistics statistics = faults;
     long start = System.nanoTime();
     boolean isForecast = false;
-    while (!monitor.isCancelled() && !budget.isUsedUp()) {
+    while (!monitor.isCancelled() && (isFirstPass(film) || !budget.isUsedUp())) {
       Optional<SampleTarget> target = schedule.next(film);
       if (target.isEmpty()) {
         break;
       }
-      PassResult pass = renderer.addSamples(film, target.get(), progress);
+      // Complete the first pass even if --time is over: each pixel has a sample then.
+      Progress progress = isFirstPass(film) ? monitor : budget.within(monitor);
+      PassResult pass = renderer.addSamples(film, target.get(), keeper.pausing(progress));
       statistics = statistics.plus(pass.statistics());
       keeper.saveIfDue(film, statistics);
       monitor.estimable(() -> budget.noise(film));
@@ -130,6 +133,16 @@ record RenderJob(
       }
     }
     return statistics;
+  }
+
+  private static boolean isFirstPass(Film film) {
+    return film.fewestSamples() == 0;
+  }
+
+  private void warn(Optional<String> warning) {
+    if (!how.quiet()) {
+      warning.ifPresent(messages::line);
+    }
   }
 
   /**
@@ -180,11 +193,10 @@ record RenderJob(
     if (film.totalSamples() != 0) {
       return;
     }
-    if (monitor.isOutOfTime() || budget.isOutOfTime()) {
+    if (monitor.isOutOfTime()) {
       throw new CommandException(
           ExitCodes.LIMIT,
-          (monitor.isOutOfTime() ? "--timeout" : "--time")
-              + ": the time was over before anything was rendered; no picture is written");
+          "--timeout: the time was over before anything was rendered; no picture is written");
     }
     throw new CommandException(
         ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
@@ -211,6 +223,8 @@ record RenderJob(
         new ImageWriter.Options(
             settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata));
     tell(summary, noise, light);
+    warn(coverage(film));
+    warn(evenness(film));
     report.putScene(file);
     report.put("output", picture.target().toString());
     report.putResult(result, seconds);
@@ -222,6 +236,33 @@ record RenderJob(
     if (keeper.failure().isPresent()) {
       throw new CommandException(ExitCodes.OUTPUT, keeper.failure().get());
     }
+  }
+
+  /** Returns the warning that pixels have no sample, or only one since --time was short. */
+  private Optional<String> coverage(Film film) {
+    double share = film.shareWithoutSamples();
+    if (share > 0) {
+      return Optional.of(
+          String.format(
+              Locale.ROOT,
+              "warning: %.2g %% of the pixels have no sample and are black",
+              100 * share));
+    }
+    return budget.isOutOfTime() && film.mostSamples() == 1
+        ? Optional.of(
+            "warning: --time was too short for more than the first pass, one sample per pixel,"
+                + " which is always completed")
+        : Optional.empty();
+  }
+
+  /** Returns the warning that the render ended before samples could be distributed adaptively. */
+  private Optional<String> evenness(Film film) {
+    return file.settings().adaptive() && film.mostSamples() <= FilmRenderer.ADAPTIVE_PILOT
+        ? Optional.of(
+            ("warning: --adaptive had no effect: the first %d samples per pixel are the same for"
+                    + " all pixels, and the render ended with %d")
+                .formatted(FilmRenderer.ADAPTIVE_PILOT, film.mostSamples()))
+        : Optional.empty();
   }
 
   private void tell(Summary summary, NoiseReport noise, LightReport light) {

@@ -81,7 +81,7 @@ final class TradeQualityCommand implements Callable<Integer> {
   public Integer call() throws SceneFormatException, CommandException {
     new FlagChecks(spec).requireIn("--seeds", 3, 1000, seeds);
     Messages out = new Messages(spec.commandLine().getOut());
-    out.line("| scene | pixels | reference | quality | samples | error | largest | of it bias |");
+    out.line("| scene | pixels | reference | quality | samples | error | largest error | bias |");
     out.line("|---|---|--:|---|--:|--:|--:|--:|");
     try {
       for (Path scene : scenes) {
