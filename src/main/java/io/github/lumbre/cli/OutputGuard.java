@@ -42,7 +42,7 @@ final class OutputGuard {
 
   /**
    * @param flag that names another place
-   * @param isOwn whether the file may have any content, since the command reads it or has checked it
+   * @param isOwn whether the command checks the file's present content itself
    */
   private record Output(String flag, Path path, OutputContent content, boolean isOwn) {}
 

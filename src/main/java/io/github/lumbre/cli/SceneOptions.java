@@ -18,7 +18,10 @@ final class SceneOptions {
 
   private Optional<byte[]> text = Optional.empty();
 
-  @Parameters(index = "0", paramLabel = "SCENE", description = "The scene, a JSON file; - reads standard input.")
+  @Parameters(
+      index = "0",
+      paramLabel = "SCENE",
+      description = "The scene, a JSON file; - reads standard input.")
   private Path scene;
 
   @ArgGroup private Strictness strictness = new Strictness();

@@ -37,8 +37,8 @@ public enum ImageFormat {
   }
 
   /**
-   * Returns whether a file is a picture of any kind that this package writes or reads, or a Radiance
-   * HDR picture.
+   * Returns whether a file is a picture of any kind that this package writes or reads, or a
+   * Radiance HDR picture.
    *
    * @param start the first bytes of the file, at least eight of them if it has so many
    */

@@ -62,8 +62,8 @@ public final class ImageReader {
 
   /**
    * Returns the color space that a file states and {@link #decode} ignores, such as "an ICC profile
-   * (Adobe RGB (1998))" or "a gamma of 1.0"; empty if it states none, or sRGB. The text may hold any
-   * characters.
+   * (Adobe RGB (1998))" or "a gamma of 1.0"; empty if it states none, or sRGB. The text may hold
+   * any characters.
    */
   public static Optional<String> ignoredColorSpace(byte[] file) {
     return ColorTag.ignoredIn(Objects.requireNonNull(file, "file"));

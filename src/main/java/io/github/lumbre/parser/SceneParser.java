@@ -180,7 +180,8 @@ public final class SceneParser {
   }
 
   /**
-   * Returns the files that a scene's assets name and that exist, whether the scene uses them or not.
+   * Returns the files that a scene's assets name and that exist, whether the scene uses them or
+   * not.
    *
    * @throws SceneFormatException if the file holds no scene
    * @throws IOException if the file exists but cannot be read

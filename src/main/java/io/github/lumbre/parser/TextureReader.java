@@ -187,7 +187,8 @@ final class TextureReader {
                         content.key(),
                         "the picture has "
                             + Problems.shortened(space)
-                            + ", which is ignored: its colors are read as sRGB; convert it to sRGB"));
+                            + ", which is ignored: its colors are read as sRGB;"
+                            + " convert it to sRGB"));
   }
 
   private static void warnOfBomb(AssetData.Content content, Pixels pixels) {

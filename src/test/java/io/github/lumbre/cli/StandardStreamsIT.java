@@ -3,7 +3,9 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.github.lumbre.image.LinearReader;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -32,7 +34,7 @@ class StandardStreamsIT {
   /** Runs a line of a shell in which LUMBRE is the program. */
   private Outcome shell(String line) throws IOException, InterruptedException {
     String program =
-        Stream.of(Program.lumbre()).flatMap(List::stream).collect(Collectors.joining("' '", "'", "'"));
+        Program.lumbre().stream().collect(Collectors.joining("' '", "'", "'"));
     return Program.run(directory, List.of("sh", "-c", line.replace("LUMBRE", program)));
   }
 
@@ -69,7 +71,8 @@ class StandardStreamsIT {
         shell("LUMBRE render tiny.json -o - --format " + format + " --fallback-dir other > p");
     assertThat(outcome.err()).startsWith("-: 16x12 pixels").hasLineCount(1);
     assertThat(outcome.exitCode()).isZero();
-    assertThat(OutputContent.PICTURE.mayReplace(directory.resolve("p"))).isTrue();
+    String start = new String(bytes("p"), 0, 16, StandardCharsets.ISO_8859_1);
+    assertThat(start).contains(magic);
     assertThat(directory.resolve("other")).isEmptyDirectory();
   }
 
@@ -86,7 +89,7 @@ class StandardStreamsIT {
   }
 
   private String pixels(String name) throws IOException {
-    return RasterHash.of(io.github.lumbre.image.LinearReader.decode(bytes(name)));
+    return RasterHash.of(LinearReader.decode(bytes(name)));
   }
 
   @Test
@@ -141,7 +144,7 @@ class StandardStreamsIT {
   @Test
   void aTerminalIsNoPlaceForAPicture() throws IOException, InterruptedException {
     Outcome outcome =
-        shell("LUMBRE render tiny.json -o -".replace("LUMBRE ", "JAVA_TOOL_OPTIONS=-Dlumbre.stdout.tty=true LUMBRE "));
+        shell("JAVA_TOOL_OPTIONS=-Dlumbre.stdout.tty=true LUMBRE render tiny.json -o -");
     assertThat(outcome.err()).contains("standard output is a terminal");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
   }
