@@ -75,6 +75,15 @@ if not defined JAVA_HOME for %%a in (java.exe) do set "LUMBRE_BIN=%%~dp$PATH:a"
 set "LUMBRE_VECTORS="
 findstr /c:"jdk.incubator.vector" "%LUMBRE_BIN%..\release" >nul 2>nul && set "LUMBRE_VECTORS=--add-modules jdk.incubator.vector"
 
+rem Whether Java starts at all is tried only with options of the user's, and not with agents and recorders.
+if not defined LUMBRE_JAVA_OPTS goto parts
+set LUMBRE_JAVA_OPTS | findstr /c:"-agent" /c:"-javaagent" /c:"-Xrun" /c:"FlightRecord" >nul && goto parts
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_JAVA_OPTS% -version >nul 2>nul && goto parts
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_JAVA_OPTS% -version 1>&2
+echo lumbre: LUMBRE_JAVA_OPTS: Java does not start with "%LUMBRE_JAVA_OPTS%">&2
+exit /b 2
+
+:parts
 rem A bounce is more than the compiler takes in at once, so it gets it in parts.
 set "LUMBRE_PARTS=-XX:CompileCommand=quiet"
 set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.scene.Scene::surfaceAt"
@@ -84,7 +93,5 @@ set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.
 set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::evaluate"
 
 rem The options of the virtual machine, all of them.
-set "LUMBRE_NATIVE="
-if %LUMBRE_MAJOR% GEQ 22 set "LUMBRE_NATIVE=--enable-native-access=ALL-UNNAMED"
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_PARTS% %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% %LUMBRE_NATIVE% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_PARTS% %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
 exit /b %ERRORLEVEL%

@@ -11,7 +11,6 @@ module io.github.lumbre {
   requires static info.picocli;
   requires static java.management;
   requires static jdk.management;
-  requires static me.tongfei.progressbar;
 
   exports io.github.lumbre.math;
   exports io.github.lumbre.image;

@@ -15,6 +15,6 @@ public final class Consumer {
   public static void main(String[] args) throws Exception {
     SceneFile file = new SceneParser().parse(Path.of(args[0]));
     Image image = new BucketRenderer(file.settings()).render(file.scene());
-    ImageWriter.write(image, Path.of(args[1]));
+    ImageWriter.write(image, Path.of(args[1]), file.settings().development());
   }
 }

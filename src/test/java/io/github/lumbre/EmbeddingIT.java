@@ -14,6 +14,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -53,6 +57,29 @@ class EmbeddingIT {
             .sorted()
             .toList();
     assertThat(needed).containsExactly("com.google.gson", "java.base", "java.desktop");
+  }
+
+  /** What a program gets with the library: of other groups, Gson without its annotations. */
+  @Test
+  void dependenciesThatAreInheritedAreGsonAlone() throws IOException {
+    String pom = Files.readString(Path.of("pom.xml"));
+    String dependencies =
+        pom.substring(pom.indexOf("</dependencyManagement>"), pom.indexOf("<build>"));
+    List<String> inherited =
+        Pattern.compile("<dependency>.*?</dependency>", Pattern.DOTALL)
+            .matcher(dependencies)
+            .results()
+            .map(MatchResult::group)
+            .filter(d -> !d.contains("<optional>true") && !d.contains("<scope>"))
+            .toList();
+    assertThat(inherited).hasSize(1);
+    assertThat(inherited.get(0))
+        .contains("<artifactId>gson</artifactId>", "<exclusion>", "error_prone_annotations");
+    try (JarFile jar = new JarFile("target/lumbre-all.jar")) {
+      assertThat(jar.stream().map(JarEntry::getName))
+          .anyMatch(name -> name.startsWith("com/google/gson/"))
+          .noneMatch(name -> name.startsWith("com/google/errorprone/"));
+    }
   }
 
   private static String source(String name) {

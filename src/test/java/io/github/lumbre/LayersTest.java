@@ -64,8 +64,7 @@ class LayersTest {
               List.of(
                   "com.google.gson..",
                   "com.sun.management..",
-                  "picocli..",
-                  "me.tongfei.progressbar.."));
+                  "picocli.."));
 
   private static final Set<String> TRANSCENDENTAL =
       Set.of(

@@ -1,6 +1,7 @@
 package io.github.lumbre.checkpoint;
 
 import io.github.lumbre.image.Disk;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.OutputFile;
 import java.io.Closeable;
 import java.io.IOException;
@@ -110,7 +111,11 @@ public final class CheckpointFile implements Closeable {
       return FilmFile.read(previous);
     } catch (IOException e) {
       throw new FilmFormatException(
-          problem + "; nor can " + previous + " be used: " + e.getMessage());
+          problem + "; nor can " + previous + " be used: " + reason(e));
     }
+  }
+
+  private static String reason(IOException e) {
+    return e instanceof FilmFormatException ? e.getMessage() : FileFailure.reason(e);
   }
 }

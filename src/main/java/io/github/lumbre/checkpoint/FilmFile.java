@@ -116,6 +116,11 @@ public record FilmFile(FilmHeader header, Film film) {
     return end;
   }
 
+  /** Returns whether a file is a film, of any version, by its first bytes. */
+  public static boolean startsIn(byte[] start) {
+    return new String(start, StandardCharsets.ISO_8859_1).startsWith(HeaderText.MAGIC);
+  }
+
   private static void requireMagic(FileChannel channel) throws IOException {
     ByteBuffer start = ByteBuffer.allocate(HeaderText.MAGIC.length());
     while (start.hasRemaining() && channel.read(start) >= 0) {

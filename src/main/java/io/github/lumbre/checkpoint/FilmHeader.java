@@ -109,6 +109,11 @@ public record FilmHeader(
         .orElse(NOTHING);
   }
 
+  /** Returns a value for people, who do not read all digits of a hash. */
+  private static String shown(String value) {
+    return value.length() == 64 ? value.substring(0, 12) + "…" : value;
+  }
+
   private static String depth(RenderSettings settings) {
     return switch (settings.mode()) {
       case PATH -> String.valueOf(settings.maxTraceDepth());
@@ -137,7 +142,8 @@ public record FilmHeader(
       String value = identity.getOrDefault(name, missing(name));
       String found = other.getOrDefault(name, missing(name));
       if (!found.equals(value)) {
-        differences.add(name + ": " + here + " has " + value + ", " + there + " has " + found);
+        differences.add(
+            name + ": " + here + " has " + shown(value) + ", " + there + " has " + shown(found));
       }
     }
     if (!differences.isEmpty()) {

@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -48,7 +49,7 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:The JSON file cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; what is measured by then is written"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is measured by then is written"
     })
 final class BenchCommand implements Callable<Integer> {
   private static final int DEFAULT_REPETITIONS = 5;
@@ -162,6 +163,8 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -179,11 +182,15 @@ final class BenchCommand implements Callable<Integer> {
     }
     BenchPlan plan = plan(checks);
     requireDistinctFiles(checks);
+    OutputGuard guard = overwrite.guard();
+    scenes.forEach(guard::readsScene);
+    json.ifPresent(file -> guard.writes("--json", file, OutputContent.BENCH_JSON));
+    guard.check();
     if (loading) {
       return readPairs(new LoadBench(repeat()), out);
     }
     try (TextOutput output = TextOutput.reserve(json);
-        Interruption interruption = Interruption.listen(() -> {});
+        Interruption interruption = Interruption.listen();
         RenderMonitor monitor = new RenderMonitor(interruption, false)) {
       boolean complete =
           interruption.beginRender()

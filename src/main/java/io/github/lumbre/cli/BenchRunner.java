@@ -5,7 +5,6 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,7 +14,7 @@ import java.util.Optional;
 /** Renders scenes as a plan has it, and measures what they take. */
 final class BenchRunner {
   private final BenchPlan plan;
-  private final Progress progress;
+  private final RenderMonitor progress;
 
   /** Ends a benchmark that was cancelled, from wherever it is. */
   private static final class Stopped extends Exception {
@@ -29,7 +28,7 @@ final class BenchRunner {
   /**
    * @param progress hears of every render and may cancel
    */
-  BenchRunner(BenchPlan plan, Progress progress) {
+  BenchRunner(BenchPlan plan, RenderMonitor progress) {
     this.plan = plan;
     this.progress = progress;
   }
@@ -44,7 +43,8 @@ final class BenchRunner {
       throws SceneFormatException, CommandException, InterruptedException {
     long start = System.nanoTime();
     SceneParser parser = new SceneParser().overriding(plan::over);
-    SceneFile file = plan.over(SceneFolder.load(scene, parser, messages));
+    SceneFile file =
+        plan.over(progress.reading(scene, () -> SceneFolder.load(scene, parser, messages)));
     double loadSeconds = (System.nanoTime() - start) * 1e-9;
     MemoryEstimate.require(file.settings());
     try {

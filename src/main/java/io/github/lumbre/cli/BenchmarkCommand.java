@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.nio.file.Files;
@@ -44,7 +45,7 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:The CSV file or the hashes cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; what is rendered by then is written"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is rendered by then is written"
     })
 final class BenchmarkCommand implements Callable<Integer> {
   private static final int MAX_REPETITIONS = 1000;
@@ -101,6 +102,8 @@ final class BenchmarkCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   /** How much of the work to do; one of the two at most. */
@@ -129,20 +132,41 @@ final class BenchmarkCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     BenchmarkPlan plan = plan();
-    kernel.apply();
+    kernel.validate();
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
     List<ReportRow> selected = selected(folder);
+    checkOutputs(folder, selected);
     TableHashes stored = TableHashes.load(folder.directory());
     Messages out = new Messages(spec.commandLine().getOut());
     BenchmarkReport report = new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out);
-    try (Interruption interruption = Interruption.listen(() -> {})) {
+    try (Interruption interruption = Interruption.listen()) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
       BenchmarkRunner runner =
-          new BenchmarkRunner(folder, plan, () -> new RenderMonitor(interruption, hasDisplay));
+          new BenchmarkRunner(
+              folder,
+              plan,
+              kernel.over(new SceneParser()),
+              () -> new RenderMonitor(interruption, hasDisplay));
       boolean complete = interruption.beginRender() && run(selected, runner, report);
       int verdict = settle(stored, report.results());
       return complete ? verdict : ExitCodes.INTERRUPTED;
     }
+  }
+
+  private void checkOutputs(SceneFolder folder, List<ReportRow> selected) throws CommandException {
+    OutputGuard guard =
+        overwrite.guard().reads(folder.directory().resolve(ReportTable.FILE), "the table");
+    for (ReportRow row : selected) {
+      guard.readsScene(folder.file(row.scene()));
+    }
+    Path stored = folder.directory().resolve(TableHashes.FILE);
+    if (hashes.store) {
+      guard.writes("--scenes", stored, OutputContent.HASHES);
+    } else {
+      guard.reads(stored, "the file of hashes");
+    }
+    csv.ifPresent(file -> guard.writes("--csv", file, OutputContent.BENCHMARK_CSV));
+    guard.check();
   }
 
   private BenchmarkPlan plan() {

@@ -6,6 +6,7 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -16,6 +17,7 @@ import java.util.function.Supplier;
 final class BenchmarkRunner {
   private final SceneFolder scenes;
   private final BenchmarkPlan plan;
+  private final SceneParser parser;
   private final Supplier<RenderMonitor> monitors;
 
   /** What is kept of a render. */
@@ -23,10 +25,16 @@ final class BenchmarkRunner {
       boolean complete, double seconds, RenderStatistics statistics, String hash) {}
 
   /**
+   * @param parser of the scenes
    * @param monitors gives each render one to report to
    */
-  BenchmarkRunner(SceneFolder scenes, BenchmarkPlan plan, Supplier<RenderMonitor> monitors) {
+  BenchmarkRunner(
+      SceneFolder scenes,
+      BenchmarkPlan plan,
+      SceneParser parser,
+      Supplier<RenderMonitor> monitors) {
     this.scenes = scenes;
+    this.parser = parser;
     this.plan = plan;
     this.monitors = monitors;
   }
@@ -44,9 +52,12 @@ final class BenchmarkRunner {
   Optional<BenchmarkResult> run(ReportRow row, Messages messages)
       throws SceneFormatException, CommandException, InterruptedException {
     long start = System.nanoTime();
-    SceneParser parser =
-        new SceneParser().inMode(row.mode()).overriding(inScene -> settings(row, inScene));
-    SceneFile file = scenes.load(row.scene(), parser, messages);
+    SceneParser ofRow = parser.inMode(row.mode()).overriding(inScene -> settings(row, inScene));
+    SceneFile file;
+    try (RenderMonitor monitor = monitors.get()) {
+      Path path = scenes.file(row.scene());
+      file = monitor.reading(path, () -> SceneFolder.load(path, ofRow, messages));
+    }
     double loadSeconds = secondsSince(start);
     MemoryEstimate.require(file.settings());
 

@@ -28,7 +28,8 @@ final class BudgetFlags {
       converter = FlagConverters.OfDuration.class,
       description =
           "Take as many samples as fit into such a time, reading and writing "
-              + "included: 90s, 5m, 2h. Without --samples there is no other limit.")
+              + "included: 90s, 5m, 2h, but at least one for each pixel. "
+              + "Without --samples there is no other limit.")
   private Optional<Duration> time = Optional.empty();
 
   @Option(
@@ -38,7 +39,8 @@ final class BudgetFlags {
       description =
           "Take samples until the noise is at most so much, as relative root "
               + "mean squared error: 2%%. If something else ends the render before, "
-              + "the exit code is 1.")
+              + "the exit code is 1. Frames of fewer than 64 pixels never reach it: without "
+              + "--samples and --time they end after 4096 samples per pixel.")
   private Optional<Double> targetError = Optional.empty();
 
   @Option(

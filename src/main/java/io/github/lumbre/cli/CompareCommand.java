@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageFormatException;
@@ -19,6 +20,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -94,11 +96,17 @@ final class CompareCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws CommandException {
     validate();
+    OutputGuard guard =
+        overwrite.guard().reads(picture, "the picture").reads(reference, "the reference");
+    errorMap.ifPresent(map -> guard.writes("--error-map", map, OutputContent.PICTURE));
+    guard.check();
     Image a = read(picture);
     Image b = read(reference);
     if (a.width() != b.width() || a.height() != b.height()) {
@@ -166,7 +174,8 @@ final class CompareCommand implements Callable<Integer> {
       throw new CommandException(
           tooLarge ? ExitCodes.LIMIT : ExitCodes.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.USAGE, file + ": cannot be read: " + e.getMessage(), e);
+      throw new CommandException(
+          ExitCodes.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

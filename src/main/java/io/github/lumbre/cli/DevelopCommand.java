@@ -37,10 +37,12 @@ final class DevelopCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
-      description = "The picture: .png for the screen, .exr or .pfm for linear light.")
+      description = "The picture: .png or .jpg for the screen, .exr or .pfm for linear light.")
   private Path output;
 
   @Mixin private DevelopFlags flags;
+
+  @Mixin private OverwriteFlag overwrite;
 
   @Spec private CommandSpec spec;
 
@@ -52,6 +54,7 @@ final class DevelopCommand implements Callable<Integer> {
           spec.commandLine(),
           output + ": expected a name that ends in one of " + ImageFormat.endings());
     }
+    overwrite.guard().readsFilm(film).writes("-o", output, OutputContent.PICTURE).check();
     Messages messages = new Messages(spec.commandLine().getErr());
     flags.develop(film, () -> FilmInput.read(film, messages), output);
     return ExitCodes.OK;

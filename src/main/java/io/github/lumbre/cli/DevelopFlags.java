@@ -28,6 +28,13 @@ final class DevelopFlags {
       description = "Bits per channel of a PNG (as rendered).")
   private Optional<Integer> bits;
 
+  @Option(
+      names = "--jpeg-quality",
+      paramLabel = "N",
+      defaultValue = "90",
+      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
+  private int jpegQuality;
+
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
@@ -38,6 +45,7 @@ final class DevelopFlags {
 
   /** Complains about values out of range before anything is read. */
   void validate() {
+    new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
     if (bits.isPresent() && bits.get() != 8 && bits.get() != 16) {
       throw new ParameterException(
           spec.commandLine(), "--bits: expected 8 or 16, found " + bits.get());
@@ -61,6 +69,8 @@ final class DevelopFlags {
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = bits.isPresent() ? bits.get() : notes.bits();
     Map<String, String> metadata = notes.metadata();
-    picture.write(film.film().develop(), new ImageWriter.Options(stops, curve, depth, metadata));
+    picture.write(
+        film.film().develop(),
+        new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
   }
 }

@@ -32,6 +32,9 @@ final class ExitCodes {
   /** A fault of the program, or samples that are no numbers although strictness was asked for. */
   static final int INTERNAL = 7;
 
+  /** Stopped by SIGHUP, as when the terminal's window is closed. */
+  static final int HUNG_UP = 129;
+
   /** Stopped by SIGINT; the virtual machine itself ends with this code. */
   static final int INTERRUPTED = 130;
 

@@ -1,7 +1,9 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.RenderException;
+import java.nio.file.InvalidPathException;
 import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -55,6 +57,9 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
         case LIMIT -> ExitCodes.LIMIT;
       };
     }
+    if (thrown instanceof InvalidPathException) {
+      return ExitCodes.USAGE;
+    }
     return rootIs(thrown, OutOfMemoryError.class) ? ExitCodes.LIMIT : ExitCodes.INTERNAL;
   }
 
@@ -65,6 +70,9 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
     }
     if (thrown instanceof SceneFormatException e) {
       return e.problems();
+    }
+    if (thrown instanceof InvalidPathException e) {
+      return List.of(e.getInput() + ": " + FileFailure.reason(e));
     }
     if (rootIs(thrown, OutOfMemoryError.class)) {
       return List.of(

@@ -17,4 +17,16 @@ record Fallback(Path directory) {
   Path newFile(Path wanted) throws IOException {
     return Files.createTempFile(directory, "lumbre-", "-" + wanted.getFileName());
   }
+
+  /** Deletes a file made by {@link #newFile} that is still empty; failures to do so are ignored. */
+  static void deleteIfEmpty(Path file) {
+    try {
+      if (Files.exists(file) && Files.size(file) == 0) {
+        Files.delete(file);
+      }
+    } catch (IOException e) {
+      // The file is named in a message already, and nothing is lost with it.
+      return;
+    }
+  }
 }

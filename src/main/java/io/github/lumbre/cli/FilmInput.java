@@ -2,6 +2,8 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmFormatException;
+import io.github.lumbre.image.FileFailure;
 import java.io.IOException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -33,8 +35,11 @@ final class FilmInput {
       return loaded;
     } catch (NoSuchFileException e) {
       throw new CommandException(ExitCodes.SCENE, path + ": does not exist", e);
-    } catch (IOException e) {
+    } catch (FilmFormatException e) {
       throw new CommandException(ExitCodes.SCENE, path + ": " + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new CommandException(
+          ExitCodes.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

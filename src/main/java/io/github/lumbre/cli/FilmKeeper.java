@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.Checkpoints;
 import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
@@ -112,13 +113,23 @@ final class FilmKeeper implements AutoCloseable {
   private String rescue(FilmFile content, Path wanted) {
     try {
       Path other = instead.isPresent() ? instead.get() : fallback.newFile(wanted);
+      rescue(content, other, instead.isEmpty());
       instead = Optional.of(other);
-      try (CheckpointFile rescued = CheckpointFile.reserve(other)) {
-        rescued.save(content);
-      }
       return "the film is saved as " + other + " instead";
     } catch (IOException e) {
       return "nor could " + fallback.directory() + ": " + e.getMessage();
+    }
+  }
+
+  /** Saves a film in a file that may be new; a new file stays only if the film is in it. */
+  private static void rescue(FilmFile content, Path other, boolean isNew) throws IOException {
+    try (CheckpointFile rescued = CheckpointFile.reserve(other)) {
+      rescued.save(content);
+    } finally {
+      if (isNew) {
+        Fallback.deleteIfEmpty(other);
+        Fallback.deleteIfEmpty(OutputFile.previous(other));
+      }
     }
   }
 

@@ -3,12 +3,14 @@ package io.github.lumbre.cli;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Setting;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,6 +27,7 @@ final class FilmNotes {
   private static final String SOFTWARE = "software";
   private static final String SCENE = "scene";
   private static final String OUTPUT = "output";
+  private static final String FILES = "files";
   private static final String SAMPLES = "samples";
   private static final String EXPOSURE = "exposure";
   private static final String TONE_CURVE = "tonemap";
@@ -51,6 +54,7 @@ final class FilmNotes {
     Map<String, String> notes = new LinkedHashMap<>();
     notes.put(SOFTWARE, "Lumbre " + Version.number());
     notes.put(SCENE, scene.toAbsolutePath().normalize().toString());
+    FilmFiles.text(file.files()).ifPresent(text -> notes.put(FILES, text));
     notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
     notes.put(SAMPLES, String.valueOf(settings.samples()));
     notes.put(EXPOSURE, settings.text(Setting.EXPOSURE));
@@ -63,11 +67,29 @@ final class FilmNotes {
   }
 
   Path scene() throws CommandException {
-    return note(SCENE, Path::of);
+    return note(SCENE, FilmNotes::path);
+  }
+
+  private static Path path(String text) {
+    try {
+      return Path.of(text);
+    } catch (InvalidPathException e) {
+      throw new IllegalArgumentException(FileFailure.reason(e), e);
+    }
   }
 
   Path output() throws CommandException {
-    return note(OUTPUT, Path::of);
+    return note(OUTPUT, FilmNotes::path);
+  }
+
+  /**
+   * Returns what of a scene is not as it was for the film: the names of the files; none if the film
+   * does not have their hashes, as those of older versions.
+   */
+  List<String> changedFiles(Path scene, SceneFile now) {
+    return Optional.ofNullable(header.notes().get(FILES))
+        .map(then -> FilmFiles.changed(then, now.files(), String.valueOf(scene.getFileName())))
+        .orElse(List.of());
   }
 
   /** Returns how many samples per pixel the film is to have, at least those that it has. */

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.BenchComparison.Clock;
 import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.math.BigDecimal;
@@ -165,6 +166,14 @@ final class FlagConverters {
     @Override
     public Kernel convert(String text) {
       return oneOf(Kernel.values(), text);
+    }
+  }
+
+  /** {@code png}, {@code exr}, {@code pfm} or {@code jpg}. */
+  static final class OfImageFormat implements ITypeConverter<ImageFormat> {
+    @Override
+    public ImageFormat convert(String text) {
+      return oneOf(ImageFormat.values(), text);
     }
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -38,7 +40,7 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:A picture or the page cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; pictures that are complete stay"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; pictures that are complete stay"
     })
 final class GalleryCommand implements Callable<Integer> {
   @Parameters(
@@ -63,27 +65,44 @@ final class GalleryCommand implements Callable<Integer> {
       names = "--seconds",
       paramLabel = "N",
       defaultValue = "180",
-      description = "About how long each picture may take (${DEFAULT-VALUE}).")
+      description =
+          "About how long each picture may take (${DEFAULT-VALUE}). 64 samples per pixel are"
+              + " rendered in any case; a warning names the scenes for which they take longer.")
   private int seconds;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Threads; 0 means one per processor (${DEFAULT-VALUE}).")
+  private int threads;
 
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
+
+  @Mixin private OverwriteFlag overwrite;
 
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     require(seconds >= 1, "--seconds: expected at least 1, found " + seconds);
+    new FlagChecks(spec).requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
     List<String> selected = selected(folder.names());
     Path directory = out.orElseGet(() -> Home.resolve("renders"));
+    checkOutputs(folder, selected, directory);
     makeDirectory(directory);
     GalleryPage page = GalleryPage.load(directory);
     boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
-    try (Interruption interruption = Interruption.listen(() -> {})) {
+    try (Interruption interruption = Interruption.listen()) {
       GalleryRenderer renderer =
           new GalleryRenderer(
-              folder, directory, seconds, () -> new RenderMonitor(interruption, hasDisplay));
+              folder,
+              directory,
+              seconds,
+              threads,
+              () -> new RenderMonitor(interruption, hasDisplay));
       boolean complete = interruption.beginRender() && render(selected, renderer, page);
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
     } catch (InterruptedException e) {
@@ -105,6 +124,19 @@ final class GalleryCommand implements Callable<Integer> {
       page.save();
     }
     return true;
+  }
+
+  /** Pictures must not replace files of the selected scenes, nor of the others in the folder. */
+  private void checkOutputs(SceneFolder folder, List<String> selected, Path directory)
+      throws CommandException {
+    OutputGuard guard = overwrite.guard();
+    for (String scene : folder.names()) {
+      guard.readsScene(folder.file(scene));
+    }
+    for (String scene : selected) {
+      guard.writes("--out", GalleryPage.picture(directory, scene), OutputContent.PICTURE);
+    }
+    guard.writes("--out", directory.resolve(GalleryPage.FILE), OutputContent.GALLERY_PAGE).check();
   }
 
   private List<String> selected(List<String> known) {

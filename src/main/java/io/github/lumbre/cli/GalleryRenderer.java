@@ -8,6 +8,7 @@ import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -25,31 +26,42 @@ final class GalleryRenderer {
   private final SceneFolder scenes;
   private final Path directory;
   private final double seconds;
+  private final int threads;
   private final Supplier<RenderMonitor> monitors;
 
   /**
    * @param directory of the pictures
    * @param seconds that each may take
+   * @param threads of each render; 0 means one per processor
    * @param monitors gives each render one to report to
    */
   GalleryRenderer(
-      SceneFolder scenes, Path directory, double seconds, Supplier<RenderMonitor> monitors) {
+      SceneFolder scenes,
+      Path directory,
+      double seconds,
+      int threads,
+      Supplier<RenderMonitor> monitors) {
     this.scenes = scenes;
     this.directory = directory;
     this.seconds = seconds;
+    this.threads = threads;
     this.monitors = monitors;
   }
 
   /**
-   * Renders a scene on all processors and writes its picture; returns how it was made, or nothing
-   * if that was stopped and an older picture is as it was.
+   * Renders a scene and writes its picture; returns how it was made, or nothing if that was stopped
+   * and an older picture is as it was.
    */
   Optional<GalleryPage.Entry> render(String scene, Messages messages)
       throws SceneFormatException, CommandException, InterruptedException {
     try (PictureOutput output = PictureOutput.reserve(GalleryPage.picture(directory, scene))) {
       SceneParser parser =
-          new SceneParser().overriding(inScene -> inScene.toBuilder().threads(0).build());
-      SceneFile file = scenes.load(scene, parser, messages);
+          new SceneParser().overriding(inScene -> inScene.toBuilder().threads(threads).build());
+      SceneFile file;
+      try (RenderMonitor monitor = monitors.get()) {
+        Path path = scenes.file(scene);
+        file = monitor.reading(path, () -> SceneFolder.load(path, parser, messages));
+      }
       MemoryEstimate.require(file.settings());
       OptionalDouble rate = rate(file);
       return rate.isEmpty()
@@ -69,6 +81,7 @@ final class GalleryRenderer {
       String scene, SceneFile file, double rate, PictureOutput output, Messages messages)
       throws CommandException, InterruptedException {
     int samples = SampleBudget.samples(rate, seconds, file.settings());
+    warnIfTooShort(scene, file.settings(), rate, messages);
     RenderSettings settings = file.settings().toBuilder().samples(samples).build();
     long start = System.nanoTime();
     RenderResult result;
@@ -89,6 +102,23 @@ final class GalleryRenderer {
     Hardware hardware = Hardware.here();
     String size = result.image().width() + "x" + result.image().height();
     return Optional.of(
-        new GalleryPage.Entry(scene, size, samples, taken, hardware.cores(), hardware));
+        new GalleryPage.Entry(
+            scene, size, samples, taken, threads == 0 ? hardware.cores() : threads, hardware));
+  }
+
+  /** Prints a warning if the fewest samples of a gallery take longer than the time. */
+  void warnIfTooShort(String scene, RenderSettings settings, double rate, Messages messages) {
+    double least = SampleBudget.leastSeconds(rate, settings);
+    if (least > seconds) {
+      messages.line(
+          String.format(
+              Locale.ROOT,
+              "warning: %s: --seconds %.0f is too short for %d samples per pixel, the fewest of a"
+                  + " gallery; they take about %.0f s",
+              scene,
+              seconds,
+              SampleBudget.LEAST,
+              Math.ceil(least)));
+    }
   }
 }

@@ -1,44 +1,94 @@
 package io.github.lumbre.cli;
 
-import java.util.List;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
+import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.parser.SceneFormatException;
+import java.io.InterruptedIOException;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Lets SIGINT and SIGTERM end a render early instead of losing it: the virtual machine's end is
- * held up until the render has stopped and the picture is saved. A second signal ends it at once.
- * Shared by the render's threads and the one that ends the virtual machine.
+ * Lets SIGINT, SIGTERM and SIGHUP end a command early instead of losing its result. The first
+ * signal stops what is being read or rendered, and the command saves what it has. A second SIGINT
+ * or SIGTERM ends the program at once; a second SIGHUP does not, since the end of a terminal sends
+ * several. Shared by the render's threads and those that handle signals.
+ *
+ * <p>A command that does not listen is ended by the first signal. However the program ends, it
+ * deletes the temporary files of outputs that are not complete.
  */
 final class Interruption implements AutoCloseable {
-  /** What has been closed while the program was to end, but may still have to tell why. */
-  private static final Queue<Interruption> ENDING = new ConcurrentLinkedQueue<>();
+  private static final Map<String, Integer> EXIT_CODES =
+      Map.of(
+          "INT", ExitCodes.INTERRUPTED,
+          "TERM", ExitCodes.TERMINATED,
+          "HUP", ExitCodes.HUNG_UP);
 
-  private final CountDownLatch ended = new CountDownLatch(1);
+  /** How long a command without a result may take to end by itself. */
+  private static final long PATIENCE_MILLIS = 1000;
 
-  private final Thread hook = new Thread(this::hold, "lumbre-interruption");
-  private final Runnable abandon;
+  /** The exit code of the first signal; 0 before that. */
+  private static final AtomicInteger FIRST = new AtomicInteger();
+
+  private static final AtomicReference<Optional<Interruption>> LISTENING =
+      new AtomicReference<>(Optional.empty());
+
+  private final CountDownLatch closed = new CountDownLatch(1);
   private boolean rendering;
+  private Optional<Thread> waiting = Optional.empty();
   private volatile boolean requested;
 
-  private Interruption(Runnable abandon) {
-    this.abandon = abandon;
+  private Interruption() {}
+
+  /** Something that reads a scene, and ends with an exception when its thread is interrupted. */
+  @FunctionalInterface
+  interface Reading<T> {
+    T read() throws CommandException, SceneFormatException;
   }
 
-  /**
-   * Begins to listen.
-   *
-   * @param abandon what to do if the virtual machine ends before the render began
-   */
-  static Interruption listen(Runnable... abandon) {
-    Interruption interruption = new Interruption(() -> List.of(abandon).forEach(Runnable::run));
-    Runtime.getRuntime().addShutdownHook(interruption.hook);
+  /** Something that ends with an exception when its thread is interrupted. */
+  @FunctionalInterface
+  interface Waiting<T> {
+    T get() throws InterruptedException;
+  }
+
+  /** Handles signals from now on until the program ends. */
+  static void install() {
+    EXIT_CODES.forEach((name, code) -> Signals.on(name, () -> arrived(code)));
+    Runtime.getRuntime()
+        .addShutdownHook(new Thread(OutputFile::deleteUnfinished, "lumbre-clean-up"));
+  }
+
+  /** Returns the exit code of a program whose command ended with a code of its own. */
+  static int exitCode(int ofCommand) {
+    int signal = FIRST.get();
+    boolean hasFailed = ofCommand > ExitCodes.TARGET && ofCommand != ExitCodes.INTERRUPTED;
+    return signal == 0 || hasFailed ? ofCommand : signal;
+  }
+
+  private static void arrived(int code) {
+    if (!FIRST.compareAndSet(0, code)) {
+      if (code != ExitCodes.HUNG_UP) {
+        ProgressBar.vanish();
+        OutputFile.deleteUnfinished();
+        Runtime.getRuntime().halt(code);
+      }
+      return;
+    }
+    Optional<Interruption> listening = LISTENING.get();
+    if (listening.isEmpty() || !listening.get().letCommandEnd()) {
+      ProgressBar.vanish();
+      System.exit(code);
+    }
+  }
+
+  /** Begins to listen. */
+  static Interruption listen() {
+    Interruption interruption = new Interruption();
+    LISTENING.set(Optional.of(interruption));
     return interruption;
-  }
-
-  /** Holds up the program's end no longer: all is told. */
-  static void letEnd() {
-    ENDING.forEach(interruption -> interruption.ended.countDown());
   }
 
   /** Tells whether the program is to end. */
@@ -53,43 +103,118 @@ final class Interruption implements AutoCloseable {
   }
 
   /**
-   * All is saved, or nothing can be: the program may end as soon as it has told so, see {@link
-   * #letEnd}.
+   * From now on there is something to save.
+   *
+   * @throws CommandException if the program is ending already
    */
+  void requireRender() throws CommandException {
+    if (!beginRender()) {
+      throw new CommandException(
+          ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
+    }
+  }
+
   @Override
   public void close() {
-    if (requested) {
-      ENDING.add(this);
-      return;
+    if (!requested) {
+      LISTENING.set(Optional.empty());
     }
-    ended.countDown();
+    closed.countDown();
+  }
+
+  /**
+   * Reads a scene, and ends that when the program is to end or the time has passed.
+   *
+   * @throws CommandException also if that happened
+   */
+  <T> T reading(Deadline deadline, Reading<T> action)
+      throws CommandException, SceneFormatException {
+    Optional<Thread> alarm = beginWaiting(deadline);
     try {
-      Runtime.getRuntime().removeShutdownHook(hook);
-    } catch (IllegalStateException e) {
-      // The virtual machine has begun to end just now; the hook will find nothing to wait for.
-      return;
+      return action.read();
+    } catch (CommandException e) {
+      throw e.getCause() instanceof InterruptedIOException ? stoppedReading() : e;
+    } finally {
+      endWaiting(alarm);
     }
   }
 
-  private void hold() {
-    if (!request()) {
-      return;
-    }
-    Signals.on("INT", () -> Runtime.getRuntime().halt(ExitCodes.INTERRUPTED));
-    Signals.on("TERM", () -> Runtime.getRuntime().halt(ExitCodes.TERMINATED));
+  /** Returns what a computation makes; empty if the program is to end or the time has passed. */
+  <T> Optional<T> unlessStopped(Deadline deadline, Waiting<T> action) {
+    Optional<Thread> alarm = beginWaiting(deadline);
     try {
-      ended.await();
+      return Optional.of(action.get());
+    } catch (InterruptedException e) {
+      return Optional.empty();
+    } finally {
+      endWaiting(alarm);
+    }
+  }
+
+  private CommandException stoppedReading() {
+    return requested
+        ? new CommandException(
+            ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written")
+        : new CommandException(
+            ExitCodes.LIMIT,
+            "--timeout: the time was over before anything was rendered; no picture is written");
+  }
+
+  /** Interrupts this thread from now on, when the program is to end or the time has passed. */
+  private synchronized Optional<Thread> beginWaiting(Deadline deadline) {
+    waiting = Optional.of(Thread.currentThread());
+    if (requested || deadline.hasPassed()) {
+      interruptWaiting();
+    }
+    return deadline.secondsLeft().stream().mapToObj(this::alarm).findAny();
+  }
+
+  private Thread alarm(double seconds) {
+    Thread alarm =
+        new Thread(
+            () -> {
+              try {
+                TimeUnit.NANOSECONDS.sleep((long) (1e9 * seconds));
+                interruptWaiting();
+              } catch (InterruptedException e) {
+                // Nobody waits any more.
+                return;
+              }
+            },
+            "lumbre-alarm");
+    alarm.setDaemon(true);
+    alarm.start();
+    return alarm;
+  }
+
+  private synchronized void interruptWaiting() {
+    waiting.ifPresent(Thread::interrupt);
+  }
+
+  private synchronized void endWaiting(Optional<Thread> alarm) {
+    waiting = Optional.empty();
+    alarm.ifPresent(Thread::interrupt);
+    // The command writes its outputs next, which an interrupted thread cannot.
+    Thread.interrupted();
+  }
+
+  /** Asks the command to end; returns false if it has nothing to save and does not end. */
+  private boolean letCommandEnd() {
+    if (request()) {
+      return true;
+    }
+    try {
+      return closed.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+      return false;
     }
   }
 
-  /** Asks the render to stop; returns whether there is one to wait for. */
+  /** Asks the command to stop; returns whether it has something to save. */
   private synchronized boolean request() {
     requested = true;
-    if (!rendering && ended.getCount() != 0) {
-      abandon.run();
-    }
+    interruptWaiting();
     return rendering;
   }
 }

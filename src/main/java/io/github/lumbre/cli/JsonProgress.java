@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Supplier;
 
@@ -16,9 +17,8 @@ final class JsonProgress implements ProgressDisplay {
   private static final long INTERVAL_MILLIS = 1000;
 
   private final LongAdder done = new LongAdder();
-  private final long total;
   private final Messages out;
-  private final long start = System.nanoTime();
+  private final AtomicBoolean isStarted = new AtomicBoolean();
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -26,12 +26,32 @@ final class JsonProgress implements ProgressDisplay {
             thread.setDaemon(true);
             return thread;
           });
+  private volatile long total;
+  private volatile long start;
+  private volatile Supplier<OptionalDouble> secondsLeft = OptionalDouble::empty;
   private volatile OptionalDouble error = OptionalDouble.empty();
 
-  JsonProgress(long totalSamples, Messages out) {
-    total = totalSamples;
+  JsonProgress(Messages out) {
     this.out = out;
-    clock.scheduleAtFixedRate(this::print, 0, INTERVAL_MILLIS, TimeUnit.MILLISECONDS);
+  }
+
+  @Override
+  public void started(long totalSamples) {
+    total = totalSamples;
+    start = System.nanoTime();
+    if (!isStarted.getAndSet(true)) {
+      clock.scheduleAtFixedRate(this::print, 0, INTERVAL_MILLIS, TimeUnit.MILLISECONDS);
+    }
+  }
+
+  @Override
+  public void expected(long furtherSamples) {
+    total = done.sum() + furtherSamples;
+  }
+
+  @Override
+  public void limited(Supplier<OptionalDouble> newSecondsLeft, OptionalDouble targetError) {
+    secondsLeft = newSecondsLeft;
   }
 
   @Override
@@ -53,26 +73,42 @@ final class JsonProgress implements ProgressDisplay {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    print();
+    if (isStarted.get()) {
+      print();
+    }
   }
 
   private void print() {
-    out.line(line(done.sum(), total, (System.nanoTime() - start) * 1e-9, error));
+    double seconds = (System.nanoTime() - start) * 1e-9;
+    out.line(line(done.sum(), total, seconds, secondsLeft.get(), error));
   }
 
   /**
-   * Returns {@code {"done":250,"total":1000,"seconds":50.0,"rate":5.0,"seconds_left":150.0}}; time
-   * left and {@code relative_error} only if they are known.
+   * Returns {@code {"done":250,"total":1000,"seconds":50.0,"rate":5.0,"seconds_left":150.0}}; total,
+   * time left and {@code relative_error} only if they are known.
+   *
+   * @param total 0 if it is not known
+   * @param limit in seconds from now; empty without one
    */
-  static String line(long done, long total, double seconds, OptionalDouble relativeError) {
+  static String line(
+      long done,
+      long total,
+      double seconds,
+      OptionalDouble limit,
+      OptionalDouble relativeError) {
     JsonObject line = new JsonObject();
     line.addProperty("done", done);
-    line.addProperty("total", total);
+    if (total > 0) {
+      line.addProperty("total", total);
+    }
     line.addProperty("seconds", seconds);
     double rate = seconds > 0 ? done / seconds : 0;
     line.addProperty("rate", rate);
-    if (rate > 0) {
-      line.addProperty("seconds_left", Math.max(0, total - done) / rate);
+    boolean isBounded = rate > 0 && total > 0;
+    double ofRate = isBounded ? Math.max(0, total - done) / rate : Double.POSITIVE_INFINITY;
+    double left = Math.min(ofRate, Math.max(0, limit.orElse(Double.POSITIVE_INFINITY)));
+    if (Double.isFinite(left)) {
+      line.addProperty("seconds_left", left);
     }
     relativeError.stream()
         .filter(Double::isFinite)

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.parser.SceneParser;
 import java.util.Optional;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -22,18 +23,31 @@ final class KernelFlag {
   private Optional<Kernel> kernel;
 
   /**
-   * Makes the choice, before the first hierarchy is built.
+   * Returns a parser of scenes that are searched by the chosen kernel.
    *
-   * @throws ParameterException if vectors are asked for and not available
+   * @throws ParameterException as {@link #validate}
    */
-  void apply() {
+  SceneParser over(SceneParser parser) {
+    return parser.searchedBy(chosen());
+  }
+
+  /**
+   * Checks the choice before any work.
+   *
+   * @throws ParameterException if vectors are chosen and not available
+   */
+  void validate() {
+    chosen();
+  }
+
+  private Kernel chosen() {
     Kernel chosen = kernel.orElseGet(this::configured);
     Optional<String> obstacle = Kernel.vectorObstacle();
     if (chosen == Kernel.VECTOR && obstacle.isPresent()) {
       throw new ParameterException(
           spec.commandLine(), "--kernel: vector is not available: " + obstacle.get());
     }
-    System.setProperty(Kernel.PROPERTY, FlagConverters.lower(chosen));
+    return chosen;
   }
 
   private Kernel configured() {

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
@@ -8,6 +9,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
@@ -59,21 +61,31 @@ import picocli.CommandLine.Spec;
       "  lumbre help render"
     })
 public final class Lumbre implements Runnable {
+  /** What Java makes of bytes that the locale's encoding does not know. */
+  private static final char GARBLED = '\ufffd';
+
   @Spec private CommandSpec spec;
 
   /** Runs the command that the arguments name, and ends the program. */
   public static void main(String[] args) {
     redirectErrors();
+    Interruption.install();
     long start = ManagementFactory.getRuntimeMXBean().getStartTime();
     System.setProperty(BudgetFlags.START, String.valueOf(start));
-    Charset charset = Charset.defaultCharset();
-    PrintWriter out = new PrintWriter(System.out, true, charset);
+    Charset charset = charset(Charset.defaultCharset());
+    StandardOutput results = StandardOutput.open();
+    PrintWriter out = new PrintWriter(results, true, charset);
     PrintWriter err = new PrintWriter(System.err, true, charset);
     int exitCode = run(args, out, err);
     out.flush();
+    exitCode = results.exitCode(exitCode, err);
     err.flush();
-    Interruption.letEnd();
-    System.exit(exitCode);
+    System.exit(Interruption.exitCode(exitCode));
+  }
+
+  /** Returns how to print: ASCII lacks letters of names, and UTF-8 has all of its own. */
+  private static Charset charset(Charset fromLocale) {
+    return fromLocale.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : fromLocale;
   }
 
   /**
@@ -105,6 +117,18 @@ public final class Lumbre implements Runnable {
     command.setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF));
     command.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
     command.setOverwrittenOptionsAllowed(false).setAbbreviatedOptionsAllowed(false);
+    for (String arg : args) {
+      if (arg.indexOf(GARBLED) >= 0) {
+        new Messages(err)
+            .error(
+                arg
+                    + ": the locale's encoding of arguments, "
+                    + System.getProperty("sun.jnu.encoding")
+                    + ", lacks letters of it; "
+                    + FileFailure.REMEDY);
+        return ExitCodes.USAGE;
+      }
+    }
     try {
       return command.execute(args);
     } catch (Error e) {

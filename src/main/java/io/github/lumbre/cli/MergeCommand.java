@@ -5,6 +5,7 @@ import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmMerge;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.OutputFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,7 +15,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -58,23 +58,27 @@ final class MergeCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
-      description = "A picture, if its name ends in .png, .exr or .pfm; otherwise a film.")
+      description = "A picture, if its name ends in .png, .jpg, .exr or .pfm; otherwise a film.")
   private Path output;
 
   @Mixin private DevelopFlags flags;
+
+  @Mixin private OverwriteFlag overwrite;
 
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws CommandException {
     flags.validate();
-    for (Path film : films) {
-      if (PictureOutput.isSame(film, output)) {
-        throw new ParameterException(
-            spec.commandLine(), output + ": is one of the films, which are never overwritten");
-      }
+    boolean isPicture = ImageFormat.of(output).isPresent();
+    OutputGuard guard = overwrite.guard();
+    films.forEach(film -> guard.readsFilm(film));
+    guard.writes("-o", output, isPicture ? OutputContent.PICTURE : OutputContent.FILM);
+    if (!isPicture) {
+      guard.updates("-o", OutputFile.previous(output), OutputContent.FILM);
     }
-    if (ImageFormat.of(output).isPresent()) {
+    guard.check();
+    if (isPicture) {
       flags.develop(output, this::merged, output);
     } else {
       writeFilm();

@@ -17,8 +17,11 @@ final class Messages {
 
   /** Prints a line. */
   void line(String text) {
-    out.println(printable(text));
-    out.flush();
+    ProgressBar.aside(
+        () -> {
+          out.println(printable(text));
+          out.flush();
+        });
   }
 
   /** Prints a line in the program's name. */

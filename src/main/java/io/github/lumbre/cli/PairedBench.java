@@ -5,7 +5,6 @@ import io.github.lumbre.measure.Interval;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
@@ -26,7 +25,7 @@ final class PairedBench {
   static final int FEWEST_PAIRS = 12;
 
   private final BenchPlan plan;
-  private final Progress progress;
+  private final RenderMonitor progress;
 
   /** What one of the ways took and gave, a render after the other. */
   private static final class Way {
@@ -40,7 +39,8 @@ final class PairedBench {
     }
 
     /** Renders and keeps what it took; returns false if that was stopped. */
-    private boolean render(int number, int threads, Progress progress) throws InterruptedException {
+    private boolean render(int number, int threads, RenderMonitor progress)
+        throws InterruptedException {
       RenderSettings own =
           settings.toBuilder().threads(threads).seed(settings.seed() + number).build();
       TimedRender render = TimedRender.of(scene, own, progress);
@@ -53,7 +53,7 @@ final class PairedBench {
     }
   }
 
-  PairedBench(BenchPlan plan, Progress progress) {
+  PairedBench(BenchPlan plan, RenderMonitor progress) {
     this.plan = plan;
     this.progress = progress;
   }
@@ -74,7 +74,8 @@ final class PairedBench {
   Optional<String> row(Path scene, Messages messages)
       throws SceneFormatException, CommandException, InterruptedException {
     SceneParser parser = new SceneParser().overriding(plan.plain()::over);
-    SceneFile file = SceneFolder.load(scene, parser, messages);
+    SceneFile file =
+        progress.reading(scene, () -> SceneFolder.load(scene, parser, messages));
     MemoryEstimate.require(file.settings());
     Way plain = new Way(file.scene(), file.settings());
     RenderSettings settings =

@@ -4,39 +4,60 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /** Where the picture goes: reserved before the work begins, filled when it has ended. Mutable. */
 final class PictureOutput implements AutoCloseable {
+  /** The name that means standard input or output. */
+  static final Path STANDARD = Path.of("-");
+
+  private final Path target;
   private final OutputFile file;
   private final Fallback fallback;
 
-  private PictureOutput(OutputFile file, Fallback fallback) {
+  private PictureOutput(Path target, OutputFile file, Fallback fallback) {
+    this.target = target;
     this.file = file;
     this.fallback = fallback;
   }
 
   /**
    * Returns where a scene's picture goes by default: its name with another ending, in the working
-   * directory.
+   * directory; {@code stdin.png} for a scene from standard input.
    */
   static Path defaultFor(Path scene) {
-    Path name = scene.getFileName();
+    Path name = scene.equals(STANDARD) ? SceneOptions.STDIN : scene.getFileName();
     String text = name == null ? "" : name.toString();
     int dot = text.lastIndexOf('.');
     String base = dot > 0 ? text.substring(0, dot) : text;
     return Path.of((base.isEmpty() ? "picture" : base) + ImageFormat.PNG.ending());
   }
 
-  /** Tells whether two paths lead to the same file. */
+  /** Returns whether two paths lead to the same file, which need not exist. */
   static boolean isSame(Path one, Path other) {
     try {
       return Files.isSameFile(one, other);
     } catch (IOException e) {
-      return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
+      return real(one).equals(real(other));
+    }
+  }
+
+  /** Returns a path whose symbolic links are resolved; the file itself need not exist. */
+  private static Path real(Path path) {
+    Path absolute = path.toAbsolutePath();
+    Path parent = absolute.getParent();
+    try {
+      return Files.exists(absolute) || parent == null
+          ? absolute.toRealPath()
+          : parent.toRealPath().resolve(absolute.getFileName());
+    } catch (IOException e) {
+      return absolute.normalize();
     }
   }
 
@@ -57,14 +78,67 @@ final class PictureOutput implements AutoCloseable {
    */
   static PictureOutput reserve(Path target, Fallback fallback) throws CommandException {
     try {
-      return new PictureOutput(OutputFile.open(target), fallback);
+      return new PictureOutput(target, OutputFile.open(target), fallback);
     } catch (IOException e) {
       throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
     }
   }
 
+  /**
+   * Returns an output that writes to standard output. The picture is collected in a temporary file,
+   * which stays if standard output cannot be written.
+   *
+   * @param fallback where the temporary file is
+   * @throws CommandException if it cannot be made
+   */
+  static PictureOutput toStandardOutput(ImageFormat format, Fallback fallback)
+      throws CommandException {
+    Path directory = fallback.directory();
+    try {
+      Path collected = fallback.newFile(Path.of("picture" + format.ending()));
+      return new PictureOutput(STANDARD, OutputFile.open(collected), fallback);
+    } catch (IOException e) {
+      throw new CommandException(
+          ExitCodes.OUTPUT, directory + ": cannot be written: " + e.getMessage(), e);
+    }
+  }
+
+  /** Returns the path of the picture, or {@link #STANDARD}. */
   Path target() {
-    return file.target();
+    return target;
+  }
+
+  /** Returns whether the picture is for the screen. */
+  boolean isForScreen() {
+    return ImageFormat.of(file.target()).filter(ImageFormat::isForScreen).isPresent();
+  }
+
+  /**
+   * Checks that the format can hold a picture.
+   *
+   * @throws CommandException if the picture is too large for it
+   */
+  void requireFits(RenderSettings settings) throws CommandException {
+    int side =
+        settings
+            .crop()
+            .map(crop -> Math.max(crop.width(), crop.height()))
+            .orElse(Math.max(settings.width(), settings.height()));
+    boolean isJpeg = ImageFormat.of(file.target()).equals(Optional.of(ImageFormat.JPG));
+    if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
+      throw new CommandException(
+          ExitCodes.LIMIT,
+          target
+              + ": a JPEG has at most "
+              + ImageWriter.MAX_JPEG_SIDE
+              + " pixels on a side, found "
+              + side
+              + "; choose another format");
+    }
+  }
+
+  private boolean isStandardOutput() {
+    return target.equals(STANDARD);
   }
 
   /**
@@ -76,15 +150,39 @@ final class PictureOutput implements AutoCloseable {
     try {
       ImageWriter.write(image, file, options);
     } catch (IOException e) {
-      String failure = target() + ": cannot be written: " + e.getMessage();
-      throw new CommandException(ExitCodes.OUTPUT, failure + "; " + rescue(image, options), e);
+      String failure = file.target() + ": cannot be written: " + e.getMessage();
+      String rescue = isStandardOutput() ? "" : "; " + rescue(image, options);
+      throw new CommandException(ExitCodes.OUTPUT, failure + rescue, e);
+    }
+    if (isStandardOutput()) {
+      print(file.target());
+    }
+  }
+
+  private static void print(Path collected) throws CommandException {
+    try (OutputStream out = StandardOutput.open()) {
+      Files.copy(collected, out);
+      Files.delete(collected);
+    } catch (IOException e) {
+      throw new CommandException(
+          ExitCodes.OUTPUT,
+          "standard output cannot be written: "
+              + e.getMessage()
+              + "; the picture is saved as "
+              + collected
+              + " instead",
+          e);
     }
   }
 
   private String rescue(Image image, ImageWriter.Options options) {
     try {
       Path other = fallback.newFile(target());
-      ImageWriter.write(image, other, options);
+      try {
+        ImageWriter.write(image, other, options);
+      } finally {
+        Fallback.deleteIfEmpty(other);
+      }
       return "saved as " + other + " instead";
     } catch (IOException e) {
       return "nor could " + fallback.directory() + ": " + e.getMessage();
@@ -96,6 +194,9 @@ final class PictureOutput implements AutoCloseable {
   public void close() {
     try {
       file.close();
+      if (isStandardOutput()) {
+        Fallback.deleteIfEmpty(file.target());
+      }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.FlagConverters.PixelPlace;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Optional;
@@ -76,11 +77,11 @@ final class PixelCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, CommandException {
     flags.validate();
-    kernel.apply();
+    kernel.validate();
     FlagChecks checks = new FlagChecks(spec);
     sample.ifPresent(n -> checks.requireIn("--sample", 0, RenderSettings.MAX_SAMPLES - 1, n));
-    SceneFile file =
-        options.load(flags.over(options.parser()), new Messages(spec.commandLine().getErr()));
+    SceneParser parser = kernel.over(flags.over(options.parser()));
+    SceneFile file = options.load(parser, new Messages(spec.commandLine().getErr()));
     RenderSettings settings = file.settings();
     checks.requireIn("x", 0, settings.width() - 1, pixel.x());
     checks.requireIn("y", 0, settings.height() - 1, pixel.y());

@@ -3,17 +3,44 @@ package io.github.lumbre.cli;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 
-/** Shows how far a render is. May be told from several threads at once. */
+/** Shows how far a render is. Safe for use by any thread. */
 interface ProgressDisplay extends AutoCloseable {
   /** Shows nothing. */
   ProgressDisplay NONE =
       new ProgressDisplay() {
+        @Override
+        public void started(long totalSamples) {}
+
+        @Override
+        public void expected(long furtherSamples) {}
+
         @Override
         public void advanced(long samples) {}
 
         @Override
         public void close() {}
       };
+
+  /** A scene of this name is being read from now on, until {@link #started}. */
+  default void reading(String name) {}
+
+  /**
+   * A render begins, of which no sample is done.
+   *
+   * @param totalSamples 0 if their number is not known
+   */
+  void started(long totalSamples);
+
+  /** The running render will take about so many more samples. */
+  void expected(long furtherSamples);
+
+  /**
+   * What else ends the render.
+   *
+   * @param secondsLeft until a time limit; empty without one
+   * @param targetError relative to the picture; empty without one
+   */
+  default void limited(Supplier<OptionalDouble> secondsLeft, OptionalDouble targetError) {}
 
   /** So many more samples are done. */
   void advanced(long samples);
@@ -23,16 +50,4 @@ interface ProgressDisplay extends AutoCloseable {
 
   @Override
   void close();
-
-  /**
-   * Returns a bar on standard error, with rate and time left; nothing if the library that draws it
-   * is missing or does not run here.
-   */
-  static ProgressDisplay bar(long totalSamples) {
-    try {
-      return new ProgressBarDisplay(totalSamples);
-    } catch (LinkageError | RuntimeException e) {
-      return NONE;
-    }
-  }
 }

@@ -20,7 +20,8 @@ final class QualityFlags {
       names = "--adaptive",
       description =
           "Give more of the samples to pixels where they take off more noise; "
-              + "--samples is the mean then. Not with --checkpoint.")
+              + "--samples is the mean then, and must exceed 32, the samples that all pixels "
+              + "get first. Not with --checkpoint.")
   private boolean adaptive;
 
   /** Tells whether noisy pixels are to get more samples. */

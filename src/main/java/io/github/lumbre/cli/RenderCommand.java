@@ -45,6 +45,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json",
       "  lumbre render scene.json -s 16 --size 480x270 --exposure auto",
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
+      "  lumbre render - -o - --format jpg < scene.json > picture.jpg",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
       "  lumbre render scene.json --timeout 5m",
       "  lumbre render scene.json --target-error 2%% --time 10m",
@@ -57,10 +58,10 @@ import picocli.CommandLine.Spec;
       "2:The command line is wrong",
       "3:The scene is missing, unreadable or invalid",
       "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
+      "5:Something exceeds a limit or memory, or --timeout passed before anything was rendered",
       "6:The picture or the film cannot be written",
       "7:A fault of the program, or under --strict a sample that is not a number",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; a render begun saves what it has"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; a render begun saves what it has"
     })
 final class RenderCommand implements Callable<Integer> {
   @Mixin private SceneOptions options;
@@ -69,10 +70,18 @@ final class RenderCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = {
-        "The picture: .png for the screen, .exr or .pfm for linear light.",
+        "The picture: .png or .jpg for the screen, .exr or .pfm for linear light; - writes it to"
+            + " standard output.",
         "Default: the scene's name with .png, in the working directory."
       })
   private Optional<Path> output;
+
+  @Option(
+      names = "--format",
+      paramLabel = "NAME",
+      converter = FlagConverters.OfImageFormat.class,
+      description = "With -o -: png, exr, pfm or jpg (png).")
+  private Optional<ImageFormat> format;
 
   @Mixin private RenderFlags flags;
 
@@ -88,6 +97,13 @@ final class RenderCommand implements Callable<Integer> {
       defaultValue = "8",
       description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
   private int bits;
+
+  @Option(
+      names = "--jpeg-quality",
+      paramLabel = "N",
+      defaultValue = "90",
+      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
+  private int jpegQuality;
 
   @Mixin private RunFlags run;
 
@@ -106,6 +122,8 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private CheckpointFlags checkpoints;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -118,7 +136,7 @@ final class RenderCommand implements Callable<Integer> {
     flags.validate();
     budgets.validate();
     checkpoints.validate();
-    kernel.apply();
+    kernel.validate();
     require(
         !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
         "--adaptive: not with --checkpoint, --samples-from or --samples-to, since a film does not"
@@ -130,38 +148,40 @@ final class RenderCommand implements Callable<Integer> {
     Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
     Duration startup = Duration.between(start, Instant.now());
+    new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
+    requireStreams();
     Path target = target();
+    checkOutputs(target);
     Messages messages = run.errors();
-    try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
-        FilmKeeper keeper = keeper(target, messages);
-        Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
-      SceneFile file = options.load(parser(), messages);
+    try (PictureOutput picture = picture(target);
+        FilmKeeper keeper = keeper(messages);
+        Interruption interruption = Interruption.listen();
+        RenderMonitor monitor = run.monitor(interruption, deadline)) {
+      SceneFile file = monitor.reading(options.scene(), () -> options.load(parser(), messages));
       if (dryRun) {
         return estimate(file, report);
       }
       MemoryEstimate.require(file.settings());
-      RenderMonitor monitor = run.monitor(interruption, deadline);
+      picture.requireFits(file.settings());
       RunBudget budget =
           budgets.since(
               start, startup, file.settings(), quality.targetError(), BudgetFlags.CONFIDENCE);
       RenderJob job = job(file, picture, keeper, monitor, budget, report);
-      return interruption.beginRender() ? job.run(flags.firstSample()) : ExitCodes.INTERRUPTED;
+      interruption.requireRender();
+      return job.run(flags.firstSample());
     }
   }
 
   private SceneParser parser() {
     boolean isOpen = budgets.areGiven() || quality.targetError().isPresent();
-    return flags.over(options.parser(), isOpen, quality.isAdaptive(), quality.depth());
+    return flags.over(kernel.over(options.parser()), isOpen, quality.isAdaptive(), quality.depth());
   }
 
-  private FilmKeeper keeper(Path target, Messages messages) throws CommandException {
+  private FilmKeeper keeper(Messages messages) throws CommandException {
     if (checkpoint.isEmpty()) {
       return FilmKeeper.none(messages);
     }
     Path path = checkpoint.get();
-    require(
-        !PictureOutput.isSame(path, target) && !PictureOutput.isSame(path, options.scene()),
-        "--checkpoint: " + path + " is the scene or the picture");
     for (Path existing : List.of(path, OutputFile.previous(path))) {
       if (Files.exists(existing)) {
         throw new CommandException(
@@ -185,7 +205,7 @@ final class RenderCommand implements Callable<Integer> {
         FilmNotes.of(scene, file, picture.target(), bits, options.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
-    RenderJob.How how = run.how(bits, options.isStrict());
+    RenderJob.How how = run.how(bits, options.isStrict()).withJpegQuality(jpegQuality);
     return new RenderJob(scene, file, picture, keeper, monitor, run.errors(), report, budget, how);
   }
 
@@ -204,12 +224,43 @@ final class RenderCommand implements Callable<Integer> {
     Path scene = options.scene();
     Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene));
     require(
-        ImageFormat.of(target).isPresent(),
+        isStandardOutput() || ImageFormat.of(target).isPresent(),
         target + ": expected a name that ends in one of " + ImageFormat.endings());
-    require(
-        !PictureOutput.isSame(scene, target),
-        target + ": is the scene itself, which is never overwritten");
     return target;
+  }
+
+  private boolean isStandardOutput() {
+    return output.equals(Optional.of(PictureOutput.STANDARD));
+  }
+
+  /** Refuses combinations of flags that standard input and output exclude. */
+  private void requireStreams() {
+    require(format.isEmpty() || isStandardOutput(), "--format: expected -o - with it");
+    require(
+        checkpoint.isEmpty() || !options.isStandardInput() && !isStandardOutput(),
+        "--checkpoint: expected files for the scene and the picture, found -; 'lumbre resume' must"
+            + " find both again");
+    require(!isStandardOutput() || !run.isJson(), "-o -: expected no --json beside it");
+    require(
+        !isStandardOutput() || !StandardOutput.isTerminal(),
+        "-o -: standard output is a terminal; expected a file or a pipe");
+  }
+
+  private PictureOutput picture(Path target) throws CommandException {
+    return isStandardOutput()
+        ? PictureOutput.toStandardOutput(
+            format.orElse(ImageFormat.PNG), checkpoints.fallback())
+        : PictureOutput.reserve(target, checkpoints.fallback());
+  }
+
+  private void checkOutputs(Path target) throws CommandException {
+    OutputGuard guard = options.guardedBy(overwrite.guard());
+    if (!isStandardOutput()) {
+      guard.writes("-o", target, OutputContent.PICTURE);
+    }
+    // An existing film is refused later, with the advice to resume it.
+    checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));
+    guard.check();
   }
 
   private void require(boolean condition, String message) {

@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.measure.Forecast;
 import io.github.lumbre.parser.SceneFile;
@@ -14,8 +13,8 @@ import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.texture.UnreadablePoints;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -42,9 +41,14 @@ record RenderJob(
    * What is written and told at the end.
    *
    * @param bits per channel of a PNG
+   * @param jpegQuality of a JPEG, 1 to 100
    * @param strict whether samples and texture points that are no numbers make an error
    */
-  record How(int bits, boolean quiet, boolean stats, boolean strict) {}
+  record How(int bits, int jpegQuality, boolean quiet, boolean stats, boolean strict) {
+    How withJpegQuality(int quality) {
+      return new How(bits, quality, quiet, stats, strict);
+    }
+  }
 
   /** Renders a new film. */
   int run(int firstSample) throws CommandException {
@@ -62,13 +66,12 @@ record RenderJob(
   private int run(FilmRenderer renderer, Film film, RenderStatistics faults)
       throws CommandException {
     long start = System.nanoTime();
-    long unreadableBefore = UnreadablePoints.total();
     Schedule schedule = renderer.schedule();
     RenderStatistics statistics;
     LightReport light;
     try (monitor) {
       statistics = addSamples(renderer, schedule, film, faults);
-      light = LightReport.of(file, film, statistics, how.quiet() || monitor.isCancelled());
+      light = light(film, statistics);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
@@ -80,7 +83,7 @@ record RenderJob(
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);
-    long unreadable = UnreadablePoints.total() - unreadableBefore;
+    long unreadable = statistics.unreadable();
     warnOfUnreadable(unreadable);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
@@ -103,20 +106,21 @@ record RenderJob(
   private RenderStatistics addSamples(
       FilmRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
       throws InterruptedException {
-    if (!budget.isOpen()) {
-      long all = (long) film.window().width() * film.window().height() * file.settings().samples();
-      monitor.started(Math.max(0, all - film.totalSamples()));
-    }
-    Progress progress = keeper.pausing(budget.within(monitor));
+    monitor.limited(budget);
+    long all = (long) film.window().width() * film.window().height() * file.settings().samples();
+    monitor.started(budget.isOpen() ? 0 : Math.max(0, all - film.totalSamples()));
+    warn(budget.doubt(film));
     RenderStatistics statistics = faults;
     long start = System.nanoTime();
     boolean isForecast = false;
-    while (!monitor.isCancelled() && !budget.isUsedUp()) {
+    while (!monitor.isCancelled() && (isFirstPass(film) || !budget.isUsedUp())) {
       Optional<SampleTarget> target = schedule.next(film);
       if (target.isEmpty()) {
         break;
       }
-      PassResult pass = renderer.addSamples(film, target.get(), progress);
+      // Complete the first pass even if --time is over: each pixel has a sample then.
+      Progress progress = isFirstPass(film) ? monitor : budget.within(monitor);
+      PassResult pass = renderer.addSamples(film, target.get(), keeper.pausing(progress));
       statistics = statistics.plus(pass.statistics());
       keeper.saveIfDue(film, statistics);
       monitor.estimable(() -> budget.noise(film));
@@ -131,6 +135,16 @@ record RenderJob(
     return statistics;
   }
 
+  private static boolean isFirstPass(Film film) {
+    return film.fewestSamples() == 0;
+  }
+
+  private void warn(Optional<String> warning) {
+    if (!how.quiet()) {
+      warning.ifPresent(messages::line);
+    }
+  }
+
   /**
    * Tells how long the render will take, after its first look at the error.
    *
@@ -141,7 +155,7 @@ record RenderJob(
     if (budget.isOpen()) {
       RenderSettings.Crop window = film.window();
       double all = (double) window.width() * window.height() * likely;
-      monitor.started(Math.max(1, (long) all - film.totalSamples()));
+      monitor.expected(Math.max(1, (long) all - film.totalSamples()));
     }
     if (!how.quiet()) {
       OptionalDouble left = budget.secondsLeft();
@@ -155,6 +169,14 @@ record RenderJob(
                   : OptionalDouble.empty());
       messages.line(told.line());
     }
+  }
+
+  /** Estimates what the picture lacks; without what takes a while if the render was stopped. */
+  private LightReport light(Film film, RenderStatistics statistics) throws InterruptedException {
+    boolean isBrief = how.quiet() || monitor.isCancelled();
+    Optional<LightReport> report =
+        monitor.unlessStopped(() -> LightReport.of(file, film, statistics, isBrief));
+    return report.isPresent() ? report.get() : LightReport.of(file, film, statistics, true);
   }
 
   private void warnOfUnreadable(long points) {
@@ -171,11 +193,10 @@ record RenderJob(
     if (film.totalSamples() != 0) {
       return;
     }
-    if (monitor.isOutOfTime() || budget.isOutOfTime()) {
+    if (monitor.isOutOfTime()) {
       throw new CommandException(
           ExitCodes.LIMIT,
-          (monitor.isOutOfTime() ? "--timeout" : "--time")
-              + ": the time was over before anything was rendered; no picture is written");
+          "--timeout: the time was over before anything was rendered; no picture is written");
     }
     throw new CommandException(
         ExitCodes.INTERRUPTED, "stopped before anything was rendered; no picture is written");
@@ -199,8 +220,11 @@ record RenderJob(
     light.putInto(metadata);
     picture.write(
         result.image(),
-        new ImageWriter.Options(settings.exposure(), settings.toneCurve(), how.bits(), metadata));
+        new ImageWriter.Options(
+            settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata));
     tell(summary, noise, light);
+    warn(coverage(film));
+    warn(evenness(film));
     report.putScene(file);
     report.put("output", picture.target().toString());
     report.putResult(result, seconds);
@@ -214,6 +238,33 @@ record RenderJob(
     }
   }
 
+  /** Returns the warning that pixels have no sample, or only one since --time was short. */
+  private Optional<String> coverage(Film film) {
+    double share = film.shareWithoutSamples();
+    if (share > 0) {
+      return Optional.of(
+          String.format(
+              Locale.ROOT,
+              "warning: %.2g %% of the pixels have no sample and are black",
+              100 * share));
+    }
+    return budget.isOutOfTime() && film.mostSamples() == 1
+        ? Optional.of(
+            "warning: --time was too short for more than the first pass, one sample per pixel,"
+                + " which is always completed")
+        : Optional.empty();
+  }
+
+  /** Returns the warning that the render ended before samples could be distributed adaptively. */
+  private Optional<String> evenness(Film film) {
+    return file.settings().adaptive() && film.mostSamples() <= FilmRenderer.ADAPTIVE_PILOT
+        ? Optional.of(
+            ("warning: --adaptive had no effect: the first %d samples per pixel are the same for"
+                    + " all pixels, and the render ended with %d")
+                .formatted(FilmRenderer.ADAPTIVE_PILOT, film.mostSamples()))
+        : Optional.empty();
+  }
+
   private void tell(Summary summary, NoiseReport noise, LightReport light) {
     Path target = picture.target();
     summary.printRejected(scene, messages);
@@ -222,7 +273,7 @@ record RenderJob(
       light.print(messages);
       noise.printDoubts(messages);
     }
-    if (!how.quiet() && ImageFormat.of(target).equals(Optional.of(ImageFormat.PNG))) {
+    if (!how.quiet() && picture.isForScreen()) {
       summary.printIfDark(messages);
     }
     if (how.stats()) {

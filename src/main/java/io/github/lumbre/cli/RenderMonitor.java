@@ -1,12 +1,14 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Progress;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.LongFunction;
 import java.util.function.Supplier;
 
 /**
@@ -15,11 +17,9 @@ import java.util.function.Supplier;
  */
 final class RenderMonitor implements Progress, AutoCloseable {
   private final Interruption interruption;
-  private final LongFunction<ProgressDisplay> displayOf;
   private final Deadline deadline;
   private final Messages messages;
-  private final AtomicReference<ProgressDisplay> display =
-      new AtomicReference<>(ProgressDisplay.NONE);
+  private final AtomicReference<ProgressDisplay> display;
 
   /**
    * @param hasDisplay whether to show a progress bar on standard error
@@ -27,30 +27,66 @@ final class RenderMonitor implements Progress, AutoCloseable {
   RenderMonitor(Interruption interruption, boolean hasDisplay) {
     this(
         interruption,
-        hasDisplay ? ProgressDisplay::bar : totalSamples -> ProgressDisplay.NONE,
+        hasDisplay ? ProgressBar.onStandardError() : ProgressDisplay.NONE,
         Deadline.NEVER,
         new Messages(new PrintWriter(System.err, true)));
   }
 
   /**
-   * @param displayOf returns what shows the progress of so many samples
+   * @param display shows the progress; closed by this monitor
    * @param deadline after which the render is to stop
    * @param messages where to say that a render has stalled
    */
   RenderMonitor(
-      Interruption interruption,
-      LongFunction<ProgressDisplay> displayOf,
-      Deadline deadline,
-      Messages messages) {
+      Interruption interruption, ProgressDisplay display, Deadline deadline, Messages messages) {
     this.messages = messages;
     this.interruption = interruption;
-    this.displayOf = displayOf;
+    this.display = new AtomicReference<>(display);
     this.deadline = deadline;
+  }
+
+  /**
+   * Reads a scene, and ends that when the program is to end or the time has passed.
+   *
+   * @throws CommandException also if that happened
+   */
+  <T> T reading(Path scene, Interruption.Reading<T> action)
+      throws CommandException, SceneFormatException {
+    display.get().reading(String.valueOf(scene.getFileName()));
+    return interruption.reading(deadline, action);
+  }
+
+  /**
+   * Computes something that the result may lack.
+   *
+   * @return empty if the program is to end, or the time has passed, before that is done
+   */
+  <T> Optional<T> unlessStopped(Interruption.Waiting<T> action) {
+    return interruption.unlessStopped(deadline, action);
+  }
+
+  /** Shows what else ends the render. */
+  void limited(RunBudget budget) {
+    display
+        .get()
+        .limited(
+            () -> earlier(deadline.secondsLeft(), budget.secondsLeft()), budget.targetError());
+  }
+
+  private static OptionalDouble earlier(OptionalDouble one, OptionalDouble other) {
+    return one.isPresent() && (other.isEmpty() || one.getAsDouble() < other.getAsDouble())
+        ? one
+        : other;
   }
 
   @Override
   public void started(long totalSamples) {
-    display.set(displayOf.apply(totalSamples));
+    display.get().started(totalSamples);
+  }
+
+  /** The running render will take about so many more samples. */
+  void expected(long furtherSamples) {
+    display.get().expected(furtherSamples);
   }
 
   @Override

@@ -4,6 +4,7 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -54,10 +55,10 @@ import picocli.CommandLine.Spec;
       "2:The command line is wrong",
       "3:The film is damaged or of another scene, or the scene cannot be used",
       "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
+      "5:Something exceeds a limit or memory, or --timeout passed before anything was rendered",
       "6:The picture or the film cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM; film and picture are saved"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; film and picture are saved"
     })
 final class ResumeCommand implements Callable<Integer> {
   /** Samples per pixel that do not limit a run. */
@@ -99,6 +100,8 @@ final class ResumeCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -118,16 +121,22 @@ final class ResumeCommand implements Callable<Integer> {
       requireOnePart(header);
       FilmNotes notes = new FilmNotes(film, header);
       Path target = output.isPresent() ? output.get() : notes.output();
+      Path path = scene.isPresent() ? scene.get() : notes.scene();
+      overwrite
+          .guard()
+          .readsScene(path)
+          .updatesFilm("FILM", film)
+          .updates("FILM", damaged(), OutputContent.FILM)
+          .writes("-o", target, OutputContent.PICTURE)
+          .check();
       try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
-          Interruption interruption = Interruption.listen(picture::close, keeper::close)) {
-        Path path = scene.isPresent() ? scene.get() : notes.scene();
+          Interruption interruption = Interruption.listen();
+          RenderMonitor monitor = run.monitor(interruption, deadline)) {
         report.put("scene", path.toString());
-        SceneFile file = parse(notes, header, path);
+        SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
         RunBudget budget = budget(notes, file.settings(), start, startup);
         MemoryEstimate.require(file.settings());
-        if (!interruption.beginRender()) {
-          return ExitCodes.INTERRUPTED;
-        }
+        interruption.requireRender();
         setDamagedAside(loaded);
         keeper.begin(
             header.identity(),
@@ -139,7 +148,7 @@ final class ResumeCommand implements Callable<Integer> {
                 file,
                 picture,
                 keeper,
-                run.monitor(interruption, deadline),
+                monitor,
                 run.errors(),
                 report,
                 budget,
@@ -155,7 +164,7 @@ final class ResumeCommand implements Callable<Integer> {
     work.validate(spec);
     budgets.validate();
     checkpoints.validate();
-    kernel.apply();
+    kernel.validate();
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
       throw new CommandException(ExitCodes.SCENE, film + ": does not exist");
     }
@@ -198,20 +207,44 @@ final class ResumeCommand implements Callable<Integer> {
     }
     try {
       SceneFile file =
-          notes
-              .parser(
-                  settings -> {
-                    settings.samples(limit);
-                    work.override(settings);
-                  })
+          kernel
+              .over(
+                  notes.parser(
+                      settings -> {
+                        settings.samples(limit);
+                        work.override(settings);
+                      }))
               .parse(path);
+      requireSameFiles(notes, header, file, path);
       requireSame(header, file, path);
       run.errors().warnings(file.warnings());
       return file;
     } catch (IOException e) {
       throw new CommandException(
-          ExitCodes.SCENE, path + ": the film's scene cannot be read: " + e.getMessage(), e);
+          ExitCodes.SCENE,
+          path + ": the film's scene cannot be read: " + FileFailure.reason(e),
+          e);
     }
+  }
+
+  /** Passes if the scene and its files are those of the film. */
+  private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
+      throws CommandException {
+    if (file.hash().equals(header.identity().get(FilmHeader.SCENE_HASH))) {
+      return;
+    }
+    List<String> changed = notes.changedFiles(path, file);
+    String what =
+        changed.isEmpty()
+            ? path + ", or a file that it uses, has"
+            : String.join(", ", changed) + (changed.size() == 1 ? " has" : " have");
+    throw new CommandException(
+        ExitCodes.SCENE,
+        film
+            + ": "
+            + what
+            + " changed since the film was begun; to resume, restore what was there, or name a copy"
+            + " of the scene as it was: --scene COPY");
   }
 
   private void requireSame(FilmHeader header, SceneFile file, Path path) throws CommandException {
@@ -223,12 +256,16 @@ final class ResumeCommand implements Callable<Integer> {
     }
   }
 
+  private Path damaged() {
+    return film.resolveSibling(film.getFileName() + ".damaged");
+  }
+
   /** Gives a damaged film another name, lest the next save puts it in place of the good one. */
   private void setDamagedAside(CheckpointFile.Loaded loaded) throws CommandException {
     if (loaded.problem().isEmpty() || !Files.exists(film)) {
       return;
     }
-    Path aside = film.resolveSibling(film.getFileName() + ".damaged");
+    Path aside = damaged();
     try {
       Files.move(film, aside, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {

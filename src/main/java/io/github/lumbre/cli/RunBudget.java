@@ -26,6 +26,7 @@ final class RunBudget {
   private final BudgetWatch watch;
   private final Deadline time;
   private boolean reachedTarget;
+  private boolean hopeless;
 
   /**
    * @param time after which no more samples are taken
@@ -78,16 +79,39 @@ final class RunBudget {
   /** Looks at the error of a film that another run has begun. */
   void lookAgain(Film film) {
     reachedTarget |= watch.isReachedAgainBy(film);
+    hopeless = !hasTime() && watch.isHopeless(film);
   }
 
   /** Looks at the error of a film after a complete pass. */
   void look(Film film) {
     reachedTarget |= watch.isReachedBy(film);
+    hopeless = !hasTime() && watch.isHopeless(film);
   }
 
-  /** Tells whether time or error end the run. */
+  private boolean hasTime() {
+    return time.secondsLeft().isPresent();
+  }
+
+  /**
+   * Returns the warning that the frame is too small for a bound of the noise, so that something
+   * other than the error will end the run; empty if it is large enough.
+   */
+  Optional<String> doubt(Film film) {
+    if (!watch.isWithoutBound(film)) {
+      return Optional.empty();
+    }
+    String end =
+        isOpen() && !hasTime()
+            ? "the render ends after " + BudgetWatch.MOST_WITHOUT_BOUND + " samples per pixel"
+            : "--samples or --time ends the render";
+    return Optional.of(
+        "warning: --target-error: a frame of fewer than 64 pixels has no bound of its noise; "
+            + end);
+  }
+
+  /** Returns whether time or error end the run, or the frame has no bound and enough samples. */
   boolean isUsedUp() {
-    return reachedTarget || time.hasPassed();
+    return reachedTarget || hopeless || time.hasPassed();
   }
 
   /** Returns a listener that also ends passes when the time is over. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.FlagConverters.ProgressStyle;
+import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.parser.SceneFormatException;
 import java.time.Duration;
 import java.util.Optional;
@@ -19,7 +20,8 @@ final class RunFlags {
       converter = FlagConverters.OfDuration.class,
       description = {
         "Stop after such a time, reading the scene included: 90s, 5m, 2h.",
-        "The picture is what was rendered until then, marked as partial."
+        "The picture is what was rendered until then, marked as partial; exit code 5 if that is",
+        "nothing."
       })
   private Optional<Duration> timeout;
 
@@ -64,16 +66,16 @@ final class RunFlags {
   }
 
   RenderMonitor monitor(Interruption interruption, Deadline deadline) {
-    return new RenderMonitor(interruption, this::display, deadline, errors());
+    return new RenderMonitor(interruption, display(), deadline, errors());
   }
 
-  private ProgressDisplay display(long totalSamples) {
+  private ProgressDisplay display() {
     ProgressStyle style =
         progress.orElse(
             !quiet && Boolean.getBoolean("lumbre.tty") ? ProgressStyle.BAR : ProgressStyle.NONE);
     return switch (style) {
-      case BAR -> ProgressDisplay.bar(totalSamples);
-      case JSON -> new JsonProgress(totalSamples, errors());
+      case BAR -> ProgressBar.onStandardError();
+      case JSON -> new JsonProgress(errors());
       case NONE -> ProgressDisplay.NONE;
     };
   }
@@ -85,7 +87,8 @@ final class RunFlags {
    * @param strict whether samples that are no numbers make an error
    */
   RenderJob.How how(int bits, boolean strict) {
-    return new RenderJob.How(bits, quiet, stats, strict);
+    return new RenderJob.How(
+        bits, ImageWriter.Options.DEFAULT_JPEG_QUALITY, quiet, stats, strict);
   }
 
   /** Runs what a command does and returns its exit code, after a summary if one was asked for. */
@@ -94,7 +97,8 @@ final class RunFlags {
     return json ? report.around(() -> printed(report, action.run()), out()) : action.run();
   }
 
-  private int printed(JsonSummary report, int exitCode) {
+  private int printed(JsonSummary report, int ofCommand) {
+    int exitCode = Interruption.exitCode(ofCommand);
     report.put("exit_code", exitCode);
     report.print(out());
     return exitCode;

@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
 /** How many samples fit into a given time, by a short pilot of the same scene. */
 final class SampleBudget {
   /** The least number of samples that makes a picture worth looking at. */
-  private static final int LEAST = 64;
+  static final int LEAST = 64;
 
   private static final int MULTIPLE = 16;
 
@@ -68,5 +68,15 @@ final class SampleBudget {
     double fitting = rate * seconds / ((double) settings.width() * settings.height());
     int samples = (int) Math.min(fitting, RenderSettings.MAX_SAMPLES);
     return Math.max(LEAST, samples - samples % MULTIPLE);
+  }
+
+  /**
+   * Returns the seconds that {@value #LEAST} samples per pixel take, the fewest that {@link
+   * #samples} returns.
+   *
+   * @param rate in samples per second
+   */
+  static double leastSeconds(double rate, RenderSettings settings) {
+    return LEAST * (double) settings.width() * settings.height() / rate;
   }
 }

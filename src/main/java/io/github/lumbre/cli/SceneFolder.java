@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -27,7 +28,9 @@ record SceneFolder(Path directory) {
           .toList();
     } catch (IOException e) {
       throw new CommandException(
-          ExitCodes.USAGE, directory + ": expected a folder of scenes, which can be read", e);
+          ExitCodes.USAGE,
+          directory + ": cannot be read as a folder of scenes: " + FileFailure.reason(e),
+          e);
     }
   }
 
@@ -64,7 +67,8 @@ record SceneFolder(Path directory) {
       messages.warnings(scene.warnings());
       return scene;
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.SCENE, path + ": cannot be read: " + e.getMessage(), e);
+      throw new CommandException(
+          ExitCodes.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 }

@@ -1,17 +1,27 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** What all commands that read a scene take. */
 final class SceneOptions {
-  @Parameters(index = "0", paramLabel = "SCENE", description = "The scene, a JSON file.")
+  /** The name of a scene from standard input: its assets are relative to the working directory. */
+  static final Path STDIN = Path.of("stdin");
+
+  private Optional<byte[]> text = Optional.empty();
+
+  @Parameters(
+      index = "0",
+      paramLabel = "SCENE",
+      description = "The scene, a JSON file; - reads standard input.")
   private Path scene;
 
   @ArgGroup private Strictness strictness = new Strictness();
@@ -34,6 +44,37 @@ final class SceneOptions {
 
   Path scene() {
     return scene;
+  }
+
+  boolean isStandardInput() {
+    return scene.equals(PictureOutput.STANDARD);
+  }
+
+  /**
+   * Adds the scene and all files that its assets name to the files that a command reads.
+   *
+   * @throws CommandException if standard input cannot be read
+   */
+  OutputGuard guardedBy(OutputGuard guard) throws CommandException {
+    if (!isStandardInput()) {
+      return guard.readsScene(scene);
+    }
+    byte[] content = standardInput();
+    return guard
+        .reads(Path.of("/dev/stdin"), "standard input")
+        .readsAssets(scene, () -> SceneParser.files(content, STDIN));
+  }
+
+  private byte[] standardInput() throws CommandException {
+    try {
+      if (text.isEmpty()) {
+        text = Optional.of(System.in.readAllBytes());
+      }
+      return text.get();
+    } catch (IOException e) {
+      throw new CommandException(
+          ExitCodes.SCENE, "standard input cannot be read: " + FileFailure.reason(e), e);
+    }
   }
 
   boolean isStrict() {
@@ -75,14 +116,14 @@ final class SceneOptions {
    * @throws CommandException if the scene cannot be read
    */
   SceneFile read(SceneParser parser) throws SceneFormatException, CommandException {
+    if (isStandardInput()) {
+      return parser.parse(standardInput(), STDIN);
+    }
     try {
       return parser.parse(scene);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.SCENE, scene + ": cannot be read: " + reason(e), e);
+      throw new CommandException(
+          ExitCodes.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
     }
-  }
-
-  private static String reason(IOException e) {
-    return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
   }
 }

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.OutputFile;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -25,7 +26,8 @@ final class TextFile {
     } catch (NoSuchFileException e) {
       throw new CommandException(ExitCodes.USAGE, file + ": does not exist", e);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.USAGE, file + ": cannot be read: " + e.getMessage(), e);
+      throw new CommandException(
+          ExitCodes.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

@@ -44,7 +44,7 @@ import picocli.CommandLine.Spec;
       "5:Something is larger than a limit or than memory",
       "6:The page cannot be written",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeCommand implements Callable<Integer> {
   /** The most samples per pixel of settings beside one that goes on to an error. */
@@ -123,19 +123,27 @@ final class TradeCommand implements Callable<Integer> {
 
   @Mixin private KernelFlag kernel;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, CommandException {
-    kernel.apply();
+    kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
     require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
+    options
+        .guardedBy(overwrite.guard())
+        .writes("-o", page, OutputContent.TRADE_PAGE)
+        .writes("-o", beside(page, ".csv"), OutputContent.TRADE_CSV)
+        .writes("-o", beside(page, ".json"), OutputContent.TRADE_JSON)
+        .check();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (TextOutput html = TextOutput.reserve(Optional.of(page));
         TextOutput csv = TextOutput.reserve(Optional.of(beside(page, ".csv")));
         TextOutput json = TextOutput.reserve(Optional.of(beside(page, ".json")))) {
-      TradeRun run = new TradeRun(options, budget(), threads, messages);
+      TradeRun run = new TradeRun(options, kernel, budget(), threads, messages);
       TradeResult result = run.run(knobs());
       run.tellCommand(CommandText.of(spec));
       html.write(run.page());

@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
       "2:The command line is wrong",
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "7:A fault of the program",
-      "130, 143:Stopped by SIGINT (Ctrl-C), SIGTERM"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeQualityCommand implements Callable<Integer> {
   private static final int SIDE = 48;
@@ -81,7 +81,7 @@ final class TradeQualityCommand implements Callable<Integer> {
   public Integer call() throws SceneFormatException, CommandException {
     new FlagChecks(spec).requireIn("--seeds", 3, 1000, seeds);
     Messages out = new Messages(spec.commandLine().getOut());
-    out.line("| scene | pixels | reference | quality | samples | error | largest | of it bias |");
+    out.line("| scene | pixels | reference | quality | samples | error | largest error | bias |");
     out.line("|---|---|--:|---|--:|--:|--:|--:|");
     try {
       for (Path scene : scenes) {

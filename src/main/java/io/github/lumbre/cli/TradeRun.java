@@ -40,6 +40,7 @@ final class TradeRun {
       ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
   private final SceneOptions options;
+  private final KernelFlag kernel;
   private final TradeBudget budget;
   private final int threads;
   private final Messages messages;
@@ -53,8 +54,14 @@ final class TradeRun {
   /**
    * @param threads 0 means one for each processor
    */
-  TradeRun(SceneOptions options, TradeBudget budget, int threads, Messages messages) {
+  TradeRun(
+      SceneOptions options,
+      KernelFlag kernel,
+      TradeBudget budget,
+      int threads,
+      Messages messages) {
     this.options = options;
+    this.kernel = kernel;
     this.budget = budget;
     this.threads = threads;
     this.messages = messages;
@@ -63,7 +70,7 @@ final class TradeRun {
   /** Measures; tells what it is doing. */
   TradeResult run(Set<String> knobs)
       throws SceneFormatException, CommandException, InterruptedException {
-    SceneParser parser = options.parser().inMode(Mode.PATH);
+    SceneParser parser = kernel.over(options.parser()).inMode(Mode.PATH);
     file = options.load(parser, messages);
     pilot();
     rate = pilot();
@@ -73,7 +80,7 @@ final class TradeRun {
       addFilters(sweep, parser);
     }
     if (knobs.contains("mode")) {
-      SceneParser ofRays = options.parser().inMode(Mode.RAY);
+      SceneParser ofRays = kernel.over(options.parser()).inMode(Mode.RAY);
       SceneFile rays = options.load(ofRays, quiet);
       sweep.addRays(counted(rays, ofRays), framed(rays));
     }

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.JsonParseException;
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.measure.SceneTables;
 import io.github.lumbre.measure.SceneTrade;
 import java.io.IOException;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -53,10 +55,19 @@ final class TradeTableCommand implements Callable<Integer> {
   @Option(names = "--debug", description = "Show the stack trace of an error.")
   private boolean debug;
 
+  @Mixin private OverwriteFlag overwrite;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws CommandException {
+    OutputGuard guard = overwrite.guard();
+    studies.forEach(study -> guard.reads(study, "a study"));
+    guard
+        .writes("-o", output, OutputContent.TRADE_TABLES)
+        .writes("-o", beside("-noise.svg"), OutputContent.TRADE_CHART)
+        .writes("-o", beside("-depth.svg"), OutputContent.TRADE_CHART)
+        .check();
     List<SceneTrade> scenes = new ArrayList<>();
     for (Path study : studies) {
       scenes.add(read(study));
@@ -86,7 +97,8 @@ final class TradeTableCommand implements Callable<Integer> {
       }
       return file.trade();
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.USAGE, study + ": cannot be read", e);
+      throw new CommandException(
+          ExitCodes.USAGE, study + ": cannot be read: " + FileFailure.reason(e), e);
     } catch (JsonParseException e) {
       throw new CommandException(ExitCodes.USAGE, study + ": expected JSON of trade", e);
     }

@@ -10,7 +10,7 @@
  * put into words in {@link io.github.lumbre.cli.Failures}, and nowhere else. Results go to standard
  * output; warnings, errors, progress and summaries to standard error.
  *
- * <p>This package alone prints, ends the program and knows the optional libraries picocli and
- * progressbar; programs that embed Lumbre need neither.
+ * <p>This package alone prints, ends the program and knows the optional library picocli;
+ * programs that embed Lumbre do not need it.
  */
 package io.github.lumbre.cli;

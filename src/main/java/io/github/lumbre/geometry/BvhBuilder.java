@@ -1,5 +1,7 @@
 package io.github.lumbre.geometry;
 
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinTask;
 
 /**
@@ -10,6 +12,8 @@ import java.util.concurrent.ForkJoinTask;
  * shapes; a leaf holds one kind only. Large ranges are built by the threads of the fork-join pool
  * in which {@link #build} is called, or else of the common one. Each works on a part of the order
  * that was its before it began, so that the tree does not depend on their number.
+ *
+ * <p>An interrupt of the thread that calls ends the building at the next large range.
  */
 final class BvhBuilder {
   /** Deepest leaf. */
@@ -29,6 +33,11 @@ final class BvhBuilder {
   private final int triangles;
   private final LeafCost costs;
 
+  /** The thread whose interrupt ends the building, whichever thread notices. */
+  private final Thread owner = Thread.currentThread();
+
+  private volatile boolean cancelled;
+
   /**
    * @param boxes six doubles an item: minimum and maximum on x, y, z; finite; will be reordered
    * @param triangles how many of the items, the first ones, are triangles
@@ -47,7 +56,11 @@ final class BvhBuilder {
     }
   }
 
-  /** Returns the tree over all items, of which there must be one at least. */
+  /**
+   * Returns the tree over all items, of which there must be one at least.
+   *
+   * @throws CancellationException if the thread that made this is interrupted
+   */
   BvhNode build() {
     return build(0, order.length, 0, newSplitter());
   }
@@ -80,6 +93,9 @@ final class BvhBuilder {
 
   private BvhNode buildInner(
       double[] box, int first, int middle, int end, int depth, BvhSplitter splitter) {
+    if (end - first >= MIN_TASK) {
+      checkInterrupt();
+    }
     if (Math.min(middle - first, end - middle) < MIN_TASK) {
       BvhNode left = build(first, middle, depth, splitter);
       return new BvhNode.Inner(box, left, build(middle, end, depth, splitter));
@@ -87,6 +103,28 @@ final class BvhBuilder {
     ForkJoinTask<BvhNode> right =
         ForkJoinTask.adapt(() -> build(middle, end, depth, newSplitter())).fork();
     BvhNode left = build(first, middle, depth, splitter);
-    return new BvhNode.Inner(box, left, right.join());
+    return new BvhNode.Inner(box, left, joined(right));
+  }
+
+  /** Waits for a task; unlike its own join, this does not hide an interrupt from other tasks. */
+  private BvhNode joined(ForkJoinTask<BvhNode> task) {
+    try {
+      return task.get();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      cancelled = true;
+      throw new CancellationException("building the hierarchy was interrupted");
+    } catch (ExecutionException e) {
+      // Throws what the task has thrown.
+      return task.join();
+    }
+  }
+
+  private void checkInterrupt() {
+    if (cancelled || owner.isInterrupted()) {
+      // The owner may clear its status while other threads still build.
+      cancelled = true;
+      throw new CancellationException("building the hierarchy was interrupted");
+    }
   }
 }

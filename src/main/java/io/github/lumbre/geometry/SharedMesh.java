@@ -11,9 +11,19 @@ public final class SharedMesh {
   private final TriangleMesh mesh;
   private final Bvh bvh;
 
+  /** Returns a mesh that is searched by the kernel that {@link Kernel#configured} returns. */
   public SharedMesh(TriangleMesh mesh) {
+    this(mesh, Kernel.configured());
+  }
+
+  /**
+   * Returns a mesh that is searched by a kernel.
+   *
+   * @throws IllegalStateException if the kernel is not available
+   */
+  public SharedMesh(TriangleMesh mesh, Kernel kernel) {
     this.mesh = mesh;
-    bvh = Bvh.over(List.of(Mesh.baked(mesh, Transform.IDENTITY)));
+    bvh = Bvh.over(List.of(Mesh.baked(mesh, Transform.IDENTITY)), kernel);
   }
 
   public TriangleMesh mesh() {

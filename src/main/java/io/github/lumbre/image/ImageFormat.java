@@ -13,7 +13,11 @@ public enum ImageFormat {
   /** Portable float map: linear light, no alpha, no metadata. */
   PFM,
   /** OpenEXR: linear light, alpha and metadata. */
-  EXR;
+  EXR,
+  /** 8 bits a channel, for the screen, with loss: exposure and tone curve are applied, no alpha. */
+  JPG;
+
+  private static final String LONG_JPEG = ".jpeg";
 
   /** Returns the ending of the format's files, with its dot: {@code .png}. */
   public String ending() {
@@ -27,11 +31,34 @@ public enum ImageFormat {
       return Optional.empty();
     }
     String lower = name.toString().toLowerCase(Locale.ROOT);
-    return Arrays.stream(values()).filter(format -> lower.endsWith(format.ending())).findFirst();
+    return lower.endsWith(LONG_JPEG)
+        ? Optional.of(JPG)
+        : Arrays.stream(values()).filter(format -> lower.endsWith(format.ending())).findFirst();
   }
 
-  /** Returns all endings, for messages: {@code .png, .pfm, .exr}. */
+  /**
+   * Returns whether a file is a picture of any kind that this package writes or reads, or a
+   * Radiance HDR picture.
+   *
+   * @param start the first bytes of the file, at least eight of them if it has so many
+   */
+  public static boolean startsPicture(byte[] start) {
+    return PngFile.startsIn(start)
+        || JpegFile.startsIn(start)
+        || ExrReader.startsIn(start)
+        || PfmReader.startsIn(start)
+        || (start.length >= 2 && start[0] == '#' && start[1] == '?');
+  }
+
+  /** Returns whether pictures are for the screen: exposure and tone curve are applied. */
+  public boolean isForScreen() {
+    return this == PNG || this == JPG;
+  }
+
+  /** Returns all endings, for messages: {@code .png, .pfm, .exr, .jpg, .jpeg}. */
   public static String endings() {
-    return Arrays.stream(values()).map(ImageFormat::ending).collect(Collectors.joining(", "));
+    return Arrays.stream(values())
+        .map(ImageFormat::ending)
+        .collect(Collectors.joining(", ", "", ", " + LONG_JPEG));
   }
 }

@@ -11,7 +11,7 @@ public final class ImageFormatException extends IOException {
   public enum Kind {
     /** Truncated, contradictory, or no PNG or JPEG at all. */
     MALFORMED,
-    /** More pixels than the limit, or than memory holds. */
+    /** More pixels than the limit or than memory holds, or more work than pixels justify. */
     TOO_LARGE
   }
 

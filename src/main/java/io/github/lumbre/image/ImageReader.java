@@ -5,9 +5,12 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
@@ -33,6 +36,8 @@ public final class ImageReader {
    * Returns the picture in a file's bytes.
    *
    * @throws ImageFormatException if they are no sound PNG or JPEG, or the picture is too large
+   * @throws CancellationException if the calling thread is interrupted, which is looked at before
+   *     each block of some kilobytes; the interrupt status stays set
    */
   public static Pixels decode(byte[] file) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
@@ -53,6 +58,15 @@ public final class ImageReader {
                   : Pixels.of(reader.read(0)));
     }
     throw malformed("expected a PNG or JPEG picture, found neither");
+  }
+
+  /**
+   * Returns the color space that a file states and {@link #decode} ignores, such as "an ICC profile
+   * (Adobe RGB (1998))" or "a gamma of 1.0"; empty if it states none, or sRGB. The text may hold
+   * any characters.
+   */
+  public static Optional<String> ignoredColorSpace(byte[] file) {
+    return ColorTag.ignoredIn(Objects.requireNonNull(file, "file"));
   }
 
   /** Checks the size that a header claims. */
@@ -93,7 +107,7 @@ public final class ImageReader {
     javax.imageio.ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
     List<String> complaints = new ArrayList<>();
     reader.addIIOReadWarningListener((source, warning) -> complaints.add(warning));
-    try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(content))) {
+    try (ImageInputStream in = new MemoryCacheImageInputStream(interruptible(content))) {
       reader.setInput(in, true, true);
       Pixels pixels = decoding.from(reader);
       for (String complaint : complaints) {
@@ -102,7 +116,7 @@ public final class ImageReader {
         }
       }
       return pixels;
-    } catch (ImageFormatException e) {
+    } catch (ImageFormatException | CancellationException e) {
       throw e;
     } catch (IOException | RuntimeException | OutOfMemoryError e) {
       // Decoders answer damaged files with exceptions of any kind.
@@ -110,6 +124,19 @@ public final class ImageReader {
     } finally {
       reader.dispose();
     }
+  }
+
+  /** Returns a stream that ends with an exception once the thread that reads it is interrupted. */
+  private static InputStream interruptible(byte[] content) {
+    return new ByteArrayInputStream(content) {
+      @Override
+      public synchronized int read(byte[] target, int offset, int length) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new CancellationException("decoding was interrupted");
+        }
+        return super.read(target, offset, length);
+      }
+    };
   }
 
   /** Returns whether a warning is about padding between segments, which some cameras write. */

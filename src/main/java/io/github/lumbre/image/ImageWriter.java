@@ -14,7 +14,8 @@ import java.util.Objects;
 /**
  * Writes pictures to files, in the {@link ImageFormat} that the file's ending names.
  *
- * <p>A PNG is for the screen: exposure and tone curve are applied, alpha stays straight. PFM and
+ * <p>A PNG is for the screen: exposure and tone curve are applied, alpha stays straight. So is a
+ * JPEG, in which the picture stands over black, since JPEG has no alpha. PFM and
  * OpenEXR keep linear light as it is, without exposure; values beyond the range of a float are
  * written as ±{@link Float#MAX_VALUE} and NaN as 0. In OpenEXR colours are multiplied by alpha, as
  * that format demands; PFM has no alpha.
@@ -22,6 +23,9 @@ import java.util.Objects;
  * <p>A file appears complete or not at all; see {@link OutputFile}.
  */
 public final class ImageWriter {
+  /** The largest width and the largest height of a JPEG that the encoder can write. */
+  public static final int MAX_JPEG_SIDE = 65500;
+
   private static final int BUFFER_BYTES = 1 << 16;
 
   private ImageWriter() {}
@@ -29,26 +33,44 @@ public final class ImageWriter {
   /**
    * How to write a picture.
    *
-   * @param exposure used by PNG only
-   * @param curve used by PNG only
+   * @param exposure used by PNG and JPEG only
+   * @param curve used by PNG and JPEG only
    * @param pngBits 8 or 16 bits a channel
-   * @param metadata texts by keyword, in the order in which they are written; used by PNG and
+   * @param jpegQuality from 1, the smallest file, to 100
+   * @param metadata texts by keyword, in the order in which they are written; used by PNG, JPEG and
    *     OpenEXR. A keyword is 1 to 79 printable ASCII characters, without spaces at its ends or two
    *     in a row, and none of the names that OpenEXR reserves
    */
   public record Options(
-      Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
+      Exposure exposure,
+      ToneCurve curve,
+      int pngBits,
+      int jpegQuality,
+      Map<String, String> metadata) {
+    /** The quality of a JPEG unless another is given. */
+    public static final int DEFAULT_JPEG_QUALITY = 90;
+
     /** As bright as it is, by the sRGB curve, in 8 bits, without metadata. */
     public static final Options DEFAULT = new Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of());
 
+    /** Options with {@link #DEFAULT_JPEG_QUALITY}. */
+    public Options(
+        Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
+      this(exposure, curve, pngBits, DEFAULT_JPEG_QUALITY, metadata);
+    }
+
     /**
-     * @throws IllegalArgumentException if the number of bits or a keyword is not as described
+     * @throws IllegalArgumentException if a number or a keyword is not as described
      */
     public Options {
       Objects.requireNonNull(exposure, "exposure");
       Objects.requireNonNull(curve, "curve");
       if (pngBits != 8 && pngBits != 16) {
         throw new IllegalArgumentException("pngBits: expected 8 or 16, found " + pngBits);
+      }
+      if (jpegQuality < 1 || jpegQuality > 100) {
+        throw new IllegalArgumentException(
+            "jpegQuality: expected 1 to 100, found " + jpegQuality);
       }
       metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
       metadata.forEach(Options::check);
@@ -70,7 +92,10 @@ public final class ImageWriter {
     }
   }
 
-  /** Writes a picture by {@link Options#DEFAULT}; see {@link #write(Image, Path, Options)}. */
+  /**
+   * Writes a picture by {@link Options#DEFAULT}; see {@link #write(Image, Path, Options)}. The
+   * exposure and the tone curve that a scene's settings have are options, and are not known here.
+   */
   public static void write(Image image, Path file) throws IOException {
     write(image, file, Options.DEFAULT);
   }
@@ -108,6 +133,7 @@ public final class ImageWriter {
     OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
     switch (format) {
       case PNG -> PngWriter.write(image, options, out);
+      case JPG -> JpegWriter.write(image, options, out);
       case PFM -> PfmWriter.write(image, out);
       case EXR -> ExrWriter.write(image, options.metadata(), channel);
     }

@@ -21,7 +21,6 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
     (byte) 0xff, (byte) 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 1, 1, 0, 0, 1, 0, 1, 0, 0
   };
   private static final int START_OF_SCAN = 0xda;
-  private static final int END_OF_IMAGE = 0xd9;
 
   static boolean startsIn(byte[] file) {
     return file.length >= 3 && unsigned(file, 0) == 0xffd8 && file[2] == (byte) 0xff;
@@ -31,7 +30,7 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
    * Reads the outline of a file that {@link #startsIn} recognises.
    *
    * @throws ImageFormatException if the segments are damaged or end early, or the picture is beyond
-   *     the limits or larger than the data can be
+   *     the limits, has too many scans, or is larger than the data can be
    */
   static JpegFile read(byte[] file) throws ImageFormatException {
     ByteArrayOutputStream kept = new ByteArrayOutputStream(file.length);
@@ -60,7 +59,7 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
     if (frame.limit() == 0) {
       throw malformed("JPEG has no header");
     }
-    requireEnd(file, at);
+    JpegScans.check(file, at);
     kept.write(file, at, file.length - at);
     return of(frame, jfif, adobe, kept.toByteArray());
   }
@@ -148,16 +147,6 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
       throw malformed("JPEG has " + frame.get(0) + " bits a channel, expected 8");
     }
     return frame;
-  }
-
-  /** Checks that the marker of the end follows somewhere: libraries fill up with grey if not. */
-  private static void requireEnd(byte[] file, int from) throws ImageFormatException {
-    for (int i = from; i + 1 < file.length; i++) {
-      if (file[i] == (byte) 0xff && (file[i + 1] & 0xff) == END_OF_IMAGE) {
-        return;
-      }
-    }
-    throw malformed("JPEG is truncated");
   }
 
   /** Returns whether a marker starts a frame: SOF0 to SOF15, but not DHT, JPG and DAC. */

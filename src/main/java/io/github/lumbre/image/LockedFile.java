@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A hidden file beside another, which it stands for: only one run at a time has it. What a killed
@@ -16,6 +18,9 @@ import java.nio.file.StandardOpenOption;
  */
 final class LockedFile implements Closeable {
   private static final int ATTEMPTS = 10;
+
+  /** Those that this virtual machine has locked. */
+  private static final Set<Path> OPEN = ConcurrentHashMap.newKeySet();
 
   private final Path path;
   private final FileChannel channel;
@@ -41,6 +46,7 @@ final class LockedFile implements Closeable {
       }
       // Start over if a run that has just ended had deleted our file, or given it another name.
       if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
+        OPEN.add(path);
         return new LockedFile(path, channel);
       }
       channel.close();
@@ -58,7 +64,20 @@ final class LockedFile implements Closeable {
 
   /** Gives the file free, but leaves it where it is. */
   void release() throws IOException {
+    OPEN.remove(path);
     channel.close();
+  }
+
+  /** Deletes all files that this virtual machine has locked, as far as that is possible. */
+  static void deleteAll() {
+    for (Path path : OPEN) {
+      try {
+        Files.deleteIfExists(path);
+      } catch (IOException e) {
+        // The program ends, so there is nobody to report to; the next run uses the file up.
+        continue;
+      }
+    }
   }
 
   /** Deletes the file. */
@@ -66,6 +85,7 @@ final class LockedFile implements Closeable {
   public void close() throws IOException {
     try (channel) {
       Files.deleteIfExists(path);
+      OPEN.remove(path);
     }
   }
 

@@ -66,6 +66,15 @@ public final class OutputFile implements Closeable {
     return LockedFile.open(target, hidden(destination(target), ".lock"));
   }
 
+  /**
+   * Deletes the temporary files and reservations of this virtual machine that are neither committed
+   * nor closed. For a program that ends at once; those files cannot be used afterwards. Safe for
+   * use by any thread.
+   */
+  public static void deleteUnfinished() {
+    LockedFile.deleteAll();
+  }
+
   private static Path hidden(Path destination, String ending) {
     return destination.resolveSibling("." + destination.getFileName() + ending);
   }
@@ -96,6 +105,11 @@ public final class OutputFile implements Closeable {
     while (buffer.hasRemaining()) {
       disk.write(temporary.channel(), buffer);
     }
+  }
+
+  /** Returns the hidden file beside a file that {@link #open} creates while it is reserved. */
+  public static Path temporary(Path file) {
+    return hidden(file, ".tmp");
   }
 
   /** Returns where a file's predecessor is kept by {@link #commitKeepingPrevious}. */

@@ -2,24 +2,23 @@ package io.github.lumbre.image;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.util.zip.CRC32;
 
 /**
  * The outline of a PNG file, read without decoding it (PNG specification, third edition).
  *
- * @param content the file without the chunks that pixels do not need: no profile or gamma can
- *     change the values then, and no compressed text can fill the memory
+ * @param content the file without the chunks that pixels do not need, see {@link PngContent}: no
+ *     profile or gamma can change the values then, and no compressed text can fill the memory
  */
 record PngFile(int width, int height, byte[] content) {
   private static final long SIGNATURE = 0x89504e470d0a1a0aL;
   private static final int IHDR = 0x49484452;
   private static final int PLTE = 0x504c5445;
-  private static final int IDAT = 0x49444154;
+  static final int IDAT = 0x49444154;
   private static final int IEND = 0x49454e44;
   private static final int HEADER_BYTES = 13;
-  private static final int FRAME_BYTES = 12;
+  static final int FRAME_BYTES = 12;
 
   /** No more than this many bytes come from one byte of deflated data (zlib technical notes). */
   private static final long MAX_INFLATION = 1032;
@@ -36,8 +35,7 @@ record PngFile(int width, int height, byte[] content) {
    */
   static PngFile read(byte[] file) throws ImageFormatException {
     ByteBuffer in = ByteBuffer.wrap(file);
-    ByteArrayOutputStream content = new ByteArrayOutputStream(file.length);
-    content.write(file, 0, Long.BYTES);
+    PngContent content = new PngContent(file);
     ByteBuffer header = header(file);
     int width = header.getInt();
     int height = header.getInt();
@@ -55,7 +53,7 @@ record PngFile(int width, int height, byte[] content) {
       }
       if (type == IHDR || type == PLTE || type == IDAT || type == IEND) {
         checkSum(file, start, length);
-        content.write(file, start, length + FRAME_BYTES);
+        content.add(type, start, length);
         deflated += type == IDAT ? length : 0;
       }
       in.position(start + length + FRAME_BYTES);
@@ -63,7 +61,7 @@ record PngFile(int width, int height, byte[] content) {
     if ((long) width * height * bits / 8 > MAX_INFLATION * deflated) {
       throw malformed("PNG data are too short for " + width + "x" + height + " pixels");
     }
-    return new PngFile(width, height, content.toByteArray());
+    return new PngFile(width, height, content.bytes());
   }
 
   private static ByteBuffer header(byte[] file) throws ImageFormatException {

@@ -30,7 +30,7 @@ final class PngWriter {
   private PngWriter() {}
 
   static void write(Image image, ImageWriter.Options options, OutputStream out) throws IOException {
-    BufferedImage picture = quantised(image, options);
+    BufferedImage picture = quantised(image, options, options.pngBits(), image.hasAlpha());
     javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
     try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);
@@ -45,13 +45,19 @@ final class PngWriter {
     }
   }
 
-  private static BufferedImage quantised(Image image, ImageWriter.Options options) {
-    boolean alpha = image.hasAlpha();
-    int type = options.pngBits() == 8 ? DataBuffer.TYPE_BYTE : DataBuffer.TYPE_USHORT;
+  /**
+   * Returns the picture as it is shown on a screen.
+   *
+   * @param bits per channel, 8 or 16
+   * @param alpha whether to keep alpha; otherwise the picture stands over black
+   */
+  static BufferedImage quantised(
+      Image image, ImageWriter.Options options, int bits, boolean alpha) {
+    int type = bits == 8 ? DataBuffer.TYPE_BYTE : DataBuffer.TYPE_USHORT;
     int bands = alpha ? 4 : 3;
     WritableRaster raster =
         Raster.createInterleavedRaster(type, image.width(), image.height(), bands, null);
-    fill(raster, image, options);
+    fill(raster, image, options, (1 << bits) - 1);
     ColorModel model =
         new ComponentColorModel(
             ColorSpace.getInstance(ColorSpace.CS_sRGB),
@@ -62,15 +68,18 @@ final class PngWriter {
     return new BufferedImage(model, raster, false, null);
   }
 
-  private static void fill(WritableRaster raster, Image image, ImageWriter.Options options) {
+  private static void fill(
+      WritableRaster raster, Image image, ImageWriter.Options options, int max) {
     // Keep products finite: a huge factor must not make NaN of black.
     double factor = Math.min(options.exposure().factor(image), Double.MAX_VALUE);
-    int max = (1 << options.pngBits()) - 1;
     int bands = raster.getNumBands();
+    boolean isOverBlack = image.hasAlpha() && bands == 3;
     int[] row = new int[bands * image.width()];
     for (int y = 0; y < image.height(); y++) {
       for (int x = 0; x < image.width(); x++) {
-        Rgb shown = options.curve().apply(exposed(image.pixel(x, y), factor));
+        Rgb exposed = exposed(image.pixel(x, y), factor);
+        Rgb light = isOverBlack ? exposed.times(Srgb.clamp(image.alpha(x, y))) : exposed;
+        Rgb shown = options.curve().apply(light);
         int i = bands * x;
         row[i] = (int) Math.round(max * shown.r());
         row[i + 1] = (int) Math.round(max * shown.g());

@@ -7,6 +7,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.UnreadablePoints;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Objects;
@@ -79,6 +80,13 @@ public final class RenderContext {
   /** Returns how many shadow rays were traced. */
   public long shadowRays() {
     return shadowRays;
+  }
+
+  /**
+   * Returns how many texture coordinates were invalid, that is, not finite, since the last call.
+   */
+  public long takeUnreadablePoints() {
+    return UnreadablePoints.take();
   }
 
   /** Prepares for the next ray from the camera. */

@@ -13,7 +13,9 @@ import java.util.Optional;
 /**
  * Renders until a budget is used up, and tells how noisy the picture is then. Immutable.
  *
- * <p>With a target error, a {@link BudgetWatch} looks at the film between passes.
+ * <p>With a target error, a {@link BudgetWatch} looks at the film between passes. A frame of fewer
+ * than 64 pixels has no bound of its noise: without a number of samples, its render ends after
+ * {@value BudgetWatch#MOST_WITHOUT_BOUND} per pixel.
  */
 public final class BudgetRenderer {
   private final FilmRenderer renderer;
@@ -42,7 +44,7 @@ public final class BudgetRenderer {
       PassResult pass = renderer.addSamples(film, target.get(), progress);
       statistics = statistics.plus(pass.statistics());
       complete = pass.complete();
-      if (complete && watch.isReachedBy(film)) {
+      if (complete && (watch.isReachedBy(film) || watch.isHopeless(film))) {
         break;
       }
     }

@@ -4,6 +4,9 @@ import java.util.List;
 
 /** Writes a page, element by element. Mutable. */
 final class Html {
+  /** From this number of columns on, a table is wider than narrow screens. */
+  private static final int WIDE = 6;
+
   private final StringBuilder text = new StringBuilder();
 
   /**
@@ -53,7 +56,13 @@ final class Html {
    * @param above a line of the head above the other, as HTML; may be empty
    */
   Html table(String above, List<String> head, List<Row> rows) {
-    text.append("<div class=\"scroll\"><table><thead>").append(above).append("<tr>");
+    if (head.size() >= WIDE) {
+      raw(
+          "<div class=\"hint\">Scroll the table sideways for all "
+              + head.size()
+              + " columns \u2192</div>");
+    }
+    text.append("<div class=\"scroll\" tabindex=\"0\"><table><thead>").append(above).append("<tr>");
     head.forEach(cell -> text.append("<th>").append(escaped(cell)).append("</th>"));
     text.append("</tr></thead><tbody>\n");
     for (Row row : rows) {

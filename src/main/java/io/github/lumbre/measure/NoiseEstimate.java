@@ -33,6 +33,12 @@ public record NoiseEstimate(
     return new NoiseEstimate(relativeMse, upperRelativeMse, jointConfidence, tailShare, pixels);
   }
 
+  /** Returns the same estimate with a bound of at least another one. */
+  NoiseEstimate withBoundOf(double upper) {
+    return new NoiseEstimate(
+        relativeMse, Math.max(upperRelativeMse, upper), confidence, tailShare, pixels);
+  }
+
   /**
    * Tells whether a thousandth of the pixels carries most of the error: more such spots may be
    * still to come, and the bound cannot know of those.

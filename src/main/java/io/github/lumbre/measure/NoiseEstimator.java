@@ -4,6 +4,7 @@ import io.github.lumbre.math.Elementary;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.PixelHalves;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 
 /**
  * Tells a picture's noise from the difference between the halves of each pixel's samples. Mutable;
@@ -36,6 +37,23 @@ final class NoiseEstimator {
    * @return empty if a pixel's halves are not known
    */
   static Optional<NoiseEstimate> of(Film film, double confidence) {
+    return of(film, confidence, PixelHalves::relativeSquaredError);
+  }
+
+  /**
+   * Returns the estimate of a film with few samples per pixel, whose bound comes from errors that
+   * are too high rather than too low ({@link PixelHalves#cautiousSquaredError}).
+   */
+  static Optional<NoiseEstimate> ofFewSamples(Film film, double confidence) {
+    double upper =
+        of(film, confidence, PixelHalves::cautiousSquaredError)
+            .map(NoiseEstimate::upperRelativeMse)
+            .orElse(Double.POSITIVE_INFINITY);
+    return of(film, confidence).map(noise -> noise.withBoundOf(upper));
+  }
+
+  private static Optional<NoiseEstimate> of(
+      Film film, double confidence, ToDoubleFunction<PixelHalves> error) {
     NoiseEstimator estimator = new NoiseEstimator();
     int left = film.window().x();
     int top = film.window().y();
@@ -45,7 +63,7 @@ final class NoiseEstimator {
         if (halves.isEmpty()) {
           return Optional.empty();
         }
-        estimator.add(halves.get().relativeSquaredError());
+        estimator.add(error.applyAsDouble(halves.get()));
       }
     }
     return Optional.of(estimator.estimate(confidence));

@@ -111,8 +111,8 @@ public final class SceneTables {
     List<String> lines = new ArrayList<>();
     lines.add("## Noise, and the time it takes away\n");
     lines.add(
-        "| scene | pixels | seeds | reference | noise | samples^ | samples to 1e-2 | rays | CPU s"
-            + " | samples to 1e-3 | rays | CPU s |");
+        "| scene | pixels | seeds | reference | noise | convergence exponent | samples to 1e-2"
+            + " | rays | CPU s | samples to 1e-3 | rays | CPU s |");
     lines.add("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
     for (SceneTrade scene : scenes) {
       List<TimeToError.Cost> costs = scene.usualCosts();
@@ -142,10 +142,12 @@ public final class SceneTables {
         "\nNoise: relative RMSE at the most samples, the reference's own (estimated, beside its"
             + " samples) taken off. 1e-2 and 1e-3 are relative mean squared errors, 10 % and 3.2 %;"
             + " rays are for one pixel, processor seconds for a million, all between measured"
-            + " numbers of samples, each twice the one before. An asterisk marks what is not"
+            + " numbers of samples, each twice the one before. Convergence exponent: the squared"
+            + " error is proportional to the samples to this power; -1 for independent samples."
+            + " An asterisk marks what is not"
             + " measured so: some seed reaches the error with no number of samples that was tried,"
             + " and the squared error is taken to be inverse to the samples from there on, more"
-            + " slowly than it mostly falls (samples^); or the squared error of the reference is"
+            + " slowly than it mostly falls; or the squared error of the reference is"
             + " more than an eighth of the one to be told.\n");
     return String.join("\n", lines);
   }
@@ -185,8 +187,8 @@ public final class SceneTables {
       lines.add(line(cells));
     }
     lines.add(
-        "\nHow many times as far as the usual setting each gets with as many rays, by squared error"
-            + " times rays, with its interval; below 1 is worse.\n");
+        "\nEfficiency relative to the baseline: one over squared error times rays, with its"
+            + " interval; below 1 is worse.\n");
     return String.join("\n", lines);
   }
 

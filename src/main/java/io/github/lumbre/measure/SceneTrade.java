@@ -48,7 +48,7 @@ public record SceneTrade(
       TradeWork work,
       TradeRow.Bias bias) {
     String label() {
-      return knob + " " + value;
+      return TradeText.label(knob, value);
     }
 
     double rays() {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The part of a study's page that answers what to set for a wanted error. */
 final class TradeAdvice {
@@ -13,8 +14,8 @@ final class TradeAdvice {
   private static final double[] TARGETS = {.5, .3, .2, .1, .05, .03, .02, .01};
 
   private static final String GROUPS =
-      "<tr><th></th><th class=\"group\" colspan=\"3\">without bias</th>"
-          + "<th class=\"group\" colspan=\"4\">if light may be left out</th></tr>";
+      "<tr><th></th><th class=\"group\" colspan=\"4\">bias not detected</th>"
+          + "<th class=\"group\" colspan=\"4\">bias allowed</th></tr>";
 
   private TradeAdvice() {}
 
@@ -32,33 +33,72 @@ final class TradeAdvice {
             GROUPS,
             List.of(
                 "error wanted",
-                "settings",
+                "flags",
                 "CPU time",
                 "rays",
-                "settings",
+                "bias",
+                "flags",
                 "CPU time",
                 "rays",
-                "of it bias"),
+                "bias"),
             rows)
         .note(
             "Error: relative RMSE against the reference, noise and bias together, mean over the"
-                + " seeds. A time is between measured numbers of samples, or beyond them where it"
-                + " says so, where the squared error is taken to be inverse to the samples. Errors"
-                + " below the reference's own cannot be told.");
+                + " seeds. Each entry is the cheapest in CPU time of the settings that have flags."
+                + " On the left are settings without bias (bias: none), and those whose bias was"
+                + " not detected and is at most the wanted error with 95 % confidence (bias: < that"
+                + " bound). Times there are interpolated between measured numbers of samples."
+                + " Extrapolated: no measured setting reaches the error, and the squared error is"
+                + " taken to be inversely proportional to the samples. On the right is any measured"
+                + " setting with bias. Errors below the reference's own cannot be measured.");
   }
 
-  /** Returns settings, time and rays of the usual setting with as many samples as it takes. */
+  /** What a setting takes to reach an error. */
+  private record Choice(TradeRow most, TimeToError cost) {
+    double cpuSeconds() {
+      return cost.cpuSeconds().value();
+    }
+  }
+
+  /** Returns flags, time, rays and bias of the cheapest setting whose bias is not detected. */
   private static List<String> unbiased(TradeResult result, double target) {
-    List<TradeRow> rows = result.usual();
-    TimeToError cost = TimeToError.of(rows.stream().map(TradeRow::cost).toList(), target * target);
-    TradeRow first = rows.get(0);
-    double samples = Math.max(1, cost.samples().value());
-    double raysOfOne = first.allRays() / first.samples();
+    Choice best = cheapest(result, target);
+    TradeRow most = best.most;
+    double samples = Math.max(1, best.cost.samples().value());
+    double raysOfOne = most.allRays() / most.samples();
     return List.of(
-        "-s " + Math.round(Math.ceil(samples)) + " " + first.setting().flags(),
-        (cost.isExtrapolated() ? "extrapolated " : "about ")
-            + TradeText.seconds(cost.cpuSeconds().value()),
-        TradeText.count(samples * raysOfOne));
+        "-s " + Math.round(Math.ceil(samples)) + " " + most.setting().flags(),
+        (best.cost.isExtrapolated() ? "extrapolated " : "about ")
+            + TradeText.seconds(best.cpuSeconds()),
+        TradeText.count(samples * raysOfOne),
+        most.setting().isUnbiased() ? "none" : "< " + TradeText.rootPercent(most.bias().high()));
+  }
+
+  /**
+   * Returns the cheapest setting with flags that is without bias, or whose bias is not detected and
+   * at most the wanted error. A setting that was measured to reach the error goes before all that
+   * would have to be extrapolated.
+   */
+  private static Choice cheapest(TradeResult result, double target) {
+    double squared = target * target;
+    return Stream.of(Kind.values())
+        .flatMap(kind -> result.settings(kind).stream())
+        .filter(setting -> !setting.flags().isEmpty())
+        .map(result::most)
+        .filter(most -> most.setting().isUnbiased() || isWithin(most.bias(), squared))
+        .map(most -> new Choice(most, TimeToError.of(costs(result, most), squared)))
+        .min(
+            Comparator.comparing((Choice choice) -> choice.cost.isExtrapolated())
+                .thenComparingDouble(Choice::cpuSeconds))
+        .orElseThrow();
+  }
+
+  private static List<TimeToError.Cost> costs(TradeResult result, TradeRow most) {
+    return result.of(most.setting()).stream().map(TradeRow::cost).toList();
+  }
+
+  private static boolean isWithin(TradeRow.Bias bias, double squaredError) {
+    return !bias.isDetected() && bias.high() <= squaredError;
   }
 
   /** Returns settings, time, rays and bias of the measured row that costs least. */

@@ -20,7 +20,7 @@ final class TradeCharts {
     TradeSetting usual = result.usual().get(0).setting();
     for (String knob : knobs(result, Kind.NOISE)) {
       List<LogChart.Series> series = new ArrayList<>();
-      series.add(errors("usual", result.usual(), true));
+      series.add(errors("baseline", result.usual(), true));
       for (TradeSetting setting : result.settings(Kind.NOISE)) {
         if (setting.knob().equals(knob) && setting != usual) {
           series.add(errors(setting.value(), result.of(setting), false));
@@ -48,7 +48,7 @@ final class TradeCharts {
     }
     List<LogChart.Series> floors = floors(result);
     if (!floors.isEmpty()) {
-      charts.add(new LogChart("Floors that samples do not lower", ACROSS, "bias, %", floors));
+      charts.add(new LogChart("Bias, which samples do not reduce", ACROSS, "bias, %", floors));
     }
     return charts;
   }
@@ -61,15 +61,16 @@ final class TradeCharts {
 
   private static String title(String knob) {
     return switch (knob) {
-      case "sampler" -> "Random numbers: Sobol points or independent";
-      case "lights" -> "Which light is asked: by place, power, or any";
-      case "strategy" -> "How lights are found: both ways, or one";
-      case "roulette" -> "First vertex at which paths may end";
-      case "depth" -> "Depth: how many vertices may scatter";
+      case "sampler" -> "Sampler: Sobol points or independent";
+      case "lights" -> "Light selection";
+      case "strategy" -> "Sampling technique: MIS, or one alone";
+      case "roulette" -> "First vertex with Russian roulette";
+      case "split" -> "Path splitting: branches";
+      case "depth" -> "Depth: scattering vertices of a path";
       case "mode" -> "Classic ray tracing";
-      case "filter" -> "Filter of textures, other than the scene's";
-      case "clamp" -> "Samples darkened to a largest value";
-      case "adaptive" -> "More samples for noisy pixels";
+      case "filter" -> "Texture filter other than the scene's";
+      case "clamp" -> "Clamped samples";
+      case "adaptive" -> "Adaptive sampling";
       default -> knob;
     };
   }

@@ -87,7 +87,7 @@ public final class TradePage {
       rows.add(
           new Row(
               List.of(
-                  isUsual ? "usual" : setting.label(),
+                  isUsual ? "baseline" : setting.label(),
                   isUsual ? "1" : TradeText.ratio(result.gainByRays(setting)),
                   isUsual ? "1" : result.gain(setting).map(TradeText::ratio).orElse(TOO_SHORT),
                   TradeText.rootPercent(most.relativeMse().value()),
@@ -108,14 +108,18 @@ public final class TradePage {
                 "rays",
                 "nodes",
                 "look-ups",
-                "relMSE ~ samples^"),
+                "convergence exponent"),
             rows)
         .note(
-            "Gain: how many times as far as the usual setting one gets, by squared error times rays"
-                + " or processor time at the most samples; below 1 is worse. Rays, nodes of the"
-                + " hierarchy and look-ups of textures are for one sample, and the same on every"
-                + " machine. Usual: Sobol points, lights chosen by what they may send, light and"
-                + " surface sampling by the power heuristic, roulette from vertex 3.");
+            "Gain: efficiency relative to the baseline, one over squared error times rays or"
+                + " processor time, at the most samples; below 1 is worse. Rays, visited nodes of"
+                + " the bounding volume hierarchy and texture look-ups are per sample, and the same"
+                + " on every machine. Convergence exponent: the squared error is proportional to"
+                + " the samples to this power; -1 for independent samples, lower is better."
+                + " Baseline: Sobol points, lights selected by their expected contribution, light"
+                + " and BSDF sampling combined by multiple importance sampling (MIS) with the power"
+                + " heuristic, Russian roulette from vertex 3. Settings named \"only\" use one of"
+                + " the two sampling techniques.");
   }
 
   private void bias() {
@@ -149,8 +153,8 @@ public final class TradePage {
     html.table(
             List.of(
                 "setting",
-                "floor",
-                "95 %",
+                "bias",
+                "95 % interval",
                 "mean signed error",
                 "CPU time",
                 "rays",
@@ -158,8 +162,8 @@ public final class TradePage {
                 "look-ups"),
             rows)
         .note(
-            "Floor: how far the mean of all seeds' pictures is from the reference, noise of both"
-                + " taken off.");
+            "Bias: relative RMS difference between the mean of all seeds' pictures and the"
+                + " reference, with the noise of both subtracted. More samples do not reduce it.");
   }
 
   private void charts(List<LogChart> charts) {

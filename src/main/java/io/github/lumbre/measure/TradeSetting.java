@@ -79,9 +79,9 @@ public record TradeSetting(
     return kind == Kind.NOISE;
   }
 
-  /** Returns knob and value. */
+  /** Returns the setting's name in the terms of the field. */
   public String label() {
-    return knob + " " + value;
+    return TradeText.label(knob, value);
   }
 
   /** Returns what renders the setting with a seed. */

@@ -19,7 +19,15 @@ final class TradeStyle {
       h3{font-size:1.02rem;margin:1.6rem 0 .3rem}
       p{max-width:48rem;margin:.4rem 0 .8rem}.lead{font-size:1.08rem;color:var(--quiet)}
       .note{font-size:.88rem;color:var(--quiet)}
-      .scroll{overflow-x:auto;margin:.8rem 0 1.2rem}
+      .scroll{overflow-x:auto;margin:.8rem 0 1.2rem;background:
+      linear-gradient(to right,var(--paper) 30%,transparent) left/2.5rem 100%,
+      linear-gradient(to left,var(--paper) 30%,transparent) right/2.5rem 100%,
+      linear-gradient(to right,var(--faint),transparent) left/.8rem 100%,
+      linear-gradient(to left,var(--faint),transparent) right/.8rem 100%;
+      background-repeat:no-repeat;background-attachment:local,local,scroll,scroll}
+      .scroll::-webkit-scrollbar{height:.6rem}
+      .scroll::-webkit-scrollbar-thumb{background:var(--faint);border-radius:.3rem}
+      .hint{display:none}
       table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}
       th,td{padding:.3rem .8rem;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
       th{color:var(--quiet);font-weight:600}th.group{text-align:center}
@@ -35,7 +43,8 @@ final class TradeStyle {
       img{width:100%;height:auto;display:block;image-rendering:pixelated;border-radius:4px}
       figcaption{font-size:.85rem;color:var(--quiet);padding-top:.25rem}
       .scale{height:.8rem;max-width:22rem;border-radius:4px;margin-top:.6rem}
-      @media(max-width:40rem){th,td{padding:.3rem .5rem}table{font-size:.82rem}}
+      @media(max-width:40rem){th,td{padding:.3rem .5rem}table{font-size:.82rem}
+      .hint{display:block;font-size:.82rem;color:var(--quiet);margin:.8rem 0 -.5rem}}
       .marks{display:flex;justify-content:space-between;max-width:22rem;font-size:.8rem;
       color:var(--quiet)}
       """;

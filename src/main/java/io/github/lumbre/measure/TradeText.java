@@ -8,6 +8,30 @@ import java.util.Locale;
 final class TradeText {
   private TradeText() {}
 
+  /** Returns a setting's name in the terms of the field. */
+  static String label(String knob, String value) {
+    return switch (knob) {
+      case "sampler" -> value + " samples";
+      case "lights" -> "light selection: " + value;
+      case "strategy" -> technique(value);
+      case "roulette" -> "Russian roulette " + value.replace("from", "from vertex");
+      case "split" -> "path split into " + value;
+      case "mode" -> value + " tracing";
+      case "filter" -> "texture filter: " + value;
+      case "clamp" -> "samples clamped to " + value;
+      case "adaptive" -> "adaptive sampling";
+      default -> knob + " " + value;
+    };
+  }
+
+  private static String technique(String value) {
+    return switch (value) {
+      case "light" -> "light sampling only";
+      case "bsdf" -> "BSDF sampling only";
+      default -> "MIS: " + value + " heuristic";
+    };
+  }
+
   static String percent(double share) {
     double value = 100 * share;
     return value >= 9.95

@@ -1,15 +1,25 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.CancellationException;
 import java.util.regex.Pattern;
 
 /**
@@ -24,8 +34,12 @@ final class AssetData {
   /** Beyond this, an array of Java cannot hold a file. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
+  /** Bytes between two checks for an interrupt; a power of two, so that sums do not overflow. */
+  private static final int HASH_BLOCK = 1 << 24;
+
   private final Path sceneFile;
   private final MessageDigest digest;
+  private final Map<String, String> hashes = new TreeMap<>();
 
   /**
    * @param digest receives the bytes of all files that are read
@@ -61,6 +75,37 @@ final class AssetData {
     return asset.string(base64Key).flatMap(text -> decoded(asset, base64Key, text));
   }
 
+  /** Returns the files that assets name, as far as they exist and are in the scene's folder. */
+  Set<Path> files(List<JsonNode> assets) throws IOException {
+    Path folder = folder();
+    Set<Path> files = new LinkedHashSet<>();
+    for (JsonNode asset : assets) {
+      Optional<String> name = asset.has(FILE_KEY) ? asset.string(FILE_KEY) : Optional.empty();
+      name.flatMap(AssetData::validRelative)
+          .map(path -> folder.resolve(path).normalize())
+          .filter(path -> path.startsWith(folder) && Files.isRegularFile(path))
+          .ifPresent(files::add);
+    }
+    return files;
+  }
+
+  private static Optional<Path> validRelative(String name) {
+    try {
+      return relative(name);
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
+  }
+
+  private Path folder() throws IOException {
+    return sceneFile.toAbsolutePath().getParent().toRealPath();
+  }
+
+  /** Returns the SHA-256 of each file that was read, by its name in the scene. */
+  Map<String, String> hashes() {
+    return Map.copyOf(hashes);
+  }
+
   private static Optional<Content> decoded(JsonNode asset, String key, String text) {
     byte[] letters = withoutLineBreaks(text);
     // The decoder itself takes a text that ends early.
@@ -89,53 +134,104 @@ final class AssetData {
 
   private Optional<Content> file(JsonNode asset, String name) {
     try {
-      Optional<Path> path = inFolder(name);
-      if (path.isEmpty()) {
-        asset.error(
-            FILE_KEY,
-            "expected a relative path inside the scene's folder, found " + Problems.quoted(name));
-        return Optional.empty();
-      }
-      if (!Files.isRegularFile(path.get())) {
-        asset.error(
-            Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
-        return Optional.empty();
-      }
-      if (Files.size(path.get()) > MAX_BYTES) {
-        asset.error(
-            Kind.LIMIT,
-            FILE_KEY,
-            "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path.get()));
+      Optional<Path> path = inFolder(asset, name);
+      if (path.isEmpty() || !isFile(asset, name, path.get())) {
         return Optional.empty();
       }
       byte[] bytes = Files.readAllBytes(path.get());
-      digest.update(bytes);
+      hash(bytes);
+      hashes.put(name, Sha256.of(bytes));
       return Optional.of(new Content(asset, FILE_KEY, bytes));
+    } catch (ClosedByInterruptException e) {
+      throw new CancellationException(e.toString());
     } catch (IOException e) {
-      asset.error(Kind.ASSET, FILE_KEY, "expected a readable file, found " + Problems.quoted(name));
+      asset.error(
+          Kind.ASSET,
+          FILE_KEY,
+          "expected a readable file, found "
+              + Problems.quoted(name)
+              + ": "
+              + FileFailure.reason(e));
       return Optional.empty();
     }
   }
 
-  /** Returns the path of a file, or empty if it is not inside the scene's folder. */
-  private Optional<Path> inFolder(String name) throws IOException {
-    if (name.isEmpty() || URL.matcher(name).matches() || name.startsWith("\\")) {
-      return Optional.empty();
+  private void hash(byte[] bytes) {
+    for (int at = 0; at < bytes.length; at += HASH_BLOCK) {
+      Interrupts.check();
+      digest.update(bytes, at, Math.min(HASH_BLOCK, bytes.length - at));
     }
-    Path folder = sceneFile.toAbsolutePath().getParent().toRealPath();
-    Path relative;
+  }
+
+  /** Returns whether a path leads to a file of a size that can be read, or adds an error. */
+  private static boolean isFile(JsonNode asset, String name, Path path) throws IOException {
+    if (!Files.readAttributes(path, BasicFileAttributes.class).isRegularFile()) {
+      String found = Files.isDirectory(path) ? "a folder" : "what is none";
+      asset.error(
+          Kind.ASSET, FILE_KEY, "expected a file, found " + found + " at " + Problems.quoted(name));
+      return false;
+    }
+    if (Files.size(path) > MAX_BYTES) {
+      asset.error(
+          Kind.LIMIT,
+          FILE_KEY,
+          "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path));
+      return false;
+    }
+    return true;
+  }
+
+  /** Returns the path of a file, or adds an error if it is not inside the scene's folder. */
+  private Optional<Path> inFolder(JsonNode asset, String name) throws IOException {
+    Path folder = folder();
+    Optional<Path> path;
     try {
-      relative = Path.of(name);
+      path = relative(name).map(folder::resolve).map(Path::normalize);
     } catch (InvalidPathException e) {
+      asset.error(
+          Kind.ASSET,
+          FILE_KEY,
+          "expected a readable file, found "
+              + Problems.quoted(name)
+              + ": "
+              + FileFailure.reason(e));
       return Optional.empty();
     }
-    Path path = folder.resolve(relative).normalize();
-    if (relative.isAbsolute() || !path.startsWith(folder)) {
+    if (path.isEmpty() || !path.get().startsWith(folder)) {
+      asset.error(
+          FILE_KEY,
+          "expected a relative path inside the scene's folder, found " + Problems.quoted(name));
       return Optional.empty();
     }
-    // A link may lead out again.
-    return Files.exists(path)
-        ? Optional.of(path.toRealPath()).filter(real -> real.startsWith(folder))
-        : Optional.of(path);
+    Path real;
+    try {
+      real = path.get().toRealPath();
+    } catch (NoSuchFileException e) {
+      asset.error(
+          Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
+      return Optional.empty();
+    }
+    if (!real.startsWith(folder)) {
+      asset.error(
+          FILE_KEY,
+          "expected a file inside the scene's folder, found the link "
+              + Problems.quoted(name)
+              + ", which leads out of it; copy the file into the folder");
+      return Optional.empty();
+    }
+    return Optional.of(real);
+  }
+
+  /**
+   * Returns a path as a scene may state it, or empty if it may not.
+   *
+   * @throws InvalidPathException if it is none
+   */
+  private static Optional<Path> relative(String name) {
+    boolean isUrl = URL.matcher(name).matches();
+    if (name.isEmpty() || isUrl || name.startsWith("\\") || name.indexOf(0) >= 0) {
+      return Optional.empty();
+    }
+    return Optional.of(Path.of(name)).filter(path -> !path.isAbsolute());
   }
 }

@@ -185,6 +185,9 @@ final class JsonNode {
     if (value instanceof Literal literal) {
       return Problems.shortened(literal.text);
     }
+    if (value == Null.INSTANCE) {
+      return "null";
+    }
     return isObject() ? "an object" : isArray() ? "an array" : value.toString();
   }
 
@@ -263,13 +266,21 @@ final class JsonNode {
     if (found.isPresent()) {
       return found.get();
     }
-    unexpected(
-        low <= Integer.MIN_VALUE && high >= Integer.MAX_VALUE
-            ? "an integer"
-            : high == Integer.MAX_VALUE
-                ? "an integer >= " + low
-                : "an integer from " + low + " to " + high);
+    unexpected(expectedInteger(low, high));
     return instead;
+  }
+
+  /** Returns what is missing to this value; the whole range only if it is an integer beyond it. */
+  private String expectedInteger(long low, long high) {
+    boolean isWhole = value instanceof Literal l && l.value == Math.rint(l.value);
+    boolean isTooLarge = value instanceof Literal l && l.value > high;
+    if (!isWhole && low <= Integer.MIN_VALUE && high >= Integer.MAX_VALUE) {
+      return "an integer";
+    }
+    if (low > Integer.MIN_VALUE && high == Integer.MAX_VALUE && !isTooLarge) {
+      return "an integer >= " + low;
+    }
+    return "an integer from " + low + " to " + high;
   }
 
   /** Returns an integer of 64 bits, if this is one. */

@@ -3,10 +3,14 @@ package io.github.lumbre.parser;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Takes an OBJ text apart: lines, and words within them. Comments are not seen, and a backslash at
- * the end of a line joins it with the next. Mutable.
+ * Takes an OBJ text apart: lines, and words within them. Lines end with LF, CR LF or CR. A byte
+ * order mark of UTF-8 and comments are not seen, and a backslash at the end of a line joins it with
+ * the next. Mutable.
  */
 final class ObjScanner {
+  /** Lines between two checks for an interrupt; a power of two. */
+  private static final int LINES_PER_CHECK = 1 << 14;
+
   /** Products of two numbers must not overflow. */
   private static final double MAX_NUMBER = 1e150;
 
@@ -18,6 +22,14 @@ final class ObjScanner {
 
   ObjScanner(byte[] text) {
     this.text = text;
+    at = beginsWithMark(text) ? 3 : 0;
+  }
+
+  private static boolean beginsWithMark(byte[] text) {
+    return text.length >= 3
+        && text[0] == (byte) 0xef
+        && text[1] == (byte) 0xbb
+        && text[2] == (byte) 0xbf;
   }
 
   /** Tells whether anything is left of the text. */
@@ -38,7 +50,7 @@ final class ObjScanner {
 
   /** Moves to the beginning of the next line, whatever is left of this one. */
   void endLine() {
-    while (at < text.length && text[at] != '\n') {
+    while (at < text.length && !isLineEnd(text[at])) {
       if (isJoint()) {
         skipJoint();
       } else {
@@ -46,8 +58,10 @@ final class ObjScanner {
       }
     }
     if (at < text.length) {
-      at++;
-      line++;
+      skipLineEnd();
+    }
+    if ((line & LINES_PER_CHECK - 1) == 0) {
+      Interrupts.check();
     }
   }
 
@@ -57,7 +71,7 @@ final class ObjScanner {
         skipJoint();
       } else if (text[at] == '#') {
         skipComment();
-      } else if (text[at] != '\n' && isSpace(text[at])) {
+      } else if (!isLineEnd(text[at]) && isSpace(text[at])) {
         at++;
       } else {
         return;
@@ -66,21 +80,27 @@ final class ObjScanner {
   }
 
   private void skipComment() {
-    while (at < text.length && text[at] != '\n') {
+    while (at < text.length && !isLineEnd(text[at])) {
       at++;
     }
   }
 
   private boolean isJoint() {
-    if (text[at] != '\\' || at + 1 >= text.length) {
-      return false;
-    }
-    return text[at + 1] == '\n'
-        || text[at + 1] == '\r' && at + 2 < text.length && text[at + 2] == '\n';
+    return text[at] == '\\' && at + 1 < text.length && isLineEnd(text[at + 1]);
   }
 
   private void skipJoint() {
-    at += text[at + 1] == '\n' ? 2 : 3;
+    at++;
+    skipLineEnd();
+  }
+
+  private static boolean isLineEnd(byte c) {
+    return c == '\n' || c == '\r';
+  }
+
+  private void skipLineEnd() {
+    boolean isPair = text[at] == '\r' && at + 1 < text.length && text[at + 1] == '\n';
+    at += isPair ? 2 : 1;
     line++;
   }
 

@@ -16,7 +16,7 @@ final class Problems {
   static final int MAX_WARNINGS = 1000;
 
   /** Longer paths are printed without their middle. */
-  private static final int MAX_PATH = 400;
+  private static final int MAX_PATH = 200;
 
   private static final int MAX_TEXT = 60;
 

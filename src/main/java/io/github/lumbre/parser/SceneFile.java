@@ -9,6 +9,7 @@ import java.util.List;
  *
  * @param warnings a line each, as in {@link SceneFormatException#problems}
  * @param hash SHA-256 of the file and of every file it refers to, in hexadecimal
+ * @param files the hash of each of these files
  * @param contents what the scene is made of, for people
  * @param origins where in the file everything stands
  */
@@ -17,6 +18,7 @@ public record SceneFile(
     RenderSettings settings,
     List<String> warnings,
     String hash,
+    FileHashes files,
     SceneContents contents,
     SceneOrigins origins) {
   public SceneFile {
@@ -25,6 +27,6 @@ public record SceneFile(
 
   /** Returns the same with another scene. */
   public SceneFile with(Scene other) {
-    return new SceneFile(other, settings, warnings, hash, contents, origins);
+    return new SceneFile(other, settings, warnings, hash, files, contents, origins);
   }
 }

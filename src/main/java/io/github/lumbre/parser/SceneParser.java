@@ -1,20 +1,23 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ImageTexture;
 import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
 
@@ -39,10 +42,18 @@ public final class SceneParser {
   private final int maxPixels;
   private final TextureChange textures;
   private final boolean decodesUnused;
+  private final Optional<Kernel> kernel;
 
   /** A parser that takes scene files as they are. */
   public SceneParser() {
-    this(false, Optional.empty(), UnaryOperator.identity(), MAX_PIXELS, TextureChange.NONE, false);
+    this(
+        false,
+        Optional.empty(),
+        UnaryOperator.identity(),
+        MAX_PIXELS,
+        TextureChange.NONE,
+        false,
+        Optional.empty());
   }
 
   private SceneParser(
@@ -51,24 +62,26 @@ public final class SceneParser {
       UnaryOperator<RenderSettings> change,
       int maxPixels,
       TextureChange textures,
-      boolean decodesUnused) {
+      boolean decodesUnused,
+      Optional<Kernel> kernel) {
     this.lenient = lenient;
     this.mode = mode;
     this.change = change;
     this.maxPixels = maxPixels;
     this.textures = textures;
     this.decodesUnused = decodesUnused;
+    this.kernel = kernel;
   }
 
   /** Returns a parser that takes references to missing assets as warnings. */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused);
+    return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that renders in the given mode, whatever the file says. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
     return new SceneParser(
-        lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused);
+        lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that changes the settings that the file gives before it uses them. */
@@ -79,7 +92,8 @@ public final class SceneParser {
         Objects.requireNonNull(newChange, "newChange"),
         maxPixels,
         textures,
-        decodesUnused);
+        decodesUnused,
+        kernel);
   }
 
   /**
@@ -91,19 +105,19 @@ public final class SceneParser {
     if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
       throw new IllegalArgumentException("pixels: expected 1 to 2^29, found " + newMaxPixels);
     }
-    return new SceneParser(lenient, mode, change, newMaxPixels, textures, decodesUnused);
+    return new SceneParser(lenient, mode, change, newMaxPixels, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that filters all textures in one way, whatever the file says. */
   public SceneParser filtering(ImageTexture.Filter filter) {
     TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused);
+    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
   /** Returns a parser whose textures tell each time that they are asked for a value. */
   public SceneParser countingTextures(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused);
+    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
   /**
@@ -111,13 +125,24 @@ public final class SceneParser {
    * wrong with them: it makes the same scene, and tells what leaving them out saves.
    */
   public SceneParser decodingUnused() {
-    return new SceneParser(lenient, mode, change, maxPixels, textures, true);
+    return new SceneParser(lenient, mode, change, maxPixels, textures, true, kernel);
+  }
+
+  /**
+   * Returns a parser of scenes that are searched by a kernel, which must be available; without it,
+   * by the one that {@link Kernel#configured} returns.
+   */
+  public SceneParser searchedBy(Kernel newKernel) {
+    return new SceneParser(
+        lenient, mode, change, maxPixels, textures, decodesUnused, Optional.of(newKernel));
   }
 
   /**
    * Reads a scene.
    *
    * @throws SceneFormatException if the scene cannot be used, with all that is wrong
+   * @throws InterruptedIOException if the calling thread is interrupted, which is noticed within a
+   *     fraction of a second; the interrupt status stays set
    * @throws IOException if the file exists but cannot be read
    */
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
@@ -128,7 +153,58 @@ public final class SceneParser {
       // What was to hold the scene is free again, and nothing else was touched.
       problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
       throw problems.exception();
+    } catch (CancellationException | ClosedByInterruptException e) {
+      InterruptedIOException interrupted =
+          new InterruptedIOException("reading the scene was interrupted");
+      interrupted.initCause(e);
+      throw interrupted;
     }
+  }
+
+  /**
+   * Reads a scene from the content of a file, which need not exist.
+   *
+   * @param content the scene, UTF-8
+   * @param file in whose folder assets are, and whose name is in messages
+   * @throws SceneFormatException if the scene cannot be used, with all that is wrong
+   */
+  public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
+    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    try {
+      return parse(file, content, problems);
+    } catch (OutOfMemoryError e) {
+      // What was to hold the scene is free again, and nothing else was touched.
+      problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
+      throw problems.exception();
+    }
+  }
+
+  /**
+   * Returns the files that a scene's assets name and that exist, whether the scene uses them or
+   * not.
+   *
+   * @throws SceneFormatException if the file holds no scene
+   * @throws IOException if the file exists but cannot be read
+   */
+  public static Set<Path> files(Path file) throws SceneFormatException, IOException {
+    return files(read(file, new Problems(String.valueOf(file.getFileName()))), file);
+  }
+
+  /**
+   * Returns the files that a scene's assets name; see {@link #files(Path)} and {@link
+   * #parse(byte[], Path)}.
+   *
+   * @throws SceneFormatException if the content is no scene
+   * @throws IOException if the folder cannot be read
+   */
+  public static Set<Path> files(byte[] content, Path file)
+      throws SceneFormatException, IOException {
+    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    JsonNode root = JsonTree.read(content, problems);
+    if (root.asObject().isEmpty()) {
+      throw problems.exception();
+    }
+    return new AssetData(file, Sha256.digest()).files(root.objects("assets"));
   }
 
   private static byte[] read(Path file, Problems problems)
@@ -157,11 +233,19 @@ public final class SceneParser {
     Optional<JsonNode> options = root.object("renderOptions");
     RenderSettings settings = settings(options, problems);
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
-    MessageDigest digest = sha256();
+    MessageDigest digest = Sha256.digest();
     digest.update(text);
+    String ownHash = Sha256.soFar(digest);
     AssetTable assets = new AssetTable(root, lenient);
+    AssetData data = new AssetData(file, digest);
     SceneReader world =
-        new SceneReader(root, assets, new AssetData(file, digest), settings.seed(), textures);
+        new SceneReader(
+            root,
+            assets,
+            data,
+            settings.seed(),
+            textures,
+            kernel.orElseGet(Kernel::configured));
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene();
@@ -171,6 +255,7 @@ public final class SceneParser {
             settings,
             problems.warnings(),
             HexFormat.of().formatHex(digest.digest()),
+            new FileHashes(ownHash, data.hashes()),
             world.contents(),
             world.origins());
     if (decodesUnused) {
@@ -204,13 +289,5 @@ public final class SceneParser {
               + used.height());
     }
     return used;
-  }
-
-  private static MessageDigest sha256() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new AssertionError("every Java has SHA-256", e);
-    }
   }
 }

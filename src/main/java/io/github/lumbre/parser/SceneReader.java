@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.camera.Camera;
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.ObjectTree.Placed;
@@ -18,6 +19,7 @@ final class SceneReader {
   private static final String MAIN_CAMERA = "mainCameraId";
 
   private final JsonNode root;
+  private final Kernel kernel;
   private final AssetTable assets;
   private final ObjectTree tree;
   private final TextureReader textures;
@@ -39,15 +41,23 @@ final class SceneReader {
   /**
    * @param seed from which everything random in the world follows
    * @param change of all textures
+   * @param kernel by which hierarchies are searched
    */
-  SceneReader(JsonNode root, AssetTable assets, AssetData data, long seed, TextureChange change) {
+  SceneReader(
+      JsonNode root,
+      AssetTable assets,
+      AssetData data,
+      long seed,
+      TextureChange change,
+      Kernel kernel) {
     this.root = root;
+    this.kernel = kernel;
     this.assets = assets;
     tree = ObjectTree.of(root);
     textures = new TextureReader(assets, data, seed, change);
     meshes = new MeshReader(assets, data);
     materials = new MaterialReader(assets, textures);
-    shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE));
+    shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
     cameras = new CameraReader(textures);
   }
 
@@ -113,6 +123,7 @@ final class SceneReader {
   }
 
   private void readShape(Placed object) {
+    Interrupts.check();
     Surface surface = materials.of(object.node());
     Optional<Shape> shape = shapes.read(object);
     shape.ifPresent(
@@ -138,8 +149,9 @@ final class SceneReader {
 
   /** Returns the world; there must be no errors. */
   Scene scene() {
-    SceneBuilder scene = Scene.seenBy(camera.orElseThrow());
+    SceneBuilder scene = Scene.seenBy(camera.orElseThrow()).searchedBy(kernel);
     for (Addition addition : additions) {
+      Interrupts.check();
       addition.action.accept(scene);
       note(addition.origin, scene);
     }

@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.geometry.Box;
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.Plane;
@@ -29,6 +30,7 @@ final class ShapeReader {
   }
 
   private final MeshReader meshes;
+  private final Kernel kernel;
   private final Map<JsonNode, Integer> placements = new HashMap<>();
   private final Map<JsonNode, Optional<JsonNode>> meshOfObject = new HashMap<>();
   private final Map<JsonNode, SharedMesh> shared = new HashMap<>();
@@ -43,9 +45,11 @@ final class ShapeReader {
 
   /**
    * @param shapes all that are going to be read
+   * @param kernel by which shared meshes are searched
    */
-  ShapeReader(MeshReader meshes, List<Placed> shapes) {
+  ShapeReader(MeshReader meshes, List<Placed> shapes, Kernel kernel) {
     this.meshes = meshes;
+    this.kernel = kernel;
     for (Placed shape : shapes) {
       countPlacement(shape.node());
     }
@@ -139,7 +143,7 @@ final class ShapeReader {
     if (placements.get(asset) == 1) {
       return Mesh.baked(mesh, object.toWorld());
     }
-    SharedMesh one = shared.computeIfAbsent(asset, a -> new SharedMesh(mesh));
+    SharedMesh one = shared.computeIfAbsent(asset, a -> new SharedMesh(mesh, kernel));
     return new MeshInstance(one, object.toWorld());
   }
 }

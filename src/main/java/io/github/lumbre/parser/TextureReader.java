@@ -139,6 +139,7 @@ final class TextureReader {
   }
 
   private Optional<Picture> read(JsonNode texture) {
+    Interrupts.check();
     return family.choose(texture, "Image").flatMap(reader -> reader.read(texture));
   }
 
@@ -167,12 +168,27 @@ final class TextureReader {
     try {
       Pixels pixels = ImageReader.decode(content.bytes());
       warnOfBomb(content, pixels);
+      warnOfColorSpace(content);
       return Optional.of(pixels);
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
       return Optional.empty();
     }
+  }
+
+  private static void warnOfColorSpace(AssetData.Content content) {
+    ImageReader.ignoredColorSpace(content.bytes())
+        .ifPresent(
+            space ->
+                content
+                    .asset()
+                    .warn(
+                        content.key(),
+                        "the picture has "
+                            + Problems.shortened(space)
+                            + ", which is ignored: its colors are read as sRGB;"
+                            + " convert it to sRGB"));
   }
 
   private static void warnOfBomb(AssetData.Content content, Pixels pixels) {

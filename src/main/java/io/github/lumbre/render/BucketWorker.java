@@ -46,6 +46,7 @@ final class BucketWorker implements Runnable {
   private long reported;
   private long rejected;
   private long saturated;
+  private long unreadable;
   private long clamped;
   private double clampedLight;
 
@@ -71,6 +72,8 @@ final class BucketWorker implements Runnable {
   @Override
   public void run() {
     boolean returned = false;
+    // What this thread did before belongs to somebody else.
+    context.takeUnreadablePoints();
     try {
       bucket = queue.take();
       while (bucket.isPresent() && render(bucket.get())) {
@@ -80,6 +83,7 @@ final class BucketWorker implements Runnable {
       returned = true;
     } finally {
       bucket = Optional.empty();
+      unreadable = context.takeUnreadablePoints();
       if (!returned) {
         queue.stop();
       }
@@ -183,6 +187,7 @@ final class BucketWorker implements Runnable {
         rejected,
         firstRejected,
         saturated,
+        unreadable,
         clamped,
         clampedLight);
   }

@@ -97,6 +97,11 @@ public final class Film {
     return Arrays.stream(counts).max().getAsInt();
   }
 
+  /** Returns the share of pixels that have no sample. */
+  public double shareWithoutSamples() {
+    return Arrays.stream(counts).filter(count -> count == 0).count() / (double) counts.length;
+  }
+
   /** Returns how many samples half of the pixels have at most, and the others at least. */
   public int medianSamples() {
     int[] sorted = counts.clone();

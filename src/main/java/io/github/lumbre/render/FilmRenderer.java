@@ -33,6 +33,9 @@ public final class FilmRenderer {
    */
   public static final int REVISION = 2;
 
+  /** Samples per pixel that an adaptive render gives to all pixels before it distributes others. */
+  public static final int ADAPTIVE_PILOT = AdaptiveSchedule.PILOT;
+
   private static final long SECONDS_PER_LOOK = 5;
 
   private final RenderSettings settings;

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
  * @param rejected samples that were not finite or were negative, and count as black
  * @param firstRejected the first few of those
  * @param saturated sample values too bright for the film, and cut to what it can hold
+ * @param unreadable points of textures that were not finite, and were taken as (0, 0)
  * @param clamped samples darkened to the settings' clamp
  * @param clampedLight what those lost, the sum of the means of their channels; its last digits
  *     depend on the order of work
@@ -24,10 +25,12 @@ public record RenderStatistics(
     long rejected,
     List<RejectedSample> firstRejected,
     long saturated,
+    long unreadable,
     long clamped,
     double clampedLight) {
   /** Nothing done. */
-  public static final RenderStatistics ZERO = new RenderStatistics(0, 0, 0, 0, List.of(), 0, 0, 0);
+  public static final RenderStatistics ZERO =
+      new RenderStatistics(0, 0, 0, 0, List.of(), 0, 0, 0, 0);
 
   private static final int MAX_FIRST_REJECTED = 10;
 
@@ -38,7 +41,7 @@ public record RenderStatistics(
   /** Returns what was wrong with samples, and nothing of the work that they were. */
   public static RenderStatistics ofFaults(
       long rejected, List<RejectedSample> firstRejected, long saturated) {
-    return new RenderStatistics(0, 0, 0, rejected, firstRejected, saturated, 0, 0);
+    return new RenderStatistics(0, 0, 0, rejected, firstRejected, saturated, 0, 0, 0);
   }
 
   /** Returns what was wrong with samples, without the work that they were. */
@@ -58,6 +61,7 @@ public record RenderStatistics(
             .limit(MAX_FIRST_REJECTED)
             .toList(),
         saturated + o.saturated,
+        unreadable + o.unreadable,
         clamped + o.clamped,
         clampedLight + o.clampedLight);
   }

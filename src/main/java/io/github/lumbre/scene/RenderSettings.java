@@ -1,8 +1,10 @@
 package io.github.lumbre.scene;
 
 import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -161,6 +163,14 @@ public final class RenderSettings {
   /** Returns the width of the full frame over its height. */
   public double aspect() {
     return (double) width() / height();
+  }
+
+  /**
+   * Returns how a rendered picture is written to a file: with this exposure and this tone curve, in
+   * 8 bits, without metadata. {@code lumbre render} writes the same pixels.
+   */
+  public ImageWriter.Options development() {
+    return new ImageWriter.Options(exposure(), toneCurve(), 8, Map.of());
   }
 
   /** Returns a builder that starts with these settings. */

@@ -14,7 +14,6 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.stream.Collectors;
@@ -48,35 +47,29 @@ public final class Scene {
 
   private final Set<Shortcut> shortcuts;
 
-  Scene(
-      Camera camera,
-      List<Primitive> primitives,
-      List<Light> lights,
-      List<Light> emitters,
-      Map<Integer, Integer> emitterOfPrimitive,
-      Rgb ambient) {
-    this.camera = camera;
-    this.primitives = List.copyOf(primitives);
-    this.lights = List.copyOf(lights);
-    this.emitters = List.copyOf(emitters);
-    this.ambient = ambient;
+  Scene(SceneBuilder built) {
+    camera = built.camera;
+    primitives = List.copyOf(built.primitives);
+    lights = List.copyOf(built.lights);
+    emitters = List.copyOf(built.emitters);
+    ambient = built.ambient;
     radius =
-        this.primitives.stream()
+        primitives.stream()
             .map(primitive -> primitive.shape().bounds())
             .filter(Bounds3::isFinite)
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
-    bvh = Bvh.over(shapes());
+    bvh = Bvh.over(shapes(), built.kernel());
     environments =
-        this.emitters.stream()
+        emitters.stream()
             .filter(EnvironmentLight.class::isInstance)
             .map(EnvironmentLight.class::cast)
             .toList();
-    emitterOfEnvironment = indices(environments, this.emitters);
-    emitterOfLight = indices(this.lights, this.emitters);
-    this.emitterOfPrimitive = new int[primitives.size()];
+    emitterOfEnvironment = indices(environments, emitters);
+    emitterOfLight = indices(lights, emitters);
+    emitterOfPrimitive = new int[primitives.size()];
     for (int i = 0; i < primitives.size(); i++) {
-      this.emitterOfPrimitive[i] = emitterOfPrimitive.getOrDefault(i, -1);
+      emitterOfPrimitive[i] = built.emitterOfPrimitive.getOrDefault(i, -1);
     }
     shortcuts = shortcuts();
     primitiveOfShape = primitivesOfShapes();

@@ -1,6 +1,7 @@
 package io.github.lumbre.scene;
 
 import io.github.lumbre.camera.Camera;
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
@@ -18,12 +19,13 @@ import java.util.Optional;
 
 /** Collects a scene. Mutable; what it builds is not. */
 public final class SceneBuilder {
-  private final Camera camera;
-  private final List<Primitive> primitives = new ArrayList<>();
-  private final List<Light> lights = new ArrayList<>();
-  private final List<Light> emitters = new ArrayList<>();
-  private final Map<Integer, Integer> emitterOfPrimitive = new HashMap<>();
-  private Rgb ambient = Rgb.BLACK;
+  final Camera camera;
+  final List<Primitive> primitives = new ArrayList<>();
+  final List<Light> lights = new ArrayList<>();
+  final List<Light> emitters = new ArrayList<>();
+  final Map<Integer, Integer> emitterOfPrimitive = new HashMap<>();
+  Rgb ambient = Rgb.BLACK;
+  private Optional<Kernel> kernel = Optional.empty();
 
   SceneBuilder(Camera camera) {
     this.camera = Objects.requireNonNull(camera, "camera");
@@ -81,6 +83,15 @@ public final class SceneBuilder {
     return this;
   }
 
+  /**
+   * Sets how rays find what they hit; without it, the kernel is {@link Kernel#configured}. It
+   * changes no bit of a picture.
+   */
+  public SceneBuilder searchedBy(Kernel newKernel) {
+    kernel = Optional.of(newKernel);
+    return this;
+  }
+
   /** Returns how many primitives there are so far. */
   public int primitiveCount() {
     return primitives.size();
@@ -91,7 +102,16 @@ public final class SceneBuilder {
     return emitters.size();
   }
 
+  Kernel kernel() {
+    return kernel.orElseGet(Kernel::configured);
+  }
+
+  /**
+   * Returns the scene.
+   *
+   * @throws IllegalStateException if the kernel is not available
+   */
   public Scene build() {
-    return new Scene(camera, primitives, lights, emitters, emitterOfPrimitive, ambient);
+    return new Scene(this);
   }
 }

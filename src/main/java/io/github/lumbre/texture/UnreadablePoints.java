@@ -1,23 +1,27 @@
 package io.github.lumbre.texture;
 
-import java.util.concurrent.atomic.LongAdder;
-
 /**
- * Counts the points at which textures were read and that are not finite, as of coordinates near the
- * largest number times a scale. They are read at (0, 0), which is wrong but harmless; whoever
- * renders may tell of it. Safe for use by any thread.
+ * Counts the points at which textures are evaluated and that are not finite, as of coordinates near
+ * the largest number times a scale. Textures are evaluated at (0, 0) there, which is wrong but
+ * harmless; a render reports how many there were.
+ *
+ * <p>Each thread has a count of its own, and a thread works for one render at a time: so renders
+ * never see each other's points, even of the same textures, and no argument is needed on the way to
+ * every texture.
  */
 public final class UnreadablePoints {
-  private static final LongAdder COUNT = new LongAdder();
+  private static final ThreadLocal<long[]> COUNT = ThreadLocal.withInitial(() -> new long[1]);
 
   private UnreadablePoints() {}
 
   static void count() {
-    COUNT.increment();
+    COUNT.get()[0]++;
   }
 
-  /** Returns how many there were since the program's start, in all renders together. */
-  public static long total() {
-    return COUNT.sum();
+  /** Returns how many there were in this thread since this was last called. */
+  public static long take() {
+    long count = COUNT.get()[0];
+    COUNT.remove();
+    return count;
   }
 }

@@ -183,4 +183,34 @@ class CheckpointFileTest {
     }
     save(2);
   }
+
+  /** What holds the hidden name is gone in the end: the place is free for the next render. */
+  @Test
+  void placeThatCannotBeOpenedIsNotKept() throws IOException {
+    Path hidden = directory.resolve(".a.film.tmp");
+    Files.createDirectory(hidden);
+    assertThatThrownBy(() -> CheckpointFile.reserve(path)).isInstanceOf(IOException.class);
+    Files.delete(hidden);
+    save(1);
+    assertThat(samples(FilmFile.read(path))).isEqualTo(1);
+  }
+
+  @Test
+  void nothingIsLeftOfAFileThatNothingWasSavedIn() throws IOException {
+    try (CheckpointFile file = CheckpointFile.reserve(path)) {
+      assertThat(file.path()).isEqualTo(path);
+    }
+    try (Stream<Path> files = Files.list(directory)) {
+      assertThat(files).isEmpty();
+    }
+  }
+
+  @Test
+  void soundFilmIsLoadedFromWhereItWasAskedFor() throws IOException {
+    save(1, 2);
+    CheckpointFile.Loaded loaded = CheckpointFile.load(path);
+    assertThat(samples(loaded.file())).isEqualTo(2);
+    assertThat(loaded.from()).isEqualTo(path);
+    assertThat(loaded.problem()).isEmpty();
+  }
 }

@@ -119,4 +119,121 @@ class CheckpointsTest {
         .hasRootCauseInstanceOf(OutOfMemoryError.class);
     assertThat(samples).containsExactly(2);
   }
+
+  /** Whatever the machine does meanwhile, no two saves begin sooner than an interval apart. */
+  @Test
+  void savesAreAnIntervalApart() throws InterruptedException {
+    Duration interval = Duration.ofMillis(200);
+    long start = System.nanoTime();
+    Checkpoints checkpoints = new Checkpoints(interval, false);
+    disk.release(3);
+    for (int i = 0; i < 3; i++) {
+      while (!isPausing(checkpoints)) {
+        Thread.sleep(1);
+      }
+      assertThat(System.nanoTime() - start).isGreaterThanOrEqualTo(interval.toNanos());
+      start = System.nanoTime();
+      checkpoints.saveIfDue(film(1), this::save);
+    }
+    assertThat(saved).hasSize(3);
+  }
+
+  @Test
+  void savesNeitherKeepTheProgramAliveNorPressOnRendering() {
+    Checkpoints checkpoints = always(true);
+    disk.release(2);
+    checkpoints.saveIfDue(
+        film(1),
+        film -> {
+          assertThat(Thread.currentThread().isDaemon()).isTrue();
+          assertThat(Thread.currentThread().getPriority()).isLessThan(Thread.NORM_PRIORITY);
+          save(film);
+        });
+    checkpoints.saveLast(film(2), this::save);
+    assertThat(saved).hasSize(2);
+  }
+
+  /** The first save is done before the second film is copied over the first. */
+  @Test
+  void eachSaveHasTheFilmAsItWas() throws InterruptedException {
+    Checkpoints checkpoints = always(true);
+    disk.release(5);
+    for (int samples = 1; samples <= 4; samples++) {
+      checkpoints.saveIfDue(film(samples), this::save);
+      while (!isPausing(checkpoints)) {
+        Thread.sleep(1);
+      }
+    }
+    checkpoints.saveLast(film(5), this::save);
+    for (int samples = 1; samples <= 5; samples++) {
+      assertThat(saved.get(samples - 1)).isEqualTo(FilmFixture.pixels(film(samples)));
+    }
+  }
+
+  @Test
+  void listenersThatCancelAreHeard() {
+    Progress cancels =
+        new Progress() {
+          @Override
+          public boolean isCancelled() {
+            return true;
+          }
+        };
+    Checkpoints checkpoints = new Checkpoints(Duration.ofHours(1), true);
+    assertThat(checkpoints.pausing(cancels).isCancelled()).isTrue();
+  }
+
+  private static void awaitWaiting(Thread thread) {
+    while (thread.getState() != Thread.State.WAITING) {
+      Thread.onSpinWait();
+    }
+  }
+
+  /** The save interrupts the render's thread in its wait, and goes on when it waits again. */
+  @Test
+  void interruptionsAreKeptUntilTheSaveHasEnded() {
+    Thread render = Thread.currentThread();
+    Checkpoints checkpoints = always(true);
+    disk.release(2);
+    checkpoints.saveIfDue(
+        film(1),
+        film -> {
+          awaitWaiting(render);
+          render.interrupt();
+          while (render.isInterrupted()) {
+            Thread.onSpinWait();
+          }
+          awaitWaiting(render);
+          save(film);
+        });
+    checkpoints.saveLast(film(2), this::save);
+    assertThat(Thread.interrupted()).isTrue();
+    assertThat(saved).containsExactly(FilmFixture.pixels(film(1)), FilmFixture.pixels(film(2)));
+  }
+
+  @Test
+  void savesThatEndWellInterruptNobody() {
+    Checkpoints checkpoints = always(true);
+    disk.release(2);
+    checkpoints.saveIfDue(film(1), this::save);
+    checkpoints.saveLast(film(2), this::save);
+    assertThat(Thread.interrupted()).isFalse();
+  }
+
+  @Test
+  void faultsOfASaveAreToldByTheNext() throws InterruptedException {
+    Checkpoints checkpoints = always(true);
+    checkpoints.saveIfDue(
+        film(1),
+        film -> {
+          throw new IllegalArgumentException("planted");
+        });
+    while (!isPausing(checkpoints)) {
+      Thread.sleep(1);
+    }
+    assertThatThrownBy(() -> checkpoints.saveIfDue(film(2), this::save))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessageContaining("planted");
+    assertThat(savers).isEmpty();
+  }
 }

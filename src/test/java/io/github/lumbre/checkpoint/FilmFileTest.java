@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,6 +18,8 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.zip.CRC32C;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -114,5 +119,143 @@ class FilmFileTest {
     for (String text : new String[] {"", "hello", "{\"a\": 1}", "LUMBRE-FILM 1\n"}) {
       assertRefused(text.getBytes(StandardCharsets.UTF_8));
     }
+    assertRefusedFor("is not a film", ascii("hello, this is no film"));
+  }
+
+  /** Writes content with the checksum that it has. */
+  private void writeSealed(byte[] content) throws IOException {
+    CRC32C checksum = new CRC32C();
+    checksum.update(content);
+    ByteBuffer bytes = ByteBuffer.allocate(content.length + Integer.BYTES);
+    bytes.order(ByteOrder.LITTLE_ENDIAN).put(content).putInt((int) checksum.getValue());
+    Files.write(path, bytes.array());
+  }
+
+  private byte[] content() throws IOException {
+    byte[] whole = Files.readAllBytes(path);
+    return Arrays.copyOf(whole, whole.length - Integer.BYTES);
+  }
+
+  private void assertRefusedFor(String reason, byte[] content) throws IOException {
+    writeSealed(content);
+    assertThatThrownBy(() -> FilmFile.read(path))
+        .isInstanceOf(FilmFormatException.class)
+        .hasMessageContaining(reason);
+  }
+
+  private static byte[] ascii(String text) {
+    return text.getBytes(StandardCharsets.ISO_8859_1);
+  }
+
+  @Test
+  void filmsWithTheRightChecksumAndTheWrongContentAreRefusedForTheReason() throws IOException {
+    byte[] content = content();
+    String text = new String(content, StandardCharsets.ISO_8859_1);
+    int pixels = text.indexOf("\n\n") + 2;
+    assertRefusedFor("after its last pixel", Arrays.copyOf(content, content.length + 1));
+    assertRefusedFor("pixel 83 cannot be read", Arrays.copyOf(content, content.length - 1));
+    assertRefusedFor("less than a byte for each pixel", Arrays.copyOf(content, pixels + 83));
+    assertRefusedFor("no end of its header", Arrays.copyOf(content, pixels - 1));
+    assertRefusedFor(
+        "found 'LUMBRE-FILM 2'", ascii(text.replace("LUMBRE-FILM 1", "LUMBRE-FILM 2")));
+    assertRefusedFor("found 'seed 0'", ascii(text.replace("seed: 0", "seed 0")));
+    assertRefusedFor("pixel: 'x'", ascii(text.replace("samples covered sums first-mean", "x")));
+    assertRefusedFor("window: unexpected '-1", ascii(text.replace("window: 0", "window: -1")));
+    assertRefusedFor("rejected: unexpected '-1'", ascii(withRejected(text, "-1")));
+    assertRefusedFor("rejected: unexpected 'x'", ascii(withRejected(text, "x")));
+  }
+
+  private static String withRejected(String text, String count) {
+    return text.replaceFirst("\nrejected: \\d+", "\nrejected: " + count);
+  }
+
+  @Test
+  void aByteForEachPixelIsEnoughForAnEmptyFilm() throws IOException {
+    FilmFile empty = FilmFixture.file(FilmFixture.FRAME, 3, (x, y) -> 0);
+    write(empty);
+    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    assertThat(text.length() - text.indexOf("\n\n") - 2).isEqualTo(12 * 7);
+    FilmFile read = FilmFile.read(path);
+    assertThat(read.film().totalSamples()).isZero();
+    assertThat(read.film().firstSample()).isEqualTo(3);
+  }
+
+  /** Notes of growing length move the pixels across every place of the first buffers' ends. */
+  @Test
+  void anyLengthIsReadAsItWasWritten() throws IOException {
+    byte[] pixels = FilmFixture.pixels(film.film());
+    FilmHeader header = film.header();
+    int base = content().length;
+    for (int buffers = 1; buffers <= 2; buffers++) {
+      for (int length : lengthsAround(buffers << 16, base, pixels.length)) {
+        Map<String, String> notes = new LinkedHashMap<>(header.notes());
+        notes.put("x", "y".repeat(length));
+        write(
+            new FilmFile(
+                new FilmHeader(
+                    header.identity(),
+                    true,
+                    header.window(),
+                    header.parts(),
+                    header.faults(),
+                    notes),
+                film.film()));
+        FilmFile read = FilmFile.read(path);
+        assertThat(read.header().notes()).isEqualTo(notes);
+        assertThat(FilmFixture.pixels(read.film())).isEqualTo(pixels);
+      }
+    }
+  }
+
+  /** Lengths of a note for which the end of the file or of its header is near a place. */
+  private static int[] lengthsAround(int place, int base, int pixels) {
+    return IntStream.rangeClosed(-12, 4)
+        .flatMap(offset -> IntStream.of(place - base + offset, place - base + offset + pixels))
+        .toArray();
+  }
+
+  @Test
+  void headersShorterThanAMebibyteAreRead() throws IOException {
+    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    int header = text.indexOf("\n\n");
+    int room = (1 << 20) - header - "\nnote x: ".length() - 2;
+    String longest = text.substring(0, header) + "\nnote x: " + "y".repeat(room);
+    writeSealed(ascii(longest + text.substring(header)));
+    assertThat(FilmFile.read(path).header().notes().get("x")).hasSize(room);
+    assertRefusedFor("no end of its header", ascii(longest + "y" + text.substring(header)));
+    String endless = "LUMBRE-FILM 1\nnote x: " + "y".repeat(1 << 20);
+    assertRefusedFor("no end of its header", ascii(endless));
+  }
+
+  @Test
+  void aFilmWrittenTwiceIsThatOfTheSecondTime() throws IOException {
+    byte[] once = Files.readAllBytes(path);
+    try (OutputFile output = OutputFile.open(path)) {
+      FilmFixture.file(FilmFixture.FRAME, 0, (x, y) -> 9).write(output);
+      film.write(output);
+      output.commit();
+    }
+    assertThat(Files.readAllBytes(path)).isEqualTo(once);
+  }
+
+  @Test
+  void filmsWithoutAlphaAreReadAsTheyWereWritten() throws IOException {
+    Film opaque = new Film(new Crop(0, 0, 2, 1), false, 0);
+    opaque.decode(0, ByteBuffer.wrap(new byte[] {0}));
+    FilmFile file = FilmFile.of(FilmFixture.IDENTITY, opaque, Map.of(), RenderStatistics.ZERO);
+    write(file);
+    FilmFile read = FilmFile.read(path);
+    assertThat(read.header()).isEqualTo(file.header());
+    assertThat(read.film().hasAlpha()).isFalse();
+  }
+
+  @Test
+  void theFirstRejectedSamplesMayBeUnknown() throws IOException {
+    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    assertThat(text).contains("first-rejected: ");
+    writeSealed(ascii(text.replaceFirst("first-rejected: [^\n]*", "first-rejected: ")));
+    RenderStatistics faults = FilmFile.read(path).header().faults();
+    assertThat(faults.firstRejected()).isEmpty();
+    assertThat(faults.rejected()).isEqualTo(film.header().faults().rejected());
   }
 }

@@ -27,7 +27,7 @@ final class BenchFixture {
         .25,
         new WarmUp(List.of(2.0, 1.0), List.of(1.0)),
         Arrays.stream(seconds).mapToObj(s -> new Repetition(s, 2 * s, 64_000)).toList(),
-        new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0),
+        new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0, 0),
         imageHash,
         new PictureNoise(List.of(.03, .05)));
   }

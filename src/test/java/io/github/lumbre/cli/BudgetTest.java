@@ -14,7 +14,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Renders that a time or an error ends. */
 class BudgetTest {
@@ -162,6 +165,101 @@ class BudgetTest {
     assertThat(render("a.png", "-s", "64").err()).doesNotContain("forecast");
     assertThat(render("a.png", "-s", "64", "--target-error", "0.1%").err())
         .containsPattern("forecast: .*; it will not be reached");
+  }
+
+  /** An error that no bound can confirm ends after a documented number of samples. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--size 1x1 --target-error 50%",
+        "--size 4x4 --target-error 5%",
+        "--size 7x9 --quality draft",
+        "--size 4x4 --target-error 5% --adaptive",
+        "--crop 2,3,4,4 --target-error 5%"
+      })
+  @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void framesWithoutABoundEndAtADocumentedNumberOfSamples(String flags) {
+    Outcome outcome = render("a.png", (flags + " --json").split(" "));
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TARGET);
+    assertThat(outcome.err())
+        .contains(
+            "a frame of fewer than 64 pixels has no bound of its noise;"
+                + " the render ends after 4096 samples per pixel",
+            "is not reached: no bound: too few pixels");
+    JsonObject summary = json(outcome);
+    assertThat(summary.get("complete").getAsBoolean()).isTrue();
+    assertThat(summary.get("ended_by").getAsString()).isEqualTo("samples");
+    assertThat(summary.getAsJsonObject("pixel_samples").get("mean").getAsDouble())
+        .isBetween(4096.0, 5120.0);
+    assertThat(directory.resolve("a.png")).exists();
+  }
+
+  @Test
+  void otherLimitsEndFramesWithoutABound() {
+    Outcome samples = render("a.png", "--size", "4x4", "--target-error", "5%", "-s", "5000");
+    assertThat(samples.exitCode()).isEqualTo(ExitCodes.TARGET);
+    assertThat(samples.err()).contains("--samples or --time ends the render", "5000 samples per");
+    Outcome large = render("a.png", "--size", "8x8", "--target-error", "20%");
+    assertThat(large.exitCode()).isZero();
+    assertThat(large.err()).doesNotContain("has no bound");
+  }
+
+  @Test
+  @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void resumedFramesWithoutABoundEndToo() {
+    String film = directory.resolve("a.film").toString();
+    render("a.pfm", "--size", "4x4", "-s", "100", "--checkpoint", film);
+    Outcome resumed = Outcome.of("resume", film, "--target-error", "5%", "--json");
+    assertThat(resumed.exitCode()).as(resumed.err()).isEqualTo(ExitCodes.TARGET);
+    assertThat(json(resumed).getAsJsonObject("pixel_samples").get("max").getAsInt())
+        .isEqualTo(4096);
+    Outcome again = Outcome.of("resume", film, "--target-error", "5%", "--json");
+    assertThat(again.exitCode()).as(again.err()).isEqualTo(ExitCodes.TARGET);
+    assertThat(json(again).getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(4096);
+  }
+
+  /** The time of 1 ms is over before the first sample; the first pass is completed all the same. */
+  @Test
+  void everyPixelHasASampleHoweverShortTheTime() {
+    Outcome outcome = render("a.png", "--size", "300x200", "--time", "0.001s", "--json");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    JsonObject samples = json(outcome).getAsJsonObject("pixel_samples");
+    assertThat(samples.get("min").getAsInt()).isEqualTo(1);
+    assertThat(samples.get("max").getAsInt()).isEqualTo(1);
+    assertThat(json(outcome).get("ended_by").getAsString()).isEqualTo("time");
+    assertThat(outcome.err())
+        .contains("--time was too short for more than the first pass, one sample per pixel");
+  }
+
+  @Test
+  void adaptiveRendersThatEndInTheirFirstSamplesSaySo() {
+    assertThat(render("a.png", "--adaptive", "-s", "32").err())
+        .contains("--adaptive had no effect: the first 32 samples", "the render ended with 32");
+    assertThat(render("a.png", "--adaptive", "-s", "32", "--quiet").err()).isEmpty();
+    Outcome more = render("a.png", "--adaptive", "-s", "33", "--json");
+    assertThat(more.err()).doesNotContain("no effect");
+    assertThat(json(more).getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(64);
+  }
+
+  /** In 64x64 pixels, 4 samples are enough for a check of 20 %. */
+  @Test
+  void coarseErrorsEndBefore32Samples() {
+    Outcome outcome = render("a.pfm", "--size", "64x64", "--target-error", "20%", "--json");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(json(outcome).getAsJsonObject("noise").get("at_most").getAsDouble())
+        .isLessThanOrEqualTo(.2);
+    int samples = json(outcome).getAsJsonObject("pixel_samples").get("max").getAsInt();
+    assertThat(samples).isIn(4, 8, 16);
+
+    String film = directory.resolve("a.film").toString();
+    render("b.pfm", "--size", "64x64", "-s", "2", "--checkpoint", film);
+    Outcome resumed = Outcome.of("resume", film, "--target-error", "20%", "--json");
+    assertThat(json(resumed).getAsJsonObject("pixel_samples").get("max").getAsInt())
+        .isEqualTo(samples);
+    assertThat(directory.resolve("b.pfm")).hasSameBinaryContentAs(directory.resolve("a.pfm"));
+    Outcome again = Outcome.of("resume", film, "--target-error", "20%", "--json");
+    assertThat(json(again).getAsJsonObject("pixel_samples").get("max").getAsInt())
+        .isEqualTo(samples);
   }
 
   @Test

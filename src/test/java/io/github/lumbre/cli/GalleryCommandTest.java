@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -77,6 +79,32 @@ class GalleryCommandTest {
     assertThat(out()).doesNotExist();
     Outcome.of("gallery", "--scenes", directory + "/no").assertFailed(ExitCodes.USAGE, "no");
     Outcome.of("gallery", "--seconds", "0").assertFailed(ExitCodes.USAGE, "--seconds");
+    gallery("--threads", "-1").assertFailed(ExitCodes.USAGE, "--threads: expected 0 to");
+  }
+
+  @Test
+  void threadsAreThoseAskedFor() throws IOException {
+    assertThat(gallery("--threads", "1", "a-scene").exitCode()).isZero();
+    assertThat(rows().get(0).split("\\|")[6].strip()).isEqualTo("1");
+    assertThat(gallery("--threads", "3", "a-scene").exitCode()).isZero();
+    assertThat(rows().get(0).split("\\|")[6].strip()).isEqualTo("3");
+  }
+
+  @Test
+  void aTimeTooShortForTheFewestSamplesIsNamed() {
+    RenderSettings settings = new RenderSettings.Builder().size(10, 20).build();
+    assertThat(SampleBudget.leastSeconds(6400, settings)).isEqualTo(2);
+    StringWriter text = new StringWriter();
+    Messages messages = new Messages(new PrintWriter(text, true));
+    GalleryRenderer renderer =
+        new GalleryRenderer(new SceneFolder(directory), out(), 1, 0, () -> null);
+    renderer.warnIfTooShort("a-scene", settings, 12800, messages);
+    assertThat(text.toString()).isEmpty();
+    renderer.warnIfTooShort("a-scene", settings, 6400, messages);
+    assertThat(text.toString().strip())
+        .isEqualTo(
+            "warning: a-scene: --seconds 1 is too short for 64 samples per pixel, the fewest of a"
+                + " gallery; they take about 2 s");
   }
 
   @ParameterizedTest

@@ -135,11 +135,11 @@ class JsonSummaryTest {
 
   @Test
   void progressTellsRateTimeLeftAndTheErrorIfThereIsOne() {
-    assertThat(JsonProgress.line(250, 1000, 50, OptionalDouble.of(.125)))
+    assertThat(JsonProgress.line(250, 1000, 50, OptionalDouble.empty(), OptionalDouble.of(.125)))
         .isEqualTo(
             "{\"done\":250,\"total\":1000,\"seconds\":50.0,\"rate\":5.0,"
                 + "\"seconds_left\":150.0,\"relative_error\":0.125}");
-    assertThat(JsonProgress.line(0, 1000, 0, OptionalDouble.empty()))
+    assertThat(JsonProgress.line(0, 1000, 0, OptionalDouble.empty(), OptionalDouble.empty()))
         .isEqualTo("{\"done\":0,\"total\":1000,\"seconds\":0.0,\"rate\":0.0}");
   }
 }

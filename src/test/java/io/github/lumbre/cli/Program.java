@@ -43,7 +43,7 @@ final class Program {
    * Returns a command that hears SIGINT even if this process does not: shells let what they start
    * in the background ignore it, and children inherit that.
    */
-  private static List<String> interruptible(List<String> command) throws IOException {
+  static List<String> interruptible(List<String> command) throws IOException {
     Path status = Path.of("/proc/self/status");
     if (!Files.exists(status)) {
       return command;

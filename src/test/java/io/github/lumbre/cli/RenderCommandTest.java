@@ -177,7 +177,7 @@ class RenderCommandTest {
     Path scene = directory.resolve("scene.png");
     Files.writeString(scene, TinyScene.JSON);
     Outcome.of("render", scene.toString(), "-o", directory + "/./scene.png")
-        .assertFailed(ExitCodes.USAGE, "is the scene itself");
+        .assertFailed(ExitCodes.OUTPUT, "scene.png: is the scene", "-o");
     assertThat(scene).hasContent(TinyScene.JSON);
   }
 
@@ -195,9 +195,10 @@ class RenderCommandTest {
 
   @Test
   void failedRenderLeavesTheOldPicture() throws IOException {
-    Files.writeString(picture(), "precious");
+    String precious = "PF 1 1 -1 precious";
+    Files.writeString(picture(), precious);
     render("{").assertFailed(ExitCodes.SCENE, "tiny.json");
-    assertThat(picture()).hasContent("precious");
+    assertThat(picture()).hasContent(precious);
     assertThat(files()).containsExactly("tiny.json", "tiny.png");
   }
 

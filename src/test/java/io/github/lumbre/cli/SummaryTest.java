@@ -10,7 +10,6 @@ import io.github.lumbre.scene.RenderSettings;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -21,7 +20,7 @@ class SummaryTest {
 
   private static Summary summary(boolean complete, List<RejectedSample> rejected) {
     RenderStatistics statistics =
-        new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0, 0, 0);
+        new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0, 0, 0, 0);
     return new Summary(SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2);
   }
 
@@ -56,13 +55,5 @@ class SummaryTest {
     assertThat(Summary.rate(1_234_567, 1)).isEqualTo("1.23 M");
     assertThat(Summary.rate(1_234_567, 10)).isEqualTo("123457");
     assertThat(Summary.rate(5, 0)).isEqualTo("0");
-  }
-
-  @Test
-  void progressBarShowsShareRateAndTimeLeft() {
-    assertThat(ProgressBarDisplay.line(250, 1000, Duration.ofSeconds(50)))
-        .isEqualTo(" 25 % [=======>                      ] 5 samples/s, 0:02:30 left");
-    assertThat(ProgressBarDisplay.line(0, 1000, Duration.ZERO))
-        .isEqualTo("  0 % [>                             ] 0 samples/s");
   }
 }

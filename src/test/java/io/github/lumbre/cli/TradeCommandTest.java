@@ -100,7 +100,7 @@ class TradeCommandTest {
     String study = directory.resolve("out.json").toString();
     assertThat(Outcome.of("trade-table", study, "-o", table.toString()).exitCode()).isZero();
     assertThat(Files.readString(table))
-        .contains("| tiny | 16x12 | 3 | 256: ", "sampler independent");
+        .contains("| tiny | 16x12 | 3 | 256: ", "independent samples");
     assertThat(directory.resolve("table-noise.svg")).exists();
     assertThat(directory.resolve("table-depth.svg")).exists();
   }

@@ -1,6 +1,7 @@
 package io.github.lumbre.geometry;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
@@ -176,6 +177,125 @@ class SurfaceHitTest {
           assertThat(isHidden).as("%s", shape.getClass()).isFalse();
         }
       }
+    }
+  }
+
+  private static Frame frame(Random random) {
+    Frame turned = Frame.around(Shapes.direction(random));
+    return Frame.around(turned.normal(), Shapes.direction(random), Shapes.direction(random));
+  }
+
+  private static SurfaceHit surface(Random random, double error) {
+    return new SurfaceHit()
+        .set(
+            Shapes.point(random, 5),
+            Shapes.direction(random),
+            frame(random),
+            new TexturePoint(random.nextDouble(), random.nextDouble()),
+            Shapes.direction(random),
+            error);
+  }
+
+  @Test
+  void hitsKeepWhatTheyAreTold() {
+    Random random = new Random(20);
+    Frame frame = frame(random);
+    TexturePoint texture = new TexturePoint(.25, .75);
+    SurfaceHit hit =
+        new SurfaceHit().set(new Vec3(1, 2, 3), Vec3.Y, frame, texture, Vec3.Z.negated(), .5);
+    assertThat(hit.position()).isEqualTo(new Vec3(1, 2, 3));
+    assertThat(hit.geometricNormal()).isEqualTo(Vec3.Y);
+    assertThat(hit.shading()).isEqualTo(frame);
+    assertThat(hit.shadingNormal()).isEqualTo(frame.normal());
+    assertThat(hit.texture()).isEqualTo(texture);
+    assertThat(hit.u()).isEqualTo(.25);
+    assertThat(hit.v()).isEqualTo(.75);
+    assertThat(hit.wo()).isEqualTo(Vec3.Z.negated());
+    assertThat(hit.error()).isEqualTo(.5);
+  }
+
+  @Test
+  void directionsGoIntoTheFrameAndBack() {
+    Random random = new Random(21);
+    for (int i = 0; i < 100; i++) {
+      SurfaceHit hit = surface(random, 0);
+      Frame frame = hit.shading();
+      Vec3 direction = Shapes.direction(random);
+      Vec3 local = hit.toLocal(direction);
+      assertThat(local.x()).isCloseTo(direction.dot(frame.tangent()), within(1e-15));
+      assertThat(local.y()).isCloseTo(direction.dot(frame.bitangent()), within(1e-15));
+      assertThat(local.z()).isCloseTo(direction.dot(frame.normal()), within(1e-15));
+      Vec3 world = hit.toWorld(direction);
+      assertThat(world.dot(frame.tangent())).isCloseTo(direction.x(), within(1e-14));
+      assertThat(world.dot(frame.bitangent())).isCloseTo(direction.y(), within(1e-14));
+      assertThat(world.dot(frame.normal())).isCloseTo(direction.z(), within(1e-14));
+      assertThat(hit.toWorld(local).minus(direction).length()).isLessThan(1e-14);
+    }
+  }
+
+  @Test
+  void framesTurnToOtherNormals() {
+    Random random = new Random(22);
+    for (int i = 0; i < 100; i++) {
+      SurfaceHit hit = surface(random, 0);
+      Frame before = hit.shading();
+      Vec3 normal = i % 10 == 0 ? before.tangent() : Shapes.direction(random);
+      hit.bendTo(normal);
+      assertThat(hit.shading())
+          .isEqualTo(Frame.around(normal, before.tangent(), before.bitangent()));
+      hit.shadeFlat();
+      assertThat(hit.shading()).isEqualTo(Frame.around(hit.geometricNormal()));
+      hit.shadeBy(before);
+      assertThat(hit.shading()).isEqualTo(before);
+    }
+  }
+
+  /** Off the surface by the error, to the side to which they go. */
+  @Test
+  void raysBeginOffTheSurfaceByItsError() {
+    Random random = new Random(23);
+    NearestHit next = new NearestHit();
+    for (int i = 0; i < 200; i++) {
+      SurfaceHit hit = surface(random, .125);
+      Vec3 direction = Shapes.direction(random);
+      Ray ray = hit.spawn(direction);
+      double side = Math.signum(direction.dot(hit.geometricNormal()));
+      Vec3 origin = hit.position().plus(.125 * side, hit.geometricNormal());
+      assertThat(ray.origin().minus(origin).length()).isLessThan(1e-14);
+      assertThat(ray.direction()).isEqualTo(direction);
+      assertThat(ray.tMax()).isInfinite();
+      hit.spawn(direction.x(), direction.y(), direction.z(), next);
+      assertThat(next.origin().minus(origin).length()).isLessThan(1e-14);
+      assertThat(next.direction()).isEqualTo(direction);
+      assertThat(next.t()).isInfinite();
+      Vec3 point = hit.position().plus(3, direction);
+      hit.spawnTowards(point, next);
+      assertThat(next.origin().minus(origin).length()).isLessThan(1e-14);
+      assertThat(next.origin().plus(next.direction()).minus(point).length()).isLessThan(1e-14);
+      assertThat(next.t()).isEqualTo(1);
+    }
+  }
+
+  /** Off both surfaces by their errors, each to the side of the other. */
+  @Test
+  void shadowRaysEndOffTheOtherSurfaceByItsError() {
+    Random random = new Random(24);
+    NearestHit next = new NearestHit();
+    SurfaceSample sample = new SurfaceSample();
+    for (int i = 0; i < 200; i++) {
+      SurfaceHit hit = surface(random, .125);
+      Vec3 point = Shapes.point(random, 9);
+      Vec3 normal = Shapes.direction(random);
+      sample.set(point, normal, new TexturePoint(0, 0), .25, 1);
+      Vec3 back = hit.position().minus(point);
+      Vec3 end = point.plus(.25 * Math.signum(back.dot(normal)), normal);
+      hit.spawnTowards(sample, next);
+      assertThat(next.origin().plus(next.direction()).minus(end).length()).isLessThan(1e-13);
+      Vec3 way = end.minus(hit.position());
+      double side = Math.signum(way.dot(hit.geometricNormal()));
+      Vec3 origin = hit.position().plus(.125 * side, hit.geometricNormal());
+      assertThat(next.origin().minus(origin).length()).isLessThan(1e-13);
+      assertThat(next.t()).isEqualTo(1);
     }
   }
 }

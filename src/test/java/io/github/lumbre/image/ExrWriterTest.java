@@ -120,4 +120,10 @@ class ExrWriterTest {
         .containsAll(read(Image.black(1, 1)).attributes().keySet())
         .contains("type", "tiles", "version", "chunkCount");
   }
+
+  @Test
+  void namesOfUpTo31LettersAreShort() throws IOException, DataFormatException {
+    ExrFixture file = ExrFixture.read(exr(Image.black(1, 1), Map.of("k".repeat(31), "v")));
+    assertThat(file.version()).isEqualTo(2);
+  }
 }

@@ -412,4 +412,28 @@ class ImageReaderTest {
       assertMalformed(file, "expected a PNG or JPEG picture, found neither");
     }
   }
+
+  @Test
+  void signatureAloneIsATruncatedPng() {
+    byte[] signature = Arrays.copyOf(png(1, 1, 8, PngFixture.RGB, false), 8);
+    assertMalformed(signature, "PNG is truncated");
+    assertMalformed(Arrays.copyOf(signature, 7), "expected a PNG or JPEG picture, found neither");
+  }
+
+  @Test
+  void picturesUpToTheLimitsAreAllowed() {
+    int side = ImageReader.MAX_SIDE;
+    for (int[] size : new int[][] {{side, 1}, {1, side}, {1 << 14, 1 << 14}, {4096, 65535}}) {
+      assertThatCode(() -> ImageReader.checkSize(size[0], size[1])).doesNotThrowAnyException();
+    }
+    for (int[] size : new int[][] {{side + 1, 1}, {1, side + 1}, {(1 << 14) + 1, 1 << 14}}) {
+      assertThatThrownBy(() -> ImageReader.checkSize(size[0], size[1]))
+          .isInstanceOf(ImageFormatException.class)
+          .hasMessageContaining(size[0] + "x" + size[1]);
+    }
+    assertThatCode(() -> ImageReader.checkMemory(1024, 1024, 1, 1 << 20))
+        .doesNotThrowAnyException();
+    assertThatThrownBy(() -> ImageReader.checkMemory(1024, 1024, 1, (1 << 20) - 1))
+        .isInstanceOf(ImageFormatException.class);
+  }
 }

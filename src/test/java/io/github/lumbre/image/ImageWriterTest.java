@@ -57,10 +57,10 @@ class ImageWriterTest {
 
   @Test
   void anUnknownEndingIsRefusedBeforeAnythingIsCreated() throws IOException {
-    Path file = directory.resolve("a.jpg");
+    Path file = directory.resolve("a.gif");
     assertThatThrownBy(() -> ImageWriter.write(Image.black(1, 1), file))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage(file + ": expected a name that ends in one of .png, .pfm, .exr");
+        .hasMessage(file + ": expected a name that ends in one of .png, .pfm, .exr, .jpg, .jpeg");
     assertThat(directory).isEmptyDirectory();
   }
 
@@ -167,6 +167,27 @@ class ImageWriterTest {
     @Override
     public void close() {
       throw new AssertionError("the caller's to close");
+    }
+  }
+
+  @Test
+  void arraysHaveTheLengthOfThePicture() {
+    for (int length : new int[] {0, 17, 19}) {
+      assertThatThrownBy(() -> new Image(2, 3, new float[length], new float[0]))
+          .hasMessage("rgb: expected 18 values, found " + length);
+    }
+    for (int length : new int[] {1, 5, 7}) {
+      assertThatThrownBy(() -> new Image(2, 3, new float[18], new float[length]))
+          .hasMessage("alpha: expected 0 or 6 values, found " + length);
+    }
+  }
+
+  @Test
+  void everyPrintableCharacterIsForKeywords() {
+    for (String keyword : new String[] {"a b", "~", "!"}) {
+      Map<String, String> metadata = Map.of(keyword, "text");
+      assertThat(new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, metadata).metadata())
+          .isEqualTo(metadata);
     }
   }
 }

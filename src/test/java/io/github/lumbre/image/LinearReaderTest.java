@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
@@ -115,6 +117,59 @@ class LinearReaderTest {
       } catch (ImageFormatException e) {
         assertThat(e).hasMessageNotContaining("null");
       }
+    }
+  }
+
+  @Test
+  void brokenFloatMapsAreRefusedForTheReason() {
+    assertFloatMapRefused("PF\n0 1\n-1\n", "the picture has no pixels");
+    assertFloatMapRefused("PF\n1 0\n-1\n", "the picture has no pixels");
+    assertFloatMapRefused("PF\n-1 1\n-1\n", "its header is damaged");
+    assertFloatMapRefused("PF\n1 -1\n-1\n", "its header is damaged");
+    assertFloatMapRefused("PF\n1 1\n0\n", "its header is damaged");
+    assertFloatMapRefused("PF\n1 1\nInfinity\n", "its header is damaged");
+    assertFloatMapRefused("PF\n9 7\n-1\nab", "expected 756 bytes of pixels, found 2");
+    assertFloatMapRefused("Pf\n9 7\n-1\nab", "expected 252 bytes of pixels, found 2");
+    assertFloatMapRefused("PF\n9 7\n-1", "expected 756 bytes of pixels, found 0");
+    assertFloatMapRefused("PF\n" + "0".repeat(90) + "1 1\n-1\n123412341234", "no pixels");
+    assertFloatMapRefused("PFM\n1 1\n-1\n123412341234", "found none of them");
+    assertFloatMapRefused("PF", "found none of them");
+  }
+
+  private static void assertFloatMapRefused(String text, String message) {
+    assertThatThrownBy(() -> LinearReader.decode(text.getBytes(StandardCharsets.US_ASCII)))
+        .isInstanceOf(ImageFormatException.class)
+        .hasMessageContaining(message);
+  }
+
+  /** Programs disagree about what a scale other than 1 means. */
+  @Test
+  void scaleOfAFloatMapSaysTheOrderOfItsBytesAlone() throws IOException {
+    for (String scale : new String[] {"-1", "-2.5", "1", "1e-3"}) {
+      byte[] header = ("PF  1\t1\n" + scale + " ").getBytes(StandardCharsets.US_ASCII);
+      ByteBuffer file = ByteBuffer.allocate(header.length + 12).put(header);
+      file.order(scale.startsWith("-") ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+      file.putFloat(3).putFloat(5).putFloat(7);
+      assertThat(LinearReader.decode(file.array()).rgb()).containsExactly(3, 5, 7);
+    }
+  }
+
+  @Test
+  void filesAreReadByTheirContentAndNotTheirName() throws IOException {
+    Image image = ImageFixture.random(4, 3, false);
+    Path file = directory.resolve("a.png");
+    Files.write(file, written(image, "b.exr"));
+    assertThat(LinearReader.read(file).rgb()).isEqualTo(image.rgb());
+  }
+
+  @Test
+  void jpegIsDecodedToLinearLight() throws IOException {
+    byte[] file =
+        new JpegFixture().header(1, 1, "RGB").scan(1, 1, "RGB", (c, x, y) -> 100 + 50 * c).end();
+    Image read = LinearReader.decode(file);
+    assertThat(read.width()).isEqualTo(8);
+    for (int c = 0; c < 3; c++) {
+      assertThat(read.rgb()[3 * 37 + c]).isEqualTo((float) Srgb.fromByte(100 + 50 * c));
     }
   }
 }

@@ -4,11 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -178,5 +182,132 @@ class OutputFileTest {
       assertThatThrownBy(file::commit).isInstanceOf(IllegalStateException.class);
       assertThatThrownBy(file::restart).isInstanceOf(IllegalStateException.class);
     }
+  }
+
+  /** Notes what is done to the disk, and writes a byte at a time. */
+  private static class Recording implements Disk {
+    final List<String> steps = new ArrayList<>();
+
+    @Override
+    public void write(FileChannel channel, ByteBuffer buffer) throws IOException {
+      ByteBuffer one = buffer.slice().limit(1);
+      buffer.get();
+      channel.write(one);
+    }
+
+    @Override
+    public void force(FileChannel channel) {
+      steps.add("force");
+    }
+
+    @Override
+    public void move(Path from, Path to) throws IOException {
+      steps.add(from.getFileName() + " to " + to.getFileName());
+      Disk.super.move(from, to);
+    }
+
+    @Override
+    public void forceDirectory(Path parent) {
+      steps.add("force " + parent.getFileName());
+    }
+  }
+
+  private static ByteBuffer text(String text) {
+    return ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  @Test
+  void bytesAreOnTheDiskBeforeTheyHaveTheName() throws IOException {
+    Recording disk = new Recording();
+    try (OutputFile file = OutputFile.open(directory.resolve("a.png"), disk)) {
+      file.write(text("all of it"));
+      file.commit();
+    }
+    assertThat(disk.steps)
+        .containsExactly("force", ".a.png.tmp to a.png", "force " + directory.getFileName());
+    assertThat(directory.resolve("a.png")).hasContent("all of it");
+  }
+
+  @Test
+  void previousFileIsKeptBesideTheNewOne() throws IOException {
+    Path target = directory.resolve("a.film");
+    Recording disk = new Recording();
+    for (String content : new String[] {"first", "second", "third"}) {
+      try (OutputFile file = OutputFile.open(target, disk)) {
+        file.write(text(content));
+        file.commitKeepingPrevious();
+        assertThatThrownBy(file::commitKeepingPrevious).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(() -> file.write(text("x"))).isInstanceOf(IllegalStateException.class);
+      }
+      assertThat(target).hasContent(content);
+    }
+    assertThat(OutputFile.previous(target)).hasFileName("a.film.bak").hasContent("second");
+    assertThat(names()).containsExactly("a.film", "a.film.bak");
+    String folder = "force " + directory.getFileName();
+    assertThat(disk.steps.subList(0, 7))
+        .containsExactly(
+            "force",
+            ".a.film.tmp to a.film",
+            folder,
+            "force",
+            "a.film to a.film.bak",
+            ".a.film.tmp to a.film",
+            folder);
+  }
+
+  @Test
+  void reservedPlaceIsFreeForFilesAndForNobodyElse() throws IOException {
+    Path target = directory.resolve("a.film");
+    try (Closeable reservation = OutputFile.reserve(target)) {
+      assertThat(reservation).isNotNull();
+      assertThatThrownBy(() -> OutputFile.reserve(target))
+          .hasMessage(target + ": another run is writing this file");
+      try (OutputFile file = OutputFile.open(target)) {
+        put(file, "content");
+        file.commit();
+      }
+    }
+    assertThat(names()).containsExactly("a.film");
+    OutputFile.reserve(target).close();
+  }
+
+  /** The name is given, whatever the folder's own bytes do: the next run finds the place free. */
+  @Test
+  void placeIsFreeAfterAFaultOfTheFolder() throws IOException {
+    Path target = directory.resolve("a.png");
+    Disk faulty =
+        new Disk() {
+          @Override
+          public void forceDirectory(Path parent) {
+            throw new IllegalStateException("planted");
+          }
+        };
+    OutputFile file = OutputFile.open(target, faulty);
+    assertThatThrownBy(file::commit).hasMessage("planted");
+    FileChannel again = FileChannel.open(target, StandardOpenOption.WRITE);
+    assertThat(again.tryLock()).isNotNull();
+    again.close();
+  }
+
+  @Test
+  void closingTwiceDoesNothing() throws IOException {
+    Path target = directory.resolve("a.png");
+    OutputFile file = OutputFile.open(target);
+    assertThat(file.target()).isEqualTo(target);
+    file.close();
+    try (OutputFile other = OutputFile.open(target)) {
+      file.close();
+      put(other, "new");
+      other.commit();
+    }
+    assertThat(target).hasContent("new");
+  }
+
+  @Test
+  void refusalNamesTheReasonOfTheFileSystem() throws IOException {
+    Files.createDirectory(directory.resolve(".a.png.tmp"));
+    assertThatThrownBy(() -> OutputFile.open(directory.resolve("a.png")))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("cannot be written: Is a directory");
   }
 }

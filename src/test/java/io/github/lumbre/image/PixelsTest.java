@@ -32,4 +32,11 @@ class PixelsTest {
     assertThatThrownBy(() -> Pixels.of(1, 1, 2, new byte[2]))
         .isInstanceOf(IllegalArgumentException.class);
   }
+
+  @Test
+  void sizesOfSixteenBitsMustFit() {
+    assertThatThrownBy(() -> Pixels.of(2, 2, 3, new short[11]))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("values: expected 2x2x3 of them, found 11");
+  }
 }

@@ -228,4 +228,23 @@ class PngWriterTest {
         .hasSize(srgb ? 0 : 1)
         .allSatisfy(data -> assertThat(ByteBuffer.wrap(data).getInt()).isEqualTo(45455));
   }
+
+  /** The first and last characters of Latin-1 that are printed, and those beside them. */
+  @Test
+  void printableLatinIsWrittenAsLatin() throws IOException {
+    for (String latin : new String[] {"a ~b", "\u00a1\u00ff", "\n"}) {
+      byte[] png = png(Image.black(1, 1), withText(latin));
+      assertThat(chunks(png, "tEXt")).hasSize(1);
+      assertThat(chunks(png, "iTXt")).isEmpty();
+    }
+    for (String other : new String[] {"\u001f", "\u007f", "\u00a0", "\u0100", "\t"}) {
+      byte[] png = png(Image.black(1, 1), withText(other));
+      assertThat(chunks(png, "tEXt")).isEmpty();
+      assertThat(chunks(png, "iTXt")).hasSize(1);
+    }
+  }
+
+  private static ImageWriter.Options withText(String text) {
+    return new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of("Title", text));
+  }
 }

@@ -45,6 +45,17 @@ class NoiseEstimatorTest {
     assertThat(error).isCloseTo(1000 * 1000 / 4.0 / .01, within(1.0));
   }
 
+  /** A bright spot on a lit surface: the error is (.3 − 3)² / (.3² + .01), 73, in all channels. */
+  @Test
+  void brightSpotsOnLitSurfacesDoNotHideFromTheCautiousEstimate() {
+    PixelHalves halves = new PixelHalves(2, Rgb.grey(6), 2, Rgb.grey(.3));
+    assertThat(halves.relativeSquaredError()).isLessThan(6);
+    assertThat(halves.cautiousSquaredError()).isGreaterThan(3 * halves.relativeSquaredError());
+    PixelHalves even = new PixelHalves(2, Rgb.grey(.31), 2, Rgb.grey(.3));
+    assertThat(even.cautiousSquaredError())
+        .isCloseTo(even.relativeSquaredError(), within(.03 * even.relativeSquaredError()));
+  }
+
   @Test
   void boundHoldsAsOftenAsItSays() {
     Random random = new Random(11);
@@ -91,12 +102,25 @@ class NoiseEstimatorTest {
 
   @Test
   void looksSpendNoMoreThanTheyMay() {
-    double spent = 0;
+    double spent = 3 * (1 - Looks.earlyConfidence(.95));
+    assertThat(spent).isCloseTo(.005, within(1e-12));
     for (int look = 1; look < 1000; look++) {
       spent += 1 - Looks.confidence(.95, look);
     }
     assertThat(spent).isBetween(.0499, .05);
     assertThat(IntStream.range(1, 200).filter(n -> Looks.due(n) > Looks.due(n - 1)))
-        .containsExactly(32, 48, 64, 96, 128, 192);
+        .containsExactly(4, 8, 16, 32, 48, 64, 96, 128, 192);
+  }
+
+  /** 256 samples in the part of the picture, a share ε², that could hide an error of ε. */
+  @Test
+  void earlyLooksNeedEnoughSamplesToFindWhatMatters() {
+    assertThat(Looks.isEarlyEnough(4, 640 * 480, .2)).isTrue();
+    assertThat(Looks.isEarlyEnough(4, 1600, .2)).isTrue();
+    assertThat(Looks.isEarlyEnough(4, 1599, .2)).isFalse();
+    assertThat(Looks.isEarlyEnough(16, 400, .2)).isTrue();
+    assertThat(Looks.isEarlyEnough(16, 399, .2)).isFalse();
+    assertThat(Looks.isEarlyEnough(16, 640 * 480, .001)).isFalse();
+    assertThat(Looks.isEarlyEnough(32, 64, .001)).isTrue();
   }
 }

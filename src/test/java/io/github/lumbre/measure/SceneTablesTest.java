@@ -50,7 +50,7 @@ class SceneTablesTest {
         .contains("```sh\nlumbre trade a.json\nlumbre trade b.json\nlumbre trade-table\n```")
         .contains("| b |  |  | 0.1 |  |  |")
         .contains("| scene | depth 2 | depth 5 |", "| b | 20 % | < 1.0 % |")
-        .contains("| scene | lights power |", "| a |  |", "| b | 0.50 (0.50 to 0.50) |")
+        .contains("| scene | light selection: power |", "| a |  |", "| b | 0.50 (0.50 to 0.50) |")
         .contains("| a | 4.00 | 2.00 | 30.0 | 1.50 |")
         .doesNotContain("NaN", "Infinity");
   }
@@ -79,7 +79,7 @@ class SceneTablesTest {
             row("depth", "1000", true, 256, .0005, NONE),
             row("lights", "power", true, 16, .02, NONE));
     SceneTrade scene = new SceneTrade("a", 100, 50, 3, 1024, 0, Map.of(), rows);
-    assertThat(scene.gainByRays(scene.of("lights power")).value()).isCloseTo(.5, within(1e-9));
+    assertThat(scene.gainByRays(scene.of("light selection: power")).value()).isCloseTo(.5, within(1e-9));
   }
 
   @Test

@@ -51,6 +51,22 @@ class ObjReaderTest {
     assertThat(mesh.indices()).containsExactly(0, 1, 2, 0, 2, 3);
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"\n", "\r\n", "\r"})
+  void linesEndInThreeWays(String end) throws ObjFormatException {
+    String text = "# of a tool\n" + CORNERS + "f 1 2 \\\n3\n\no up # up\nf 1 3 4 # end\nf 1 2";
+    text = text.replace("\n", end);
+    assertThat(refusal(text)).isEqualTo("line 11: expected at least 3 corners of a face, found 2");
+    ObjMesh mesh = read(text.substring(0, text.lastIndexOf('f')));
+    assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+  }
+
+  @Test
+  void byteOrderMarksAreNotPartOfTheFirstWord() throws ObjFormatException {
+    ObjMesh mesh = read("\ufeff" + CORNERS + "f 1 2 3 4");
+    assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+  }
+
   @Test
   void cornersThatDifferAreDifferentVertices() throws ObjFormatException {
     ObjMesh mesh =

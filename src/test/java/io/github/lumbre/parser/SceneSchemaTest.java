@@ -10,6 +10,7 @@ import com.networknt.schema.InputFormat;
 import com.networknt.schema.JsonSchema;
 import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion.VersionFlag;
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.testing.Effort;
 import java.io.IOException;
 import java.io.InputStream;
@@ -234,7 +235,7 @@ class SceneSchemaTest {
     TextureReader textures = new TextureReader(null, null, 0, TextureChange.NONE);
     assertFamily("texture", "textureType", textures.family());
     assertFamily("material", "materialType", new MaterialReader(null, textures).family());
-    assertFamily("shape", "shapeType", new ShapeReader(null, List.of()).family());
+    assertFamily("shape", "shapeType", new ShapeReader(null, List.of(), Kernel.AUTO).family());
     assertFamily("light", "lightType", new LightReader(textures, false).family());
     assertFamily("camera", "cameraType", new CameraReader(textures).family());
     assertThat(

@@ -13,8 +13,11 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Effort;
+import java.nio.ByteBuffer;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -189,5 +192,158 @@ class AdaptiveScheduleTest {
       System.out.println("rare bright samples: " + sum + " of 1 +- " + error);
     }
     assertThat(sum).isCloseTo(1, within(4 * error));
+  }
+
+  /** Gives a pixel black samples and then as many white ones if it is noisy, else grey ones. */
+  private static void fill(Film film, int pixel, int count, boolean noisy) {
+    for (int i = 0; i < count; i++) {
+      double white = 2.0 * i < count ? 0 : 1;
+      film.add(pixel, Rgb.grey(noisy ? white : .5), true);
+    }
+  }
+
+  private static SampleTarget next(Film film, int goal) {
+    return new AdaptiveSchedule(goal).next(film).orElseThrow();
+  }
+
+  /** Returns the pixels that are to have more samples, x + width * y. */
+  private static Set<Integer> chosen(Film film, int goal) {
+    SampleTarget target = next(film, goal);
+    Crop window = film.window();
+    Set<Integer> chosen = new TreeSet<>();
+    for (int pixel = 0; pixel < window.width() * window.height(); pixel++) {
+      int x = window.x() + pixel % window.width();
+      int y = window.y() + pixel / window.width();
+      int wanted = target.samples(x, y);
+      if (wanted > film.samples(x, y)) {
+        assertThat(wanted).isEqualTo(2 * film.samples(x, y));
+        chosen.add(pixel);
+      }
+    }
+    return chosen;
+  }
+
+  private static Film film(int width, int height, int count, int noisyX, int noisyY) {
+    Film film = new Film(new Crop(3, 5, width, height), false, 0);
+    for (int pixel = 0; pixel < width * height; pixel++) {
+      fill(film, pixel, count, pixel == noisyX + width * noisyY);
+    }
+    return film;
+  }
+
+  /** With work for 24 pixels, those are the ones in the square of 5x5 around a noisy pixel. */
+  @Test
+  void noiseOfAPixelGivesSamplesToThoseAroundAndNotToItself() {
+    for (int[] at : new int[][] {{7, 7}, {4, 4}, {11, 11}, {4, 11}, {11, 4}}) {
+      Set<Integer> around = new TreeSet<>();
+      for (int i = 0; i < 25; i++) {
+        around.add(at[0] - 2 + i % 5 + 16 * (at[1] - 2 + i / 5));
+      }
+      around.remove(at[0] + 16 * at[1]);
+      assertThat(chosen(film(16, 16, 32, at[0], at[1]), 35)).isEqualTo(around);
+    }
+  }
+
+  /** At a border a pixel has fewer others around, of which a noisy one is more. */
+  @Test
+  void noiseInACornerWeighsMostWhereTheFewestPixelsAreAround() {
+    for (int corner = 0; corner < 4; corner++) {
+      int x = corner % 2 == 0 ? 0 : 15;
+      int y = corner < 2 ? 0 : 7;
+      int inX = x == 0 ? 1 : -1;
+      int inY = y == 0 ? 1 : -1;
+      assertThat(chosen(film(16, 8, 32, x, y), 33))
+          .containsExactlyInAnyOrder(
+              x + inX + 16 * y, x + 2 * inX + 16 * y, x + 16 * (y + inY), x + 16 * (y + 2 * inY));
+    }
+  }
+
+  /** Of 32 pixels, one without noise has fewer samples than the eighth of the mean. */
+  @Test
+  void pixelsFarBelowTheMeanComeFirst() {
+    Film film = new Film(new Crop(0, 0, 8, 4), false, 0);
+    for (int pixel = 0; pixel < 32; pixel++) {
+      fill(film, pixel, pixel == 0 ? 32 : pixel == 31 ? 64 : 512, pixel == 30);
+    }
+    assertThat(film.totalSamples()).isEqualTo(485 * 32 - 64);
+    assertThat(chosen(film, 485)).containsExactly(0);
+  }
+
+  /** Gives a pixel equal samples, more than could be added one by one. */
+  private static void fillAtOnce(Film film, int pixel, int count) {
+    ByteBuffer bytes = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
+    for (int rest = count; rest != 0; rest >>>= 7) {
+      bytes.put((byte) (rest & 0x7f | (rest > 0x7f ? 0x80 : 0)));
+    }
+    for (int channel = 0; channel < 3; channel++) {
+      bytes.put((byte) 0).putLong(0);
+    }
+    film.decode(pixel, bytes.putLong(Long.reverseBytes(PackedRgb.of(0, 0, 0))).flip());
+  }
+
+  private static Film black(int width, int height, int count) {
+    Film film = new Film(new Crop(0, 0, width, height), false, 0);
+    for (int pixel = 0; pixel < width * height; pixel++) {
+      fillAtOnce(film, pixel, count);
+    }
+    return film;
+  }
+
+  @Test
+  void passesAreAsLongAsEvenOnes() {
+    Film film = black(16, 16, 4096);
+    assertThat(chosen(film, RenderSettings.MAX_SAMPLES)).hasSize(Passes.LONGEST * 256 / 4096);
+  }
+
+  /** A pass does not add more than a quarter of the samples that there are. */
+  @Test
+  void noiseIsLookedAtFourTimesWhileTheSamplesDouble() {
+    assertThat(chosen(black(16, 16, 32), 1_000)).hasSize(64);
+  }
+
+  @Test
+  void noPixelHasMoreSamplesThanARenderMayHave() {
+    int most = RenderSettings.MAX_SAMPLES;
+    assertThat(new AdaptiveSchedule(most).next(black(1, 1, most))).isEmpty();
+    assertThat(chosen(black(1, 1, most / 2), most)).containsExactly(0);
+    assertThat(new AdaptiveSchedule(most - 1).next(black(1, 1, most / 2))).isEmpty();
+    assertThat(new AdaptiveSchedule(most).next(black(2, 2, most / 2 + 1))).isEmpty();
+  }
+
+  /** Where a pass is too short for any pixel, the one with the fewest samples is doubled. */
+  @Test
+  void picturesOfFewPixelsGoOnWhereItIsCheapest() {
+    Film film = new Film(new Crop(0, 0, 3, 1), false, 0);
+    fillAtOnce(film, 0, 1024);
+    fillAtOnce(film, 1, 512);
+    fillAtOnce(film, 2, 1024);
+    assertThat(chosen(film, 1024)).containsExactly(1);
+    assertThat(new AdaptiveSchedule(1023).next(film)).isEmpty();
+  }
+
+  @Test
+  void targetStaysTheSameUntilItIsMet() {
+    Film film = film(16, 16, 32, 7, 7);
+    Schedule schedule = new AdaptiveSchedule(64);
+    SampleTarget first = schedule.next(film).orElseThrow();
+    fill(film, 0, 4096, true);
+    SampleTarget again = schedule.next(film).orElseThrow();
+    for (int i = 0; i < 256; i++) {
+      assertThat(again.samples(3 + i % 16, 5 + i / 16))
+          .isEqualTo(first.samples(3 + i % 16, 5 + i / 16));
+    }
+  }
+
+  @Test
+  void pilotIsEvenAndInPasses() {
+    Film film = new Film(new Crop(0, 0, 4, 4), false, 0);
+    Schedule schedule = new AdaptiveSchedule(1_000);
+    for (int expected = 1; expected <= AdaptiveSchedule.PILOT; expected *= 2) {
+      SampleTarget target = schedule.next(film).orElseThrow();
+      for (int pixel = 0; pixel < 16; pixel++) {
+        assertThat(target.samples(pixel % 4, pixel / 4)).isEqualTo(expected);
+        fill(film, pixel, expected - film.samples(pixel), false);
+      }
+    }
   }
 }

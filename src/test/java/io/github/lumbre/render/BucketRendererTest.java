@@ -2,6 +2,7 @@ package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.FishEyeCamera;
@@ -17,13 +18,17 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class BucketRendererTest {
@@ -277,5 +282,131 @@ class BucketRendererTest {
     BucketRenderer renderer = new BucketRenderer(small().build());
 
     assertThat(renderer.render(SCENE).rgb()).isEqualTo(renderer.render(SCENE).rgb());
+  }
+
+  private static RenderStatistics statistics(RenderSettings settings, Rgb radiance)
+      throws InterruptedException {
+    return new BucketRenderer(settings)
+        .render(SCENE, (ray, sampler, scratch) -> radiance, Progress.NONE)
+        .statistics();
+  }
+
+  @Test
+  void samplesBrighterThanTheClampAreDarkenedToIt() throws InterruptedException {
+    RenderSettings settings = small().clamp(2).build();
+    RenderResult result =
+        new BucketRenderer(settings)
+            .render(SCENE, (ray, sampler, scratch) -> new Rgb(4, 2, 1), Progress.NONE);
+    assertThat(result.image().pixel(3, 3)).isEqualTo(new Rgb(2, 1, .5));
+    assertThat(result.statistics().clamped()).isEqualTo(2400);
+    assertThat(result.statistics().clampedLight()).isCloseTo(2400 * 3.5 / 3, within(1e-9));
+    assertThat(result.statistics().saturated()).isZero();
+    RenderStatistics atTheClamp = statistics(settings, new Rgb(1, 2, 1.5));
+    assertThat(atTheClamp.clamped()).isZero();
+    assertThat(atTheClamp.clampedLight()).isZero();
+  }
+
+  @Test
+  void samplesTooBrightForTheFilmAreCounted() throws InterruptedException {
+    RenderSettings settings = small().build();
+    assertThat(statistics(settings, Rgb.grey(Film.LARGEST)).saturated()).isZero();
+    RenderStatistics above = statistics(settings, Rgb.grey(Math.nextUp(Film.LARGEST)));
+    assertThat(above.saturated()).isEqualTo(2400);
+    assertThat(above.clamped()).isZero();
+    RenderStatistics both = statistics(small().clamp(1e6).build(), Rgb.grey(1e12));
+    assertThat(both.saturated()).isEqualTo(2400);
+    assertThat(both.clamped()).isEqualTo(2400);
+  }
+
+  @Test
+  void theFirstTenRejectedSamplesAreNamed() throws InterruptedException {
+    RenderStatistics bad = statistics(small().threads(1).samples(1).build(), Rgb.grey(-1));
+    assertThat(bad.rejected()).isEqualTo(600);
+    assertThat(bad.firstRejected()).hasSize(10);
+    assertThat(bad.firstRejected().get(7)).isEqualTo(new RenderStatistics.RejectedSample(7, 0, 0));
+  }
+
+  /** Each sample waits until as many threads as there should be have begun one. */
+  @ParameterizedTest
+  @CsvSource({"0, 8", "1, 8", "3, 8", "5, 20"})
+  void asManyThreadsRenderAsAreAskedFor(int threads, int bucketSize) throws InterruptedException {
+    int expected =
+        Math.min(threads == 0 ? Runtime.getRuntime().availableProcessors() : threads, 12);
+    int buckets = bucketSize == 8 ? 12 : 2;
+    CountDownLatch begun = new CountDownLatch(Math.min(expected, buckets));
+    Set<Thread> workers = ConcurrentHashMap.newKeySet();
+    Integrator waiting =
+        (ray, sampler, scratch) -> {
+          if (workers.add(Thread.currentThread())) {
+            begun.countDown();
+          }
+          awaitQuietly(begun);
+          return Rgb.WHITE;
+        };
+    RenderSettings settings = small().samples(1).threads(threads).bucketSize(bucketSize).build();
+    assertThat(new BucketRenderer(settings).render(SCENE, waiting, Progress.NONE).complete())
+        .isTrue();
+    assertThat(workers).hasSize(Math.min(expected, buckets)).allMatch(Thread::isDaemon);
+    assertThat(workers).allMatch(worker -> worker.getName().startsWith("lumbre-render-"));
+  }
+
+  private static void awaitQuietly(CountDownLatch latch) {
+    try {
+      if (!latch.await(20, TimeUnit.SECONDS)) {
+        throw new AssertionError("too few threads");
+      }
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  /** The render is interrupted, and once more while it waits for its threads. */
+  @Test
+  void secondInterruptionIsKeptForLater() {
+    Thread caller = Thread.currentThread();
+    AtomicLong calls = new AtomicLong();
+    Integrator interrupting =
+        (ray, sampler, scratch) -> {
+          if (calls.getAndIncrement() == 0) {
+            awaitState(caller, Thread.State.TIMED_WAITING);
+            caller.interrupt();
+            awaitState(caller, Thread.State.WAITING);
+            caller.interrupt();
+            while (caller.isInterrupted()) {
+              Thread.onSpinWait();
+            }
+            awaitState(caller, Thread.State.WAITING);
+          }
+          return Rgb.WHITE;
+        };
+    BucketRenderer renderer = new BucketRenderer(small().threads(1).build());
+    assertThatThrownBy(() -> renderer.render(SCENE, interrupting, Progress.NONE))
+        .isInstanceOf(InterruptedException.class);
+    assertThat(Thread.interrupted()).isTrue();
+    assertThat(liveWorkers()).isEmpty();
+  }
+
+  private static void awaitState(Thread thread, Thread.State state) {
+    while (thread.getState() != state) {
+      Thread.onSpinWait();
+    }
+  }
+
+  /** Listeners hear of samples while a bucket is rendered, not of all at its end. */
+  @Test
+  void longBucketsAreHeardOfMeanwhile() throws InterruptedException {
+    List<Long> heard = new ArrayList<>();
+    Progress listener =
+        new Progress() {
+          @Override
+          public void advanced(long samples) {
+            heard.add(samples);
+          }
+        };
+    RenderSettings oneBucket = small().size(64, 64).samples(1).bucketSize(64).threads(1).build();
+    new BucketRenderer(oneBucket).render(SCENE, listener);
+    assertThat(heard).hasSizeGreaterThanOrEqualTo(4);
+    assertThat(heard.stream().mapToLong(h -> h).sum()).isEqualTo(64 * 64);
+    assertThat(heard).allMatch(h -> h <= 1024);
   }
 }

@@ -3,6 +3,8 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.FishEyeCamera;
 import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
@@ -41,5 +43,48 @@ class DepthCutTest {
   void darknessLacksNothing() throws InterruptedException {
     Scene empty = Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60)).build();
     assertThat(DepthCut.of(empty, RenderSettings.DEFAULT)).isEqualTo(new DepthCut(0, 0));
+  }
+
+  private static Scene room(Camera camera, double reflectance) {
+    return Scene.seenBy(camera)
+        .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.grey(reflectance))))
+        .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
+        .build();
+  }
+
+  @Test
+  void deepestPathsLackNothing() throws InterruptedException {
+    Scene room = room(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60), .5);
+    RenderSettings deepest =
+        new RenderSettings.Builder().maxTraceDepth(RenderSettings.MAX_DEPTH).build();
+    assertThat(DepthCut.of(room, deepest)).isEqualTo(new DepthCut(0, 0));
+  }
+
+  /** The corners of a fish-eye picture are transparent. */
+  @Test
+  void pixelsWithoutAPictureLackNothing() throws InterruptedException {
+    Camera fishEye = new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 170);
+    DepthCut cut =
+        DepthCut.of(room(fishEye, .5), new RenderSettings.Builder().maxTraceDepth(2).build());
+    assertThat(cut.share()).isCloseTo(.25, within(.005 + 4 * cut.standardError()));
+  }
+
+  /** Whether one seed or another: the shares vary about as much as the error says. */
+  @Test
+  void standardErrorIsTheSpreadOverSeeds() throws InterruptedException {
+    Scene room = room(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60), .7);
+    int seeds = 24;
+    double sum = 0;
+    double squares = 0;
+    double told = 0;
+    for (int seed = 0; seed < seeds; seed++) {
+      DepthCut cut =
+          DepthCut.of(room, new RenderSettings.Builder().seed(seed).maxTraceDepth(2).build());
+      sum += cut.share();
+      squares += cut.share() * cut.share();
+      told += cut.standardError() / seeds;
+    }
+    double spread = Math.sqrt((squares - sum * sum / seeds) / (seeds - 1));
+    assertThat(spread / told).isBetween(.3, 1.6);
   }
 }

@@ -338,4 +338,102 @@ class FilmTest {
       assertThat(one.develop().alpha(1, 1)).isEqualTo(all.develop().alpha(1, 1));
     }
   }
+
+  /** Returns a film of one row, whose pixels have so many equal samples. */
+  private static Film row(Rgb value, int... counts) {
+    Film film = new Film(new Crop(2, 3, counts.length, 1), false, 0);
+    for (int pixel = 0; pixel < counts.length; pixel++) {
+      for (int i = 0; i < counts[pixel]; i++) {
+        film.add(pixel, value, true);
+      }
+    }
+    return film;
+  }
+
+  @Test
+  void countsOfAllPixelsAreSummedUp() {
+    Film film = row(new Rgb(3, 6, .75), 6, 1, 2);
+    assertThat(film.fewestSamples()).isEqualTo(1);
+    assertThat(film.medianSamples()).isEqualTo(2);
+    assertThat(film.mostSamples()).isEqualTo(6);
+    assertThat(film.totalSamples()).isEqualTo(9);
+    assertThat(film.meanSamples()).isEqualTo(3);
+    assertThat(film.totalLight()).isCloseTo(9 * 3.25, within(1e-12));
+  }
+
+  @Test
+  void filmsThatDoNotFitAreRefused() {
+    Film film = new Film(new Crop(4, 4, 3, 3), true, 5);
+    for (Crop outside :
+        List.of(
+            new Crop(3, 5, 1, 1),
+            new Crop(7, 5, 1, 1),
+            new Crop(5, 3, 1, 1),
+            new Crop(5, 7, 1, 1),
+            new Crop(4, 4, 4, 3),
+            new Crop(4, 4, 3, 4))) {
+      assertThatThrownBy(() -> film.addAll(new Film(outside, true, 5)))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining(outside.toString());
+    }
+    film.addAll(new Film(film.window(), true, 5));
+    for (Film other :
+        List.of(
+            new Film(film.window(), false, 5),
+            new Film(film.window(), true, 6),
+            new Film(new Crop(4, 4, 3, 2), true, 5))) {
+      assertThatThrownBy(() -> film.set(other)).isInstanceOf(IllegalArgumentException.class);
+    }
+    assertThatThrownBy(() -> film.addAll(new Film(film.window(), false, 5)))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> new Film(film.window(), true, -1))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void pixelsOutsideOfTheWindowHaveNoSamples() {
+    Film film = row(Rgb.WHITE, 1, 4);
+    assertThat(film.samples(2, 3)).isEqualTo(1);
+    assertThat(film.samples(3, 3)).isEqualTo(4);
+    for (int[] outside : new int[][] {{1, 3}, {4, 3}, {2, 2}, {2, 4}}) {
+      assertThatThrownBy(() -> film.samples(outside[0], outside[1]))
+          .isInstanceOf(IndexOutOfBoundsException.class);
+      assertThatThrownBy(() -> film.halves(outside[0], outside[1]))
+          .isInstanceOf(IndexOutOfBoundsException.class);
+    }
+  }
+
+  /** What came from two films has no known order, so that its halves are not known. */
+  @Test
+  void halvesAreKnownOfPixelsWhoseSamplesComeFromOneFilm() {
+    Film sum = row(Rgb.WHITE, 4, 0, 4, 0);
+    sum.addAll(row(Rgb.WHITE, 0, 4, 4, 0));
+    assertThat(sum.halves(2, 3)).contains(new PixelHalves(2, Rgb.WHITE, 2, Rgb.WHITE));
+    assertThat(sum.halves(3, 3)).contains(new PixelHalves(2, Rgb.WHITE, 2, Rgb.WHITE));
+    assertThat(sum.halves(4, 3)).isEmpty();
+    assertThat(sum.halves(5, 3)).isEmpty();
+    assertThat(sum.samples(4, 3)).isEqualTo(8);
+  }
+
+  @Test
+  void pixelMayBeCoveredByAllOfItsSamplesAndBeAsBrightAsCanBe() {
+    Film film = new Film(new Crop(0, 0, 1, 1), true, 0);
+    for (int i = 0; i < 200; i++) {
+      film.add(0, Rgb.grey(Film.LARGEST), true);
+    }
+    ByteBuffer bytes = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
+    film.encode(0, bytes);
+    Film read = new Film(new Crop(0, 0, 1, 1), true, 0);
+    read.decode(0, bytes.flip());
+    assertThat(read.develop().pixel(0, 0)).isEqualTo(Rgb.grey(Film.LARGEST));
+    assertThat(read.develop().alpha(0, 0)).isEqualTo(1);
+    assertThat(read.samples(0, 0)).isEqualTo(200);
+  }
+
+  @Test
+  void pixelWithoutSamplesTakesAByte() {
+    ByteBuffer bytes = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
+    new Film(new Crop(0, 0, 1, 1), true, 0).encode(0, bytes);
+    assertThat(bytes.position()).isEqualTo(1);
+  }
 }

@@ -4,23 +4,30 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.camera.FishEyeCamera;
+import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.integrator.PathVertex;
 import io.github.lumbre.integrator.PathVertex.Contribution;
 import io.github.lumbre.integrator.PathVertex.End;
 import io.github.lumbre.integrator.PathVertex.Scattering;
+import io.github.lumbre.integrator.PathVertex;
 import io.github.lumbre.integrator.RenderContext;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
-import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -153,5 +160,67 @@ class PixelReplayTest {
     assertThat(pixel.brightest()).hasSize(2);
     assertThat(pixel.brightest().get(0).film().max())
         .isGreaterThanOrEqualTo(pixel.brightest().get(1).film().max());
+  }
+
+  /** Before a background that is no radiance in one channel, all samples are rejected. */
+  @Test
+  void rejectedSamplesAreCountedAndTheFirstShown() {
+    for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, -1}) {
+      for (int channel = 0; channel < 3; channel++) {
+        Rgb radiance =
+            new Rgb(channel == 0 ? bad : 1, channel == 1 ? bad : 1, channel == 2 ? bad : 1);
+        Scene scene =
+            Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+                .addBackground(radiance)
+                .build();
+        RenderSettings settings = new RenderSettings.Builder().size(4, 4).samples(7).build();
+        PixelReplay.Pixel pixel = new PixelReplay(scene, settings).pixel(1, 2, 3);
+        assertThat(pixel.samples()).isEqualTo(7);
+        assertThat(pixel.rejected()).isEqualTo(7);
+        assertThat(pixel.mean()).isEqualTo(Rgb.BLACK);
+        assertThat(pixel.variance()).isEqualTo(Rgb.BLACK);
+        assertThat(pixel.firstRejected())
+            .extracting(PixelReplay.Sample::number)
+            .containsExactly(0, 1, 2);
+        assertThat(pixel.firstRejected()).allMatch(PixelReplay.Sample::rejected);
+        assertThat(pixel.firstRejected()).allMatch(sample -> sample.film().isBlack());
+        assertThat(pixel.firstRejected().get(0).radiance()).isEqualTo(radiance);
+      }
+    }
+  }
+
+  @Test
+  void brightestSamplesAreTheBrightestOfAll() throws Exception {
+    SceneFile file = scene("cornell-box", Mode.PATH);
+    RenderSettings settings = file.settings().toBuilder().samples(20).build();
+    PixelReplay replay = new PixelReplay(file.scene(), settings);
+    List<Double> all =
+        IntStream.range(0, 20)
+            .mapToObj(number -> replay.sample(12, 8, number).film().max())
+            .sorted(Comparator.reverseOrder())
+            .toList();
+    for (int shown = 1; shown <= 25; shown++) {
+      PixelReplay.Pixel pixel = replay.pixel(12, 8, shown);
+      assertThat(pixel.rejected()).isZero();
+      assertThat(pixel.firstRejected()).isEmpty();
+      assertThat(pixel.brightest())
+          .extracting(sample -> sample.film().max())
+          .isEqualTo(all.subList(0, Math.min(shown, 20)));
+    }
+  }
+
+  @Test
+  void samplesThatTheCameraDoesNotImageAreBlack() {
+    Scene scene =
+        Scene.seenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180))
+            .addBackground(Rgb.WHITE)
+            .build();
+    RenderSettings settings = new RenderSettings.Builder().size(20, 20).samples(4).build();
+    PixelReplay.Sample corner = new PixelReplay(scene, settings).sample(0, 0, 3);
+    assertThat(corner)
+        .isEqualTo(new PixelReplay.Sample(3, List.of(), Rgb.BLACK, Rgb.BLACK, false, false));
+    PixelReplay.Sample middle = new PixelReplay(scene, settings).sample(10, 10, 3);
+    assertThat(middle.film()).isEqualTo(Rgb.WHITE);
+    assertThat(middle.vertices()).isNotEmpty();
   }
 }

@@ -1,0 +1,16 @@
+package io.github.lumbre.cli;
+
+import picocli.CommandLine.Option;
+
+/** The flag of all commands that write files. */
+final class OverwriteFlag {
+  @Option(
+      names = "--overwrite",
+      description = "Replace an existing output even if it is a file of a different kind.")
+  private boolean overwrite;
+
+  /** Returns a guard that knows no files yet. */
+  OutputGuard guard() {
+    return new OutputGuard(overwrite);
+  }
+}

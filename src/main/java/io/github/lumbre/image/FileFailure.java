@@ -1,0 +1,70 @@
+package io.github.lumbre.image;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.FileSystemLoopException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.util.Locale;
+
+/** Why a file could not be read or written, in words. */
+public final class FileFailure {
+  /** What to do where a locale lacks letters. */
+  public static final String REMEDY = "set the environment variable LC_ALL to C.UTF-8";
+
+  private FileFailure() {}
+
+  /**
+   * Returns the reason without the file's name, such as {@code permission denied}. The exceptions
+   * of {@link java.nio.file.Files} often have the file's name as their only message.
+   */
+  public static String reason(IOException e) {
+    if (e instanceof AccessDeniedException) {
+      return "permission denied";
+    }
+    if (e instanceof NoSuchFileException) {
+      return "no such file";
+    }
+    if (e instanceof NotDirectoryException) {
+      return "not a directory";
+    }
+    if (e instanceof FileSystemLoopException) {
+      return "symbolic links lead in a circle";
+    }
+    if (e instanceof CharacterCodingException) {
+      return "not a text in UTF-8";
+    }
+    String message = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
+    if (message == null || message.isEmpty()) {
+      return "the system gives no reason (" + e.getClass().getSimpleName() + ")";
+    }
+    return e instanceof ImageFormatException ? message : begunSmall(message);
+  }
+
+  /**
+   * Returns why a text is no path. Java takes the encoding of file names from the locale; without
+   * one it is ASCII, which cannot express other letters.
+   */
+  public static String reason(InvalidPathException e) {
+    String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
+    boolean isEncodable =
+        Charset.isSupported(encoding)
+            && Charset.forName(encoding).newEncoder().canEncode(e.getInput())
+            && e.getInput().indexOf('\ufffd') < 0;
+    return isEncodable
+        ? begunSmall(e.getReason())
+        : "the locale's encoding of file names, " + encoding + ", lacks letters of it; " + REMEDY;
+  }
+
+  /** Returns the system's own words, such as "Is a directory", as the rest of a sentence. */
+  private static String begunSmall(String message) {
+    boolean isWord = message.length() > 1 && Character.isLowerCase(message.charAt(1));
+    return isWord
+        ? message.substring(0, 1).toLowerCase(Locale.ROOT) + message.substring(1)
+        : message;
+  }
+}

@@ -1,0 +1,91 @@
+package io.github.lumbre.image;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.stream.Collectors;
+import javax.imageio.IIOException;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/**
+ * Writes baseline JPEG files: exposure and tone curve, 8 bits, full color resolution (4:4:4),
+ * metadata as comments. JPEG has no alpha: the picture is written over black. A whole quantized
+ * picture is in memory meanwhile, 3 bytes a pixel.
+ */
+final class JpegWriter {
+  private static final String METADATA = "javax_imageio_jpeg_image_1.0";
+  private static final int MAX_COMMENT = 65000;
+
+  private JpegWriter() {}
+
+  static void write(Image image, ImageWriter.Options options, OutputStream out) throws IOException {
+    BufferedImage picture = PngWriter.quantised(image, options, 8, false);
+    javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+    try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+      writer.setOutput(stream);
+      ImageWriteParam param = writer.getDefaultWriteParam();
+      param.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+      param.setCompressionQuality(options.jpegQuality() / 100f);
+      IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), param);
+      metadata.mergeTree(METADATA, markers(image, options.metadata()));
+      writer.write(null, new IIOImage(picture, null, metadata), param);
+    } catch (IIOException e) {
+      // Its own message says nothing; the cause's is "No space left on device".
+      throw e.getCause() instanceof IOException cause ? cause : e;
+    } finally {
+      writer.dispose();
+    }
+  }
+
+  /** Returns what the file has besides the encoder's defaults: sampling factors and a comment. */
+  private static IIOMetadataNode markers(Image image, Map<String, String> metadata) {
+    IIOMetadataNode frame = node("sof", "process", 0, "samplePrecision", 8);
+    frame.setAttribute("numLines", "" + image.height());
+    frame.setAttribute("samplesPerLine", "" + image.width());
+    frame.setAttribute("numFrameComponents", "3");
+    for (int component = 1; component <= 3; component++) {
+      IIOMetadataNode spec = node("componentSpec", "HsamplingFactor", 1, "VsamplingFactor", 1);
+      spec.setAttribute("componentId", "" + component);
+      spec.setAttribute("QtableSelector", component == 1 ? "0" : "1");
+      frame.appendChild(spec);
+    }
+    IIOMetadataNode sequence = new IIOMetadataNode("markerSequence");
+    sequence.appendChild(frame);
+    if (!metadata.isEmpty()) {
+      IIOMetadataNode comment = new IIOMetadataNode("com");
+      comment.setUserObject(comment(metadata));
+      sequence.appendChild(comment);
+    }
+    IIOMetadataNode root = new IIOMetadataNode(METADATA);
+    root.appendChild(new IIOMetadataNode("JPEGvariety"));
+    root.appendChild(sequence);
+    return root;
+  }
+
+  private static IIOMetadataNode node(String name, String key, int value, String key2, int value2) {
+    IIOMetadataNode node = new IIOMetadataNode(name);
+    node.setAttribute(key, "" + value);
+    node.setAttribute(key2, "" + value2);
+    return node;
+  }
+
+  /** Returns a line for each keyword, in UTF-8: as text, the default character set would decide. */
+  private static byte[] comment(Map<String, String> metadata) {
+    String lines =
+        metadata.entrySet().stream()
+            .map(e -> e.getKey() + ": " + e.getValue())
+            .collect(Collectors.joining("\n"));
+    byte[] bytes = lines.getBytes(StandardCharsets.UTF_8);
+    return Arrays.copyOf(bytes, Math.min(bytes.length, MAX_COMMENT));
+  }
+}

@@ -1,0 +1,51 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The time limit holds while a scene is read, too. */
+class ReadingTimeoutTest {
+  private static final int TRIANGLES = 2_000_000;
+
+  /** Processor time that the reading thread may take; all of the scene takes several times that. */
+  private static final double MOST_SECONDS = 1;
+
+  @TempDir private Path directory;
+
+  /** Reading the mesh and building its hierarchy takes several times as long as the limit. */
+  @Test
+  void timeoutEndsReading() throws IOException {
+    String mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n".repeat(TRIANGLES);
+    Files.writeString(directory.resolve("large.obj"), mesh);
+    Path scene =
+        TinyScene.write(
+            directory,
+            TinyScene.withAsset("{\"id\": 9, \"assetType\": \"Mesh\", \"file\": \"large.obj\"}")
+                .replace(
+                    "\"objects\": [",
+                    "\"objects\": [{\"type\": \"Shape\", \"shapeType\": \"Mesh\","
+                        + " \"meshId\": 9, \"materialID\": 1},"));
+    String picture = directory.resolve("a.png").toString();
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    long start = threads.getCurrentThreadCpuTime();
+    Outcome outcome =
+        Outcome.of("render", scene.toString(), "-o", picture, "--timeout", "0.3s", "-s", "1");
+    double seconds = (threads.getCurrentThreadCpuTime() - start) * 1e-9;
+    outcome.assertFailed(
+        ExitCodes.LIMIT, "--timeout", "before anything was rendered; no picture is written");
+    assertThat(seconds).isLessThan(MOST_SECONDS);
+    assertThat(Thread.currentThread().isInterrupted()).isFalse();
+    try (Stream<Path> files = Files.list(directory)) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .containsExactlyInAnyOrder("large.obj", "tiny.json");
+    }
+  }
+}

@@ -1,0 +1,354 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.testing.Effort;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The launcher in a terminal: the progress bar, Ctrl-C, Ctrl-Z, a closed window. */
+class TerminalIT {
+  /** More samples than any of these renders has time for. */
+  private static final String ENDLESS = "100000000";
+
+  private static final Pattern BAR =
+      Pattern.compile(
+          " *(\\d+) % \\[=*>? *\\] \\d:\\d\\d:\\d\\d left, [0-9.]+( M)? samples/s"
+              + "(, noise [0-9.]+ % \\(target 0.0010 %\\))?");
+
+  /** What a bar shows as soon as there are samples. */
+  private static final Pattern BEGUN = Pattern.compile(" [1-9][0-9.]*( M)? samples/s");
+
+  private static final long MAX_STOP_SECONDS = 10;
+
+  @TempDir private Path home;
+  @TempDir private Path directory;
+
+  @BeforeEach
+  void makeProject() throws IOException, InterruptedException {
+    boolean isNeeded = "true".equals(System.getenv("CI"));
+    assumeTrue(
+        isNeeded || PseudoTerminal.isSupported(),
+        "TerminalIT is skipped: this system has no 'script' of util-linux to make a terminal with");
+    Files.createDirectories(home.resolve("src/main"));
+    Files.createDirectories(home.resolve("target"));
+    Files.writeString(home.resolve("pom.xml"), "");
+    Files.copy(Path.of("lumbre"), home.resolve("lumbre"));
+    assertThat(home.resolve("lumbre").toFile().setExecutable(true)).isTrue();
+    Files.copy(Program.JAR, home.resolve("target/lumbre-all.jar"));
+    TinyScene.write(directory, TinyScene.JSON);
+  }
+
+  private PseudoTerminal run(int columns, String command) throws IOException, InterruptedException {
+    return PseudoTerminal.run(
+        directory,
+        columns,
+        Map.of(
+            "JAVA_HOME", System.getProperty("java.home"),
+            // Renders are short: the second compiler would take more time than it saves.
+            "LUMBRE_JAVA_OPTS", "-Xmx512m -XX:TieredStopAtLevel=1",
+            "LUMBRE", home.resolve("lumbre").toString()),
+        command);
+  }
+
+  /** Runs the launcher in the place of the terminal's shell. */
+  private PseudoTerminal lumbre(int columns, String arguments)
+      throws IOException, InterruptedException {
+    return run(columns, "echo $$ >pid.new; mv pid.new pid.txt; exec \"$LUMBRE\" " + arguments);
+  }
+
+  private static void awaitBar(PseudoTerminal terminal) throws InterruptedException {
+    terminal.await("a bar", printed -> BEGUN.matcher(printed).find());
+  }
+
+  private void assertNothingLeftBehind() throws IOException {
+    try (Stream<Path> files = Files.list(directory)) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .noneMatch(name -> name.startsWith("."));
+    }
+  }
+
+  private void signal(String name) throws IOException, InterruptedException {
+    String pid = Files.readString(directory.resolve("pid.txt")).strip();
+    assertThat(new ProcessBuilder("kill", "-" + name, pid).start().waitFor()).isZero();
+  }
+
+  @Test
+  void barMovesEverySecondAndLeavesOneCleanLine() throws IOException, InterruptedException {
+    try (PseudoTerminal terminal =
+        lumbre(120, "render tiny.json -o a.png --timeout 10s --target-error 0.001%")) {
+      awaitBar(terminal);
+      long start = System.nanoTime();
+      assertThat(terminal.exitCode()).isEqualTo(ExitCodes.TARGET);
+      double seconds = (System.nanoTime() - start) * 1e-9;
+      List<String> bars =
+          terminal.bars(0).stream().filter(bar -> !bar.startsWith("reading tiny.json ...")).toList();
+      assertThat(bars.size()).as(terminal.printed()).isGreaterThan((int) seconds);
+      assertThat(bars).allMatch(bar -> BAR.matcher(bar).matches());
+      assertThat(bars).anyMatch(bar -> bar.contains("noise"));
+      List<Integer> percents = bars.stream().map(TerminalIT::percent).toList();
+      assertThat(percents).isSorted();
+      assertThat(percents.get(percents.size() - 1) - percents.get(0)).isGreaterThan(30);
+      List<String> screen = terminal.screen();
+      assertThat(screen).noneMatch(line -> line.contains(" left"));
+      assertThat(screen).filteredOn(line -> line.startsWith("a.png: ")).hasSize(1);
+    }
+    assertNothingLeftBehind();
+  }
+
+  private static int percent(String bar) {
+    Matcher matcher = BAR.matcher(bar);
+    assertThat(matcher.matches()).as(bar).isTrue();
+    return Integer.parseInt(matcher.group(1));
+  }
+
+  @Test
+  void barFollowsTheWidthOfTheWindow() throws IOException, InterruptedException {
+    try (PseudoTerminal terminal = lumbre(120, "render tiny.json -s " + ENDLESS + " -o a.png")) {
+      awaitBar(terminal);
+      terminal.await("a wide bar", p -> terminal.bars(0).stream().anyMatch(b -> b.length() > 70));
+      for (int columns : new int[] {40, 20, 100}) {
+        int from = terminal.length();
+        terminal.resize(columns);
+        terminal.await(
+            "a bar of " + columns + " columns",
+            p -> lastBar(terminal, from) > columns / 2 && lastBar(terminal, from) < columns);
+      }
+      terminal.control('C');
+      assertThat(terminal.exitCode()).isEqualTo(ExitCodes.INTERRUPTED);
+    }
+  }
+
+  private static int lastBar(PseudoTerminal terminal, int from) {
+    List<String> bars = terminal.bars(from);
+    return bars.isEmpty() ? 0 : bars.get(bars.size() - 1).length();
+  }
+
+  /** Pressed while a large mesh is read and its hierarchy is built, or before that. */
+  @Test
+  void interruptedReadingLeavesNothing() throws IOException, InterruptedException {
+    writeLargeScene();
+    Random random = new Random(Effort.seed(201));
+    for (int i = 0; i < Effort.count(3, 30); i++) {
+      try (PseudoTerminal terminal = lumbre(80, "render large.json -s " + ENDLESS + " -o a.png")) {
+        // Reading takes about as long as Java takes to start, building twice that.
+        int millis = random.nextInt(4000);
+        terminal.await(
+            "its beginning", p -> Files.exists(directory.resolve(".a.png.tmp")) || p.length() > 0);
+        awaitMillis(terminal, millis);
+        assertInterrupted(terminal);
+      }
+    }
+  }
+
+  private static void awaitMillis(PseudoTerminal terminal, int millis) throws InterruptedException {
+    long start = System.nanoTime();
+    terminal.await("a moment", p -> System.nanoTime() - start > 1_000_000L * millis);
+  }
+
+  private void assertInterrupted(PseudoTerminal terminal) throws IOException, InterruptedException {
+    boolean hasRendered = BEGUN.matcher(terminal.printed()).find();
+    long start = System.nanoTime();
+    terminal.control('C');
+    assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(ExitCodes.INTERRUPTED);
+    assertThat(TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start))
+        .isLessThan(MAX_STOP_SECONDS);
+    // The terminal itself prints ^C, which may stand before the summary.
+    List<String> screen =
+        terminal.screen().stream().map(line -> line.replaceFirst("^\\^C", "")).toList();
+    boolean isSaved = screen.stream().anyMatch(line -> line.startsWith("a.png: "));
+    assertThat(isSaved).as(terminal.printed()).isEqualTo(Files.exists(directory.resolve("a.png")));
+    assertThat(isSaved || !hasRendered).as(terminal.printed()).isTrue();
+    assertThat(screen).noneMatch(line -> line.endsWith("samples/s") && line.contains(" left"));
+    if (!isSaved) {
+      assertThat(String.join("\n", screen))
+          .contains("stopped before anything was rendered; no picture is written");
+    }
+    assertNothingLeftBehind();
+    Files.deleteIfExists(directory.resolve("a.png"));
+  }
+
+  /** A mesh of many triangles, which takes longer to read than to render. */
+  private void writeLargeScene() throws IOException {
+    int side = 300;
+    StringBuilder obj = new StringBuilder();
+    for (int y = 0; y < side; y++) {
+      for (int x = 0; x < side; x++) {
+        obj.append("v ").append(x * .01).append(' ').append(Math.sin(x * y)).append(' ');
+        obj.append(y * .01).append('\n');
+      }
+    }
+    for (int y = 1; y < side; y++) {
+      for (int x = 1; x < side; x++) {
+        int v = y * side + x + 1;
+        obj.append("f ").append(v).append(' ').append(v - 1).append(' ').append(v - side - 1);
+        obj.append(' ').append(v - side).append('\n');
+      }
+    }
+    Files.writeString(directory.resolve("large.obj"), obj);
+    Files.writeString(
+        directory.resolve("large.json"),
+        TinyScene.withAsset("{\"id\": 9, \"assetType\": \"Mesh\", \"file\": \"large.obj\"}")
+            .replace(
+                "\"objects\": [",
+                "\"objects\": [{\"id\": 9, \"type\": \"Shape\", \"shapeType\": \"Mesh\","
+                    + " \"meshId\": 9, \"materialID\": 1},"));
+  }
+
+  /** Each render goes on from where the last one was interrupted. */
+  @Test
+  void interruptedRendersAndResumesSavePictureAndFilm() throws IOException, InterruptedException {
+    Random random = new Random(Effort.seed(202));
+    String flags = " -o a.png --checkpoint-interval 0.05s";
+    long before = 0;
+    for (int i = 0; i < Effort.count(4, 40); i++) {
+      String command =
+          i == 0
+              ? "render tiny.json -s " + ENDLESS + " --checkpoint a.film" + flags
+              : "resume a.film" + flags;
+      try (PseudoTerminal terminal = lumbre(80, command)) {
+        awaitBar(terminal);
+        awaitMillis(terminal, random.nextInt(500));
+        assertInterrupted(terminal);
+      }
+      CheckpointFile.Loaded loaded = CheckpointFile.load(directory.resolve("a.film"));
+      assertThat(loaded.problem()).isEmpty();
+      assertThat(loaded.file().film().totalSamples()).isGreaterThan(before);
+      before = loaded.file().film().totalSamples();
+    }
+  }
+
+  private PseudoTerminal writingLargePicture() throws IOException, InterruptedException {
+    PseudoTerminal terminal =
+        lumbre(80, "render tiny.json -s 1 --size 1000x700 --bits 16 -o a.png");
+    Path temporary = directory.resolve(".a.png.tmp");
+    terminal.await(
+        "the beginning of the picture",
+        p -> temporary.toFile().length() > 0 || Files.exists(directory.resolve("a.png")));
+    return terminal;
+  }
+
+  @Test
+  void interruptedWritingIsCompleted() throws IOException, InterruptedException {
+    Random random = new Random(Effort.seed(203));
+    for (int i = 0; i < Effort.count(3, 20); i++) {
+      try (PseudoTerminal terminal = writingLargePicture()) {
+        awaitMillis(terminal, random.nextInt(200));
+        assertInterrupted(terminal);
+      }
+    }
+  }
+
+  @Test
+  void secondInterruptEndsAtOnce() throws IOException, InterruptedException {
+    try (PseudoTerminal terminal = writingLargePicture()) {
+      terminal.control('C');
+      Thread.sleep(20);
+      long start = System.nanoTime();
+      terminal.control('C');
+      assertThat(terminal.exitCode()).isEqualTo(ExitCodes.INTERRUPTED);
+      assertThat(TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start))
+          .isLessThan(MAX_STOP_SECONDS);
+      assertThat(terminal.printed()).doesNotContain("a.png: ");
+    }
+    assertThat(directory.resolve("a.png")).doesNotExist();
+    assertNothingLeftBehind();
+  }
+
+  @Test
+  void terminationSavesThePicture() throws IOException, InterruptedException {
+    try (PseudoTerminal terminal = lumbre(80, "render tiny.json -s " + ENDLESS + " -o a.png")) {
+      awaitBar(terminal);
+      signal("TERM");
+      assertThat(terminal.exitCode()).isEqualTo(ExitCodes.TERMINATED);
+      assertThat(String.join("\n", terminal.screen())).contains("a.png: stopped early");
+    }
+    assertThat(directory.resolve("a.png")).exists();
+    assertNothingLeftBehind();
+  }
+
+  /** As an interactive shell does, the one here passes the signal on, and waits. */
+  @Test
+  void closedWindowSavesThePicture() throws IOException, InterruptedException {
+    String arguments = "render tiny.json -s " + ENDLESS + " -o a.png --checkpoint a.film";
+    try (PseudoTerminal terminal =
+        run(
+            80,
+            "trap 'kill -HUP $!' HUP; \"$LUMBRE\" "
+                + arguments
+                + " & wait $!; wait $!; echo $? >code.new; mv code.new code.txt")) {
+      awaitBar(terminal);
+      terminal.closeWindow();
+      Path code = directory.resolve("code.txt");
+      long start = System.nanoTime();
+      while (!Files.exists(code)) {
+        assertThat(System.nanoTime() - start).isLessThan(TimeUnit.SECONDS.toNanos(30));
+        Thread.sleep(5);
+      }
+      assertThat(Files.readString(code).strip()).isEqualTo(String.valueOf(ExitCodes.HUNG_UP));
+    }
+    assertThat(directory.resolve("a.png")).exists();
+    assertThat(CheckpointFile.load(directory.resolve("a.film")).problem()).isEmpty();
+    assertNothingLeftBehind();
+  }
+
+  @Test
+  void otherCommandsEndAtOnceAndLeaveNothing() throws IOException, InterruptedException {
+    try (PseudoTerminal terminal = lumbre(80, "gallery --scenes . --out . --seconds 60 tiny")) {
+      awaitBar(terminal);
+      assertEndsPromptly(terminal);
+    }
+    assertThat(directory.resolve("tiny.png")).doesNotExist();
+    try (PseudoTerminal terminal = lumbre(80, "trade tiny.json --quick -o trade.html")) {
+      terminal.await("its beginning", printed -> printed.contains("reference"));
+      assertEndsPromptly(terminal);
+    }
+    assertThat(directory.resolve("trade.html")).doesNotExist();
+  }
+
+  private void assertEndsPromptly(PseudoTerminal terminal)
+      throws IOException, InterruptedException {
+    long start = System.nanoTime();
+    terminal.control('C');
+    assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(ExitCodes.INTERRUPTED);
+    assertThat(TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start))
+        .isLessThan(MAX_STOP_SECONDS);
+    assertThat(terminal.screen()).noneMatch(line -> line.contains(" left"));
+    assertNothingLeftBehind();
+  }
+
+  @Test
+  void suspendedRenderGoesOnInTheForeground() throws IOException, InterruptedException {
+    try (PseudoTerminal terminal = run(80, "PS1='> ' exec sh -i")) {
+      terminal.type("\"$LUMBRE\" render tiny.json -s " + ENDLESS + " -o a.png\n");
+      awaitBar(terminal);
+      terminal.control('Z');
+      terminal.await("a stopped job", printed -> printed.contains("Stopped"));
+      int stopped = terminal.length();
+      Thread.sleep(1000);
+      assertThat(terminal.bars(stopped)).isEmpty();
+      terminal.type("fg\n");
+      terminal.await("a bar", printed -> terminal.bars(stopped).size() > 2);
+      terminal.control('C');
+      terminal.await("a picture", printed -> printed.contains("a.png: stopped early"));
+      terminal.type("echo code=$?\n");
+      terminal.await("the code", printed -> printed.contains("code=" + ExitCodes.INTERRUPTED));
+      terminal.type("exit\n");
+      terminal.exitCode();
+    }
+    assertNothingLeftBehind();
+  }
+}

@@ -1,0 +1,54 @@
+package io.github.lumbre.geometry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+/** How leaves are named, weighed and numbered. */
+class LeafTest {
+  @Test
+  void referencesKeepWhatTheyAreMadeOf() {
+    for (int first : new int[] {0, 1, 15, 16, 1 << 20, BvhBuilder.MAX_ITEMS}) {
+      for (int count = 1; count <= 15; count++) {
+        for (boolean ofShapes : new boolean[] {true, false}) {
+          int leaf = LeafRef.of(ofShapes, first, count);
+          assertThat(leaf).isNegative();
+          assertThat(LeafRef.isOfShapes(leaf)).isEqualTo(ofShapes);
+          assertThat(LeafRef.first(leaf)).isEqualTo(first);
+          assertThat(LeafRef.count(leaf)).isEqualTo(count);
+        }
+      }
+    }
+  }
+
+  /** Triangles are tested in blocks, of which the last may not be full; shapes one by one. */
+  @Test
+  void blocksOfTrianglesAndShapesAreUnits() {
+    for (int block : new int[] {1, 2, 4, 8}) {
+      LeafCost costs = new LeafCost(block, 4, 1);
+      for (int triangles = 0; triangles <= 20; triangles++) {
+        for (int shapes = 0; shapes <= 5; shapes++) {
+          int weight = triangles * costs.weight(true) + shapes * costs.weight(false);
+          int blocks = (int) Math.ceil((double) triangles / block);
+          assertThat(costs.units(weight)).isEqualTo(blocks + shapes);
+        }
+      }
+    }
+  }
+
+  @Test
+  void itemsOfEachKindAreNumberedAsTheirLeavesAreMet() {
+    double[] box = new double[6];
+    LeafOrder leaves = new LeafOrder(new int[] {5, 2, 0, 4, 3, 1}, 3);
+    int shape = leaves.add(new BvhNode.Leaf(box, 0, 1));
+    int triangles = leaves.add(new BvhNode.Leaf(box, 1, 3));
+    int shapes = leaves.add(new BvhNode.Leaf(box, 3, 5));
+    int triangle = leaves.add(new BvhNode.Leaf(box, 5, 6));
+    assertThat(leaves.shapes()).containsExactly(5, 4, 3);
+    assertThat(leaves.triangles()).containsExactly(2, 0, 1);
+    assertThat(shape).isEqualTo(LeafRef.of(true, 0, 1));
+    assertThat(shapes).isEqualTo(LeafRef.of(true, 1, 2));
+    assertThat(triangles).isEqualTo(LeafRef.of(false, 0, 2));
+    assertThat(triangle).isEqualTo(LeafRef.of(false, 2, 1));
+  }
+}

@@ -1,0 +1,65 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class PixelHalvesTest {
+  /** With halves of n1 and n2, (m1 - m2)^2 n1 n2 / (n1 + n2)^2 over m1 m2 and a floor. */
+  @Test
+  void errorOfOneChannelIsAThirdOfThatOfAll() {
+    PixelHalves red = new PixelHalves(4, new Rgb(3, 0, 0), 2, new Rgb(1, 0, 0));
+    PixelHalves grey = new PixelHalves(4, Rgb.grey(3), 2, Rgb.WHITE);
+    double expected = 4.0 * 4 * 2 / 36 / (3 + PixelHalves.FLOOR);
+    assertThat(grey.relativeSquaredError()).isCloseTo(expected, within(1e-15));
+    assertThat(red.relativeSquaredError()).isCloseTo(expected / 3, within(1e-15));
+    PixelHalves green = new PixelHalves(4, new Rgb(0, 3, 0), 2, new Rgb(0, 1, 0));
+    PixelHalves blue = new PixelHalves(4, new Rgb(0, 0, 3), 2, new Rgb(0, 0, 1));
+    assertThat(green.relativeSquaredError()).isCloseTo(expected / 3, within(1e-15));
+    assertThat(blue.relativeSquaredError()).isCloseTo(expected / 3, within(1e-15));
+  }
+
+  @Test
+  void evenPixelsHaveNoError() {
+    assertThat(new PixelHalves(8, Rgb.grey(5), 8, Rgb.grey(5)).relativeSquaredError()).isZero();
+    assertThat(new PixelHalves(8, Rgb.BLACK, 8, Rgb.BLACK).relativeSquaredError()).isZero();
+  }
+
+  /** Rounding may make the mean of a dark second half slightly negative. */
+  @Test
+  void slightlyNegativeMeansAreComparedWithTheFloor() {
+    PixelHalves halves = new PixelHalves(1, Rgb.grey(1), 1, Rgb.grey(-1e-6));
+    double expected = (1 + 1e-6) * (1 + 1e-6) / 4 / PixelHalves.FLOOR;
+    assertThat(halves.relativeSquaredError()).isCloseTo(expected, within(1e-9 * expected));
+  }
+
+  /** Uniform numbers around 100 have the variance 1/12, and their mean of n 1/12n. */
+  @Test
+  void errorIsUnbiasedForIndependentSamples() {
+    SplittableRandom random = new SplittableRandom(9);
+    int runs = 4_000;
+    double sum = 0;
+    for (int run = 0; run < runs; run++) {
+      Rgb first = Rgb.BLACK;
+      Rgb second = Rgb.BLACK;
+      for (int i = 0; i < 8; i++) {
+        first = first.plus(uniform(random).times(1 / 8.0));
+      }
+      for (int i = 0; i < 5; i++) {
+        second = second.plus(uniform(random).times(1 / 5.0));
+      }
+      sum += new PixelHalves(8, first, 5, second).relativeSquaredError() / runs;
+    }
+    double expected = 1 / 12.0 / 13 / 1e4;
+    // The mean of 12000 squares of normal numbers is known to 1.3 %.
+    assertThat(sum).isCloseTo(expected, within(.06 * expected));
+  }
+
+  private static Rgb uniform(SplittableRandom random) {
+    return new Rgb(
+        99.5 + random.nextDouble(), 99.5 + random.nextDouble(), 99.5 + random.nextDouble());
+  }
+}
