@@ -1,5 +1,6 @@
 package io.github.lumbre.fuzz;
 
+import io.github.lumbre.image.JpegFixture;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -49,6 +50,12 @@ final class PictureMutator {
   private static final List<byte[]> PNGS = files("png", TYPES);
   private static final List<byte[]> JPEGS =
       files("jpg", BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY);
+
+  static {
+    // As many scans as are allowed, and more.
+    JPEGS.add(JpegFixture.grey(2, 100));
+    JPEGS.add(JpegFixture.grey(1, 101));
+  }
 
   private record Chunk(String type, byte[] data) {}
 
