@@ -116,6 +116,26 @@ class LauncherIT {
     assertThat(lock).doesNotExist();
   }
 
+  /** Without a folder for its lock, a launcher cannot build and must not wait forever. */
+  @Test
+  void launcherEndsIfTheBuildFolderIsDeletedWhileItWaits()
+      throws IOException, InterruptedException {
+    Path lock = Files.createDirectories(home.resolve("target/.lumbre-build"));
+    Files.writeString(lock.resolve("pid"), ProcessHandle.current().pid() + "\n");
+    Process waiting = start("one", home.resolve("lumbre"), Map.of());
+    Path errors = directory.resolve("one").resolve("err.txt");
+    while (!Files.readString(errors).contains("waiting")) {
+      assertThat(waiting.isAlive()).isTrue();
+      Thread.sleep(10);
+    }
+    Files.delete(lock.resolve("pid"));
+    Files.delete(lock);
+    Files.delete(lock.getParent());
+    Outcome outcome = Program.await(directory.resolve("one"), waiting);
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(outcome.err()).contains("target was deleted; run the command again");
+  }
+
   @Test
   void failedBuildIsToldAndTriedAgain() throws IOException, InterruptedException {
     script(home.resolve("mvnw"), "#!/bin/sh\necho broken\nexit 1\n");

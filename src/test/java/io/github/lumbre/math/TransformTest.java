@@ -412,4 +412,142 @@ class TransformTest {
       assertThat(world.union(inside)).isEqualTo(world);
     }
   }
+
+  /** A map whose nine numbers and translation differ by decades, so that each matters somewhere. */
+  private Transform uneven() {
+    Transform turned = rigid().times(Transform.scale(new Vec3(decades(3), decades(3), decades(3))));
+    return Transform.translation(vector(decades(4))).times(turned).times(rigid());
+  }
+
+  private Vec3 unevenPoint() {
+    return new Vec3(decades(4) * sign(), decades(4) * sign(), decades(4) * sign());
+  }
+
+  private double sign() {
+    return random.nextBoolean() ? 1 : -1;
+  }
+
+  @Test
+  void coordinatesOneByOneAreThoseOfTheVectors() {
+    for (int i = 0; i < 200; i++) {
+      Transform t = uneven();
+      Vec3 p = unevenPoint();
+      Vec3 local = t.inversePoint(p);
+      assertThat(t.inversePointX(p.x(), p.y(), p.z())).isEqualTo(local.x());
+      assertThat(t.inversePointY(p.x(), p.y(), p.z())).isEqualTo(local.y());
+      assertThat(t.inversePointZ(p.x(), p.y(), p.z())).isEqualTo(local.z());
+      Vec3 direction = t.inverseVector(p);
+      assertThat(t.inverseVectorX(p.x(), p.y(), p.z())).isEqualTo(direction.x());
+      assertThat(t.inverseVectorY(p.x(), p.y(), p.z())).isEqualTo(direction.y());
+      assertThat(t.inverseVectorZ(p.x(), p.y(), p.z())).isEqualTo(direction.z());
+      assertThat(t.pointInPlane(p.x(), p.z())).isEqualTo(t.point(new Vec3(p.x(), 0, p.z())));
+    }
+  }
+
+  @Test
+  void inversePointUndoesPoint() {
+    for (int i = 0; i < 200; i++) {
+      Transform t = rigid();
+      Vec3 p = vector(10);
+      assertThat(t.inversePoint(t.point(p)).minus(p).maxAbs()).isLessThan(1e-13);
+    }
+  }
+
+  /** The sum of the absolute terms of which a point's coordinate along a normal is made. */
+  private static double termsOfPoint(Transform t, Vec3 p, Vec3 normal) {
+    Vec3 translation = t.point(Vec3.ZERO);
+    double sum = 0;
+    for (int row = 0; row < 3; row++) {
+      double terms =
+          Math.abs(t.vector(Vec3.X).get(row) * p.x())
+              + Math.abs(t.vector(Vec3.Y).get(row) * p.y())
+              + Math.abs(t.vector(Vec3.Z).get(row) * p.z())
+              + Math.abs(translation.get(row));
+      sum += Math.abs(normal.get(row)) * terms;
+    }
+    return sum;
+  }
+
+  /** The bound is a few ulp of the terms: enough for their rounding, and not much more. */
+  @Test
+  void pointErrorIsAFewUlpOfItsTerms() {
+    for (int i = 0; i < 2000; i++) {
+      Transform t = uneven();
+      Vec3 p = unevenPoint();
+      Vec3 normal = unevenPoint().normalized();
+      double terms = termsOfPoint(t, p, normal);
+      assertThat(t.pointError(p, normal)).isBetween(31.9 * EPS * terms, 32.1 * EPS * terms);
+    }
+  }
+
+  /** The same for the way into local space and back, of whose products it is the sum. */
+  @Test
+  void mappingErrorIsAFewUlpOfItsTerms() {
+    Vec3[] axes = {Vec3.X, Vec3.Y, Vec3.Z};
+    for (int i = 0; i < 2000; i++) {
+      Transform t = uneven();
+      Vec3 p = unevenPoint();
+      Vec3 normal = unevenPoint().normalized();
+      Vec3 offset = p.minus(t.point(Vec3.ZERO));
+      double terms = 0;
+      for (int row = 0; row < 3; row++) {
+        for (int middle = 0; middle < 3; middle++) {
+          double into = 0;
+          for (int column = 0; column < 3; column++) {
+            into += Math.abs(t.inverseVector(axes[column]).get(middle) * offset.get(column));
+          }
+          terms += Math.abs(normal.get(row) * t.vector(axes[middle]).get(row)) * into;
+        }
+      }
+      assertThat(t.mappingError(p, normal)).isBetween(31.9 * EPS * terms, 32.1 * EPS * terms);
+    }
+  }
+
+  @Test
+  void eachPairOfAxesCanBeSkewed() {
+    assertThat(Transform.scale(new Vec3(2, 1, 1)).times(rotation(0, 0, 45)).isSkewed()).isTrue();
+    assertThat(Transform.scale(new Vec3(1, 2, 1)).times(rotation(45, 0, 0)).isSkewed()).isTrue();
+    assertThat(Transform.scale(new Vec3(1, 1, 2)).times(rotation(0, 45, 0)).isSkewed()).isTrue();
+    for (int i = 0; i < 1000; i++) {
+      Vec3 scale = new Vec3(decades(5), decades(5), -decades(5));
+      assertThat(rigid().times(Transform.scale(scale)).isSkewed()).isFalse();
+    }
+  }
+
+  /** Skew is a matter of angles: long and short axes count alike. */
+  @Test
+  void skewOfShortAndLongAxesIsSeen() {
+    for (double size : new double[] {1e-6, 1, 1e6}) {
+      Transform small = Transform.scale(new Vec3(size, size, size));
+      Transform skew = Transform.scale(new Vec3(1 + 1e-9, 1, 1)).times(rotation(0, 0, 45));
+      assertThat(small.times(skew).isSkewed()).isTrue();
+      assertThat(small.times(rotation(20, 30, 45)).isSkewed()).isFalse();
+    }
+  }
+
+  /** One number that is not finite, wherever it stands, and the map cannot be undone. */
+  @Test
+  void everyNumberMustBeFinite() {
+    for (int axis = 0; axis < 3; axis++) {
+      Vec3 far = new Vec3(axis == 0 ? NAN : 1, axis == 1 ? NAN : 1, axis == 2 ? NAN : 1);
+      assertThat(Transform.translation(far).isInvertible()).isFalse();
+      assertThat(Transform.scale(far).isInvertible()).isFalse();
+    }
+    assertThat(Transform.scale(new Vec3(1e-200, 1e200, 1)).isInvertible()).isTrue();
+    assertThat(Transform.scale(new Vec3(1e-320, 1, 1)).isInvertible()).isFalse();
+    assertThat(rigid().isInvertible()).isTrue();
+  }
+
+  private static final double NAN = Double.NaN;
+
+  @Test
+  void determinantIsTheFactorOfVolumesWithItsSign() {
+    for (int i = 0; i < 200; i++) {
+      Transform t = rigid().times(Transform.scale(vector(3))).times(rigid());
+      double volume = t.vector(Vec3.X).cross(t.vector(Vec3.Y)).dot(t.vector(Vec3.Z));
+      assertThat(t.determinant()).isCloseTo(volume, within(1e-12 * (1 + Math.abs(volume))));
+      assertThat(t.isMirroring()).isEqualTo(volume < 0);
+    }
+    assertThat(Transform.scale(new Vec3(0, 1, 1)).isMirroring()).isFalse();
+  }
 }
