@@ -128,9 +128,7 @@ class LauncherIT {
       assertThat(waiting.isAlive()).isTrue();
       Thread.sleep(10);
     }
-    Files.delete(lock.resolve("pid"));
-    Files.delete(lock);
-    Files.delete(lock.getParent());
+    Files.move(home.resolve("target"), home.resolve("gone"));
     Outcome outcome = Program.await(directory.resolve("one"), waiting);
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.INTERNAL);
     assertThat(outcome.err()).contains("target was deleted; run the command again");
