@@ -254,7 +254,10 @@ class TerminalIT {
 
   @Test
   void secondInterruptEndsAtOnce() throws IOException, InterruptedException {
-    try (PseudoTerminal terminal = writingLargePicture()) {
+    // A picture that takes many times as long to encode as passes between the two signals.
+    String large = "render tiny.json -s " + ENDLESS + " --size 2000x1500 --bits 16 -o a.png";
+    try (PseudoTerminal terminal = lumbre(80, large)) {
+      awaitBar(terminal);
       terminal.control('C');
       Thread.sleep(20);
       long start = System.nanoTime();

@@ -1,6 +1,6 @@
 package io.github.lumbre.fuzz;
 
-import io.github.lumbre.image.JpegFixture;
+import io.github.lumbre.image.ProgressiveJpeg;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -53,8 +53,8 @@ final class PictureMutator {
 
   static {
     // As many scans as are allowed, and more.
-    JPEGS.add(JpegFixture.grey(2, 100));
-    JPEGS.add(JpegFixture.grey(1, 101));
+    JPEGS.add(ProgressiveJpeg.grey(2, 100));
+    JPEGS.add(ProgressiveJpeg.grey(1, 101));
   }
 
   private record Chunk(String type, byte[] data) {}
