@@ -25,7 +25,7 @@ interface ProgressDisplay extends AutoCloseable {
   default void reading(String name) {}
 
   /**
-   * A render begins, of which no sample is done.
+   * A render starts; no sample is done yet.
    *
    * @param totalSamples 0 if their number is not known
    */

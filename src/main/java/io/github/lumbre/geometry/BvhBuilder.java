@@ -57,7 +57,7 @@ final class BvhBuilder {
   }
 
   /**
-   * Returns the tree over all items, of which there must be one at least.
+   * Returns the tree over all items; there must be at least one.
    *
    * @throws CancellationException if the thread that made this is interrupted
    */

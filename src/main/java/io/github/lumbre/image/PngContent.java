@@ -18,7 +18,7 @@ final class PngContent {
   private int run = -1;
 
   /**
-   * @param file of which the chunks are
+   * @param file that contains the chunks
    */
   PngContent(byte[] file) {
     this.file = file;

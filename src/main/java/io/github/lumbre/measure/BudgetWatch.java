@@ -10,8 +10,8 @@ import java.util.Optional;
  * Mutable, for one render.
  *
  * <p>It checks the error after 32 samples per pixel, 48, 64, 96, ..., and in frames of enough
- * pixels after 4, 8 and 16 too (see {@link Looks}). This depends on nothing but the scene: the same seed
- * stops at the same number of samples on every machine.
+ * pixels after 4, 8 and 16 too (see {@link Looks}). This depends on nothing but the scene: the same
+ * seed stops at the same number of samples on every machine.
  */
 public final class BudgetWatch {
   /**

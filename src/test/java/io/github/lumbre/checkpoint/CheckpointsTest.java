@@ -189,7 +189,7 @@ class CheckpointsTest {
     }
   }
 
-  /** The save interrupts the render's thread in its wait, and goes on when it waits again. */
+  /** The save interrupts the render's thread while it waits, and ends when it waits again. */
   @Test
   void interruptionsAreKeptUntilTheSaveHasEnded() {
     Thread render = Thread.currentThread();

@@ -154,7 +154,7 @@ final class PseudoTerminal implements AutoCloseable {
     type(String.valueOf((char) (letter - '@')));
   }
 
-  /** Gives the window another width, of which the kernel sends SIGWINCH. */
+  /** Gives the window another width; the kernel sends SIGWINCH. */
   void resize(int columns) throws IOException, InterruptedException {
     String name = Files.readString(device).strip();
     assertThat(

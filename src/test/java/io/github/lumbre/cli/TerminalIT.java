@@ -208,7 +208,7 @@ class TerminalIT {
                     + " \"meshId\": 9, \"materialID\": 1},"));
   }
 
-  /** Each render goes on from where the last one was interrupted. */
+  /** Each render resumes the one that was interrupted before it. */
   @Test
   void interruptedRendersAndResumesSavePictureAndFilm() throws IOException, InterruptedException {
     Random random = new Random(Effort.seed(202));

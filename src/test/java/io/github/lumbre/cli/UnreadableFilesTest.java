@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class UnreadableFilesTest {
   @TempDir private Path directory;
 
-  /** A command line of which {@code FILE} is to be replaced, and the exit code. */
+  /** A command line with the placeholder {@code FILE}, and the expected exit code. */
   static Stream<Arguments> readers() {
     return Stream.of(
         Arguments.of("render FILE -o OUT", ExitCodes.SCENE),

@@ -21,7 +21,7 @@ class LeafTest {
     }
   }
 
-  /** Triangles are tested in blocks, of which the last may not be full; shapes one by one. */
+  /** Triangles are tested in blocks, and the last block may not be full; shapes one by one. */
   @Test
   void blocksOfTrianglesAndShapesAreUnits() {
     for (int block : new int[] {1, 2, 4, 8}) {

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ExrReaderTest {
   @TempDir private Path directory;
 
-  /** An OpenEXR file in parts: its header, and blocks of which each begins with its first line. */
+  /** An OpenEXR file in parts: its header, and blocks that each start with their first line. */
   private final class Parts {
     private final Image image;
     private final byte[] header;
