@@ -1,16 +1,13 @@
 /**
- * Lumbre, a CPU path tracer.
+ * Lumbre, a CPU path tracer, as a library.
  *
- * <p>The route through it: {@link io.github.lumbre.parser} reads a scene file, {@link
- * io.github.lumbre.render} renders it, {@link io.github.lumbre.image} writes the picture.
+ * <p>{@link io.github.lumbre.parser} reads a scene file, {@link io.github.lumbre.render} renders it,
+ * {@link io.github.lumbre.image} writes the picture. The command line and the measurements of the lab
+ * are no part of the module: they are in the command-line jar.
  */
 module io.github.lumbre {
   requires com.google.gson;
   requires java.desktop; // ImageIO
-  // The command line's alone.
-  requires static info.picocli;
-  requires static java.management;
-  requires static jdk.management;
 
   exports io.github.lumbre.math;
   exports io.github.lumbre.image;
@@ -24,11 +21,7 @@ module io.github.lumbre {
   exports io.github.lumbre.integrator;
   exports io.github.lumbre.render;
   exports io.github.lumbre.checkpoint;
-  exports io.github.lumbre.measure;
+  exports io.github.lumbre.stopping;
   exports io.github.lumbre.parser;
   exports io.github.lumbre.audit;
-  exports io.github.lumbre.laws;
-
-  opens io.github.lumbre.cli to
-      info.picocli;
 }

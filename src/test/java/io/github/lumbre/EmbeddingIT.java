@@ -52,11 +52,25 @@ class EmbeddingIT {
             .descriptor()
             .requires()
             .stream()
-            .filter(r -> !r.modifiers().contains(Requires.Modifier.STATIC))
             .map(Requires::name)
             .sorted()
             .toList();
     assertThat(needed).containsExactly("com.google.gson", "java.base", "java.desktop");
+  }
+
+  @Test
+  void libraryHoldsTheLibraryAlone() throws IOException {
+    try (JarFile jar = new JarFile(library().toFile())) {
+      assertThat(jar.stream().map(JarEntry::getName))
+          .contains("module-info.class", "io/github/lumbre/render/BucketRenderer.class")
+          .noneMatch(name -> name.matches("io/github/lumbre/(lab|cli)/.*"))
+          .noneMatch(name -> name.startsWith("META-INF/native-image"));
+    }
+    try (JarFile jar = new JarFile("target/lumbre-all.jar")) {
+      assertThat(jar.stream().map(JarEntry::getName))
+          .contains("io/github/lumbre/cli/Lumbre.class", "io/github/lumbre/lab/Release.class")
+          .doesNotContain("module-info.class");
+    }
   }
 
   /** What a program gets with the library: of other groups, Gson without its annotations. */
@@ -95,7 +109,7 @@ class EmbeddingIT {
   private static Path library() throws IOException {
     try (Stream<Path> files = Files.list(Path.of("target").toAbsolutePath())) {
       return files
-          .filter(file -> file.getFileName().toString().matches("lumbre-\\d.*(?<!-sources)\\.jar"))
+          .filter(file -> file.getFileName().toString().matches("lumbre-[\\d.]+(-SNAPSHOT)?\\.jar"))
           .findFirst()
           .orElseThrow();
     }

@@ -15,6 +15,9 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.module.ModuleDescriptor;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -29,6 +32,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
   private static final String BASIC = "math image sampling texture geometry";
+  private static final String LIBRARY =
+      BASIC
+          + " material camera light scene integrator render parser checkpoint stopping audit";
 
   /** What each package may use, besides itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -46,25 +52,37 @@ class LayersTest {
           Map.entry("render", "math image sampling geometry camera scene integrator"),
           Map.entry("parser", BASIC + " material camera light scene"),
           Map.entry("checkpoint", "image sampling scene render"),
-          Map.entry("measure", "math image sampling geometry scene integrator render"),
+          Map.entry("stopping", "math image scene render"),
           Map.entry("audit", BASIC + " material camera light scene integrator render parser"),
-          Map.entry("laws", BASIC + " material camera light scene integrator render"),
+          Map.entry("lab", "image scene render parser"),
+          Map.entry("lab.metrics", "math image render"),
+          Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
+          Map.entry("lab.report", "image scene render parser lab lab.metrics lab.perf"),
+          Map.entry("lab.gallery", "image scene render parser lab lab.perf lab.report"),
+          Map.entry("lab.checks", BASIC + " material camera light scene integrator render"),
+          Map.entry(
+              "lab.trade",
+              "math image sampling geometry scene integrator render stopping lab lab.metrics"
+                  + " lab.perf"),
+          Map.entry("cli.output", LIBRARY + " lab"),
+          Map.entry("cli.run", LIBRARY + " lab cli.output"),
+          Map.entry("cli.option", LIBRARY + " lab lab.perf cli.output cli.run"),
           Map.entry(
               "cli",
-              BASIC
-                  + " material camera light scene integrator render checkpoint parser measure"
-                  + " audit laws"));
+              LIBRARY
+                  + " lab lab.metrics lab.perf lab.report lab.gallery lab.checks lab.trade"
+                  + " cli.output cli.run cli.option"));
 
   /** Libraries beyond Java that a package may use. */
   private static final Map<String, List<String>> LIBRARIES =
       Map.of(
           "geometry", List.of("jdk.incubator.vector.."),
           "parser", List.of("com.google.gson.."),
-          "cli",
-              List.of(
-                  "com.google.gson..",
-                  "com.sun.management..",
-                  "picocli.."));
+          "lab.perf", List.of("com.google.gson..", "com.sun.management.."),
+          "lab.trade", List.of("com.google.gson.."),
+          "cli.output", List.of("com.google.gson..", "picocli.."),
+          "cli.option", List.of("picocli.."),
+          "cli", List.of("com.google.gson..", "com.sun.management..", "picocli.."));
 
   private static final Set<String> TRANSCENDENTAL =
       Set.of(
@@ -124,7 +142,51 @@ class LayersTest {
 
   @Test
   void packagesHaveNoCycles() {
-    check(slices().matching(ROOT + "(*)..").should().beFreeOfCycles());
+    check(slices().matching(ROOT + "(**)").should().beFreeOfCycles());
+  }
+
+  @Test
+  void zonesHaveArrowsOneWay() {
+    check(
+        noClasses()
+            .that()
+            .resideInAnyPackage(packagesOf(LIBRARY))
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(ROOT + "lab..", ROOT + "cli.."));
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage(ROOT + "lab..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage(ROOT + "cli.."));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackage(ROOT + "cli..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("picocli.."));
+  }
+
+  @Test
+  void everyPackageIsInOneZone() {
+    assertThat(MAY_USE.keySet().stream().filter(name -> !name.matches("(lab|cli)(\\..*)?")))
+        .containsExactlyInAnyOrder(LIBRARY.split(" "));
+  }
+
+  @Test
+  void moduleExportsTheLibraryAlone() throws IOException {
+    ModuleDescriptor module;
+    try (InputStream descriptor = LayersTest.class.getResourceAsStream("/module-info.class")) {
+      module = ModuleDescriptor.read(descriptor);
+    }
+    assertThat(module.exports().stream().map(ModuleDescriptor.Exports::source))
+        .isSubsetOf(packagesOf(LIBRARY));
+    assertThat(module.opens()).isEmpty();
+    assertThat(module.requires().stream().map(ModuleDescriptor.Requires::name))
+        .containsExactlyInAnyOrder("java.base", "java.desktop", "com.google.gson");
   }
 
   @Test
@@ -192,7 +254,11 @@ class LayersTest {
   }
 
   private static GivenClassesConjunction library() {
-    return noClasses().that().resideOutsideOfPackage(ROOT + "cli");
+    return noClasses().that().resideOutsideOfPackage(ROOT + "cli..");
+  }
+
+  private static String[] packagesOf(String names) {
+    return Arrays.stream(names.split(" ")).map(ROOT::concat).toArray(String[]::new);
   }
 
   private static DescribedPredicate<JavaClass> resideInAnyOf(String... packages) {

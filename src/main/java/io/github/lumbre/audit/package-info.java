@@ -7,3 +7,4 @@
  * the same scene.
  */
 package io.github.lumbre.audit;
+

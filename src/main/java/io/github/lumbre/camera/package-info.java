@@ -8,3 +8,4 @@
  * io.github.lumbre.camera.BokehCache} draws.
  */
 package io.github.lumbre.camera;
+

@@ -9,3 +9,4 @@
  * io.github.lumbre.checkpoint.FilmMerge} joins films of one picture.
  */
 package io.github.lumbre.checkpoint;
+

@@ -4,8 +4,16 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.audit.Finding;
 import io.github.lumbre.audit.SceneAudit;
+import io.github.lumbre.cli.option.RenderFlags;
+import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.SettingType;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -58,7 +66,7 @@ final class AuditCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     flags.validate();
     SceneFile file = options.read(flags.over(options.parser()));
     List<Finding> findings = SceneAudit.of(file);
@@ -72,7 +80,7 @@ final class AuditCommand implements Callable<Integer> {
   private String text(List<Finding> findings) {
     StringBuilder out = new StringBuilder();
     for (Finding finding : findings) {
-      String severity = FlagConverters.lower(finding.severity());
+      String severity = SettingType.nameOf(finding.severity());
       out.append(String.format("%-8s %s: %s\n", severity, finding.path(), finding.found()))
           .append(String.format("         means: %s\n", finding.means()))
           .append(finding.advice().isEmpty() ? "" : "         to do: " + finding.advice() + "\n");
@@ -97,7 +105,7 @@ final class AuditCommand implements Callable<Integer> {
 
   private static Map<String, Object> json(Finding finding) {
     Map<String, Object> values = new LinkedHashMap<>();
-    values.put("severity", FlagConverters.lower(finding.severity()));
+    values.put("severity", SettingType.nameOf(finding.severity()));
     values.put("law", finding.law());
     values.put("path", finding.path().path());
     values.put("name", finding.path().name());

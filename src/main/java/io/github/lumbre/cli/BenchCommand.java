@@ -1,9 +1,33 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.BenchComparison.Clock;
-import io.github.lumbre.cli.FlagConverters.Size;
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.TextOutput;
+import io.github.lumbre.cli.run.CommandLineHost;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.lab.LabHost;
+import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.perf.BenchComparison;
+import io.github.lumbre.lab.perf.BenchComparison.Clock;
+import io.github.lumbre.lab.perf.BenchJson;
+import io.github.lumbre.lab.perf.BenchMachine;
+import io.github.lumbre.lab.perf.BenchMarkdown;
+import io.github.lumbre.lab.perf.BenchPlan;
+import io.github.lumbre.lab.perf.BenchResult;
+import io.github.lumbre.lab.perf.BenchRunner;
+import io.github.lumbre.lab.perf.BenchTimes;
+import io.github.lumbre.lab.perf.LoadBench;
+import io.github.lumbre.lab.perf.PairedBench;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Shortcut;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -168,7 +192,7 @@ final class BenchCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     FlagChecks checks = new FlagChecks(spec);
     checks.require(
         scenes.isEmpty() != compared.isEmpty(), "expected scenes, or --compare and two files");
@@ -187,16 +211,18 @@ final class BenchCommand implements Callable<Integer> {
     json.ifPresent(file -> guard.writes("--json", file, OutputContent.BENCH_JSON));
     guard.check();
     if (loading) {
-      return readPairs(new LoadBench(repeat()), out);
+      return readPairs(out);
     }
     try (TextOutput output = TextOutput.reserve(json);
-        Interruption interruption = Interruption.listen();
-        RenderMonitor monitor = new RenderMonitor(interruption, false)) {
+        Interruption interruption = Interruption.listen()) {
+      LabHost host =
+          new CommandLineHost(
+              interruption, false, new Messages(spec.commandLine().getErr()));
       boolean complete =
           interruption.beginRender()
               && (paired
-                  ? runPairs(new PairedBench(plan, monitor), out)
-                  : run(new BenchRunner(plan, monitor), plan, out, output));
+                  ? runPairs(new PairedBench(plan, host), out)
+                  : run(new BenchRunner(plan, host), plan, out, output));
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
     }
   }
@@ -242,23 +268,23 @@ final class BenchCommand implements Callable<Integer> {
     }
   }
 
-  private int readPairs(LoadBench bench, Messages out)
-      throws SceneFormatException, CommandException {
+  private int readPairs(Messages out) throws SceneFormatException, TaskException {
+    Messages errors = new Messages(spec.commandLine().getErr());
+    LoadBench bench = new LoadBench(repeat(), errors::warning);
     bench.head().forEach(out::line);
     for (Path scene : scenes) {
-      out.line(bench.row(scene, new Messages(spec.commandLine().getErr())));
+      out.line(bench.row(scene));
     }
     return ExitCodes.OK;
   }
 
   /** Measures scenes in two ways and prints the ratios; returns false if that was stopped. */
   private boolean runPairs(PairedBench bench, Messages out)
-      throws SceneFormatException, CommandException {
-    Messages errors = new Messages(spec.commandLine().getErr());
+      throws SceneFormatException, TaskException {
     bench.head().forEach(out::line);
     try {
       for (Path scene : scenes) {
-        Optional<String> row = bench.row(scene, errors);
+        Optional<String> row = bench.row(scene);
         if (row.isEmpty()) {
           return false;
         }
@@ -273,15 +299,14 @@ final class BenchCommand implements Callable<Integer> {
 
   /** Measures and prints the scenes; returns false if that was stopped. */
   private boolean run(BenchRunner runner, BenchPlan plan, Messages out, TextOutput output)
-      throws SceneFormatException, CommandException {
-    Messages errors = new Messages(spec.commandLine().getErr());
+      throws SceneFormatException, TaskException {
     BenchMachine machine = BenchMachine.here();
     BenchMarkdown table = new BenchMarkdown(machine, plan);
     List<BenchResult> results = new ArrayList<>();
     table.head().forEach(out::line);
     try {
       for (Path scene : scenes) {
-        Optional<List<BenchResult>> measured = runner.run(scene, errors);
+        Optional<List<BenchResult>> measured = runner.run(scene);
         if (measured.isEmpty()) {
           return false;
         }

@@ -1,5 +1,29 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.Home;
+import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.TextOutput;
+import io.github.lumbre.cli.run.CommandLineHost;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.perf.Hardware;
+import io.github.lumbre.lab.report.BenchmarkCsv;
+import io.github.lumbre.lab.report.BenchmarkMarkdown;
+import io.github.lumbre.lab.report.BenchmarkPlan;
+import io.github.lumbre.lab.report.BenchmarkReport;
+import io.github.lumbre.lab.report.BenchmarkResult;
+import io.github.lumbre.lab.report.BenchmarkRunner;
+import io.github.lumbre.lab.report.ReportRow;
+import io.github.lumbre.lab.report.ReportTable;
+import io.github.lumbre.lab.report.TableHashes;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
@@ -130,7 +154,7 @@ final class BenchmarkCommand implements Callable<Integer> {
   }
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     BenchmarkPlan plan = plan();
     kernel.validate();
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
@@ -138,7 +162,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     checkOutputs(folder, selected);
     TableHashes stored = TableHashes.load(folder.directory());
     Messages out = new Messages(spec.commandLine().getOut());
-    BenchmarkReport report = new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out);
+    BenchmarkReport report = new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out::line);
     try (Interruption interruption = Interruption.listen()) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
       BenchmarkRunner runner =
@@ -146,14 +170,14 @@ final class BenchmarkCommand implements Callable<Integer> {
               folder,
               plan,
               kernel.over(new SceneParser()),
-              () -> new RenderMonitor(interruption, hasDisplay));
+              new CommandLineHost(interruption, hasDisplay, errors()));
       boolean complete = interruption.beginRender() && run(selected, runner, report);
       int verdict = settle(stored, report.results());
       return complete ? verdict : ExitCodes.INTERRUPTED;
     }
   }
 
-  private void checkOutputs(SceneFolder folder, List<ReportRow> selected) throws CommandException {
+  private void checkOutputs(SceneFolder folder, List<ReportRow> selected) throws TaskException {
     OutputGuard guard =
         overwrite.guard().reads(folder.directory().resolve(ReportTable.FILE), "the table");
     for (ReportRow row : selected) {
@@ -182,7 +206,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     return new BenchmarkPlan(share, used, warmup, repeat);
   }
 
-  private List<ReportRow> selected(SceneFolder folder) throws CommandException {
+  private List<ReportRow> selected(SceneFolder folder) throws TaskException {
     List<ReportRow> table = ReportTable.load(folder.directory());
     List<ReportRow> selected;
     try {
@@ -201,7 +225,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
   /** Renders and prints the rows; returns false if that was stopped. */
   private boolean run(List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report)
-      throws SceneFormatException, CommandException {
+      throws SceneFormatException, TaskException {
     try (TextOutput output = TextOutput.reserve(csv)) {
       return run(selected, runner, report, output);
     }
@@ -209,11 +233,11 @@ final class BenchmarkCommand implements Callable<Integer> {
 
   private boolean run(
       List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report, TextOutput output)
-      throws SceneFormatException, CommandException {
+      throws SceneFormatException, TaskException {
     report.begin();
     try {
       for (ReportRow row : selected) {
-        Optional<BenchmarkResult> result = runner.run(row, errors());
+        Optional<BenchmarkResult> result = runner.run(row);
         if (result.isEmpty()) {
           return false;
         }
@@ -231,7 +255,7 @@ final class BenchmarkCommand implements Callable<Integer> {
   }
 
   /** Compares or stores the hashes, if that is wanted; returns the exit code. */
-  private int settle(TableHashes stored, List<BenchmarkResult> results) throws CommandException {
+  private int settle(TableHashes stored, List<BenchmarkResult> results) throws TaskException {
     if (hashes.store && !results.isEmpty()) {
       results.forEach(stored::put);
       stored.save();

@@ -1,5 +1,12 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.PlanReport;
+import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneContents;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -47,7 +54,7 @@ final class CheckCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     Messages out = new Messages(spec.commandLine().getOut());
     Messages errors = new Messages(spec.commandLine().getErr());
     if (!json) {

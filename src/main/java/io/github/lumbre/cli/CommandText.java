@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.output.Messages;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Model.CommandSpec;
 

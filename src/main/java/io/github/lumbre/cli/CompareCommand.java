@@ -2,14 +2,22 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.LinearReader;
-import io.github.lumbre.measure.ErrorMap;
-import io.github.lumbre.measure.PictureError;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.metrics.ErrorMap;
+import io.github.lumbre.lab.metrics.PictureError;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -101,7 +109,7 @@ final class CompareCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws CommandException {
+  public Integer call() throws TaskException {
     validate();
     OutputGuard guard =
         overwrite.guard().reads(picture, "the picture").reads(reference, "the reference");
@@ -110,8 +118,8 @@ final class CompareCommand implements Callable<Integer> {
     Image a = read(picture);
     Image b = read(reference);
     if (a.width() != b.width() || a.height() != b.height()) {
-      throw new CommandException(
-          ExitCodes.USAGE,
+      throw new TaskException(
+          Kind.USAGE,
           "%s has %dx%d pixels, %s has %dx%d: expected pictures of one size"
               .formatted(picture, a.width(), a.height(), reference, b.width(), b.height()));
     }
@@ -155,35 +163,35 @@ final class CompareCommand implements Callable<Integer> {
     }
   }
 
-  private static Image read(Path file) throws CommandException {
+  private static Image read(Path file) throws TaskException {
     if (!Files.exists(file)) {
-      throw new CommandException(ExitCodes.USAGE, file + ": does not exist");
+      throw new TaskException(Kind.USAGE, file + ": does not exist");
     }
     try {
       Image image = LinearReader.read(file);
       for (float value : image.rgb()) {
         if (!Float.isFinite(value)) {
-          throw new CommandException(
-              ExitCodes.ASSET,
+          throw new TaskException(
+              Kind.ASSET,
               file + ": has values that are not finite, which no figure can judge");
         }
       }
       return image;
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      throw new CommandException(
-          tooLarge ? ExitCodes.LIMIT : ExitCodes.ASSET, file + ": " + e.getMessage(), e);
+      throw new TaskException(
+          tooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new CommandException(
-          ExitCodes.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw new TaskException(
+          Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
-  private static void write(Image map, Path file) throws CommandException {
+  private static void write(Image map, Path file) throws TaskException {
     try {
       ImageWriter.write(map, file);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
     }
   }
 

@@ -1,6 +1,15 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.option.DevelopFlags;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.lab.TaskException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -47,7 +56,7 @@ final class DevelopCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws CommandException {
+  public Integer call() throws TaskException {
     flags.validate();
     if (ImageFormat.of(output).isEmpty()) {
       throw new ParameterException(

@@ -1,5 +1,25 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.Home;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.output.Summary;
+import io.github.lumbre.cli.run.CommandLineHost;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.gallery.GalleryPage;
+import io.github.lumbre.lab.gallery.GalleryRenderer;
+import io.github.lumbre.lab.gallery.GalleryRenderer.Rendered;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
@@ -43,6 +63,8 @@ import picocli.CommandLine.Spec;
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; pictures that are complete stay"
     })
 final class GalleryCommand implements Callable<Integer> {
+  private static final int BITS = 8;
+
   @Parameters(
       paramLabel = "NAME",
       arity = "0..*",
@@ -85,7 +107,7 @@ final class GalleryCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     require(seconds >= 1, "--seconds: expected at least 1, found " + seconds);
     new FlagChecks(spec).requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
@@ -95,15 +117,15 @@ final class GalleryCommand implements Callable<Integer> {
     makeDirectory(directory);
     GalleryPage page = GalleryPage.load(directory);
     boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
+    Messages messages = new Messages(spec.commandLine().getErr());
     try (Interruption interruption = Interruption.listen()) {
       GalleryRenderer renderer =
           new GalleryRenderer(
               folder,
-              directory,
               seconds,
               threads,
-              () -> new RenderMonitor(interruption, hasDisplay));
-      boolean complete = interruption.beginRender() && render(selected, renderer, page);
+              new CommandLineHost(interruption, hasDisplay, messages));
+      boolean complete = interruption.beginRender() && render(folder, selected, renderer, page, messages);
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -112,23 +134,46 @@ final class GalleryCommand implements Callable<Integer> {
   }
 
   /** Renders the scenes, and brings the page up to date after each; returns false if stopped. */
-  private boolean render(List<String> selected, GalleryRenderer renderer, GalleryPage page)
-      throws SceneFormatException, CommandException, InterruptedException {
-    Messages messages = new Messages(spec.commandLine().getErr());
+  private static boolean render(
+      SceneFolder folder,
+      List<String> selected,
+      GalleryRenderer renderer,
+      GalleryPage page,
+      Messages messages)
+      throws SceneFormatException, TaskException, InterruptedException {
     for (String scene : selected) {
-      Optional<GalleryPage.Entry> entry = renderer.render(scene, messages);
-      if (entry.isEmpty()) {
-        return false;
+      try (PictureOutput output = PictureOutput.reserve(page.picture(scene))) {
+        Optional<Rendered> rendered = renderer.render(scene);
+        if (rendered.isEmpty()) {
+          return false;
+        }
+        write(folder.file(scene), rendered.get(), output, messages);
+        page.put(GalleryPage.Entry.of(scene, rendered.get()));
+        page.save();
       }
-      page.put(entry.get());
-      page.save();
     }
     return true;
   }
 
+  private static void write(
+      Path scene, Rendered rendered, PictureOutput output, Messages messages)
+      throws TaskException {
+    RenderSettings settings = rendered.settings();
+    output.write(
+        rendered.result().image(),
+        new ImageWriter.Options(
+            settings.exposure(),
+            settings.toneCurve(),
+            BITS,
+            PictureMetadata.of(scene, rendered.file(), settings, rendered.seconds())));
+    Summary summary = new Summary(settings, rendered.result(), rendered.seconds());
+    summary.printRejected(scene, messages);
+    summary.print(output.target(), messages);
+  }
+
   /** Pictures must not replace files of the selected scenes, nor of the others in the folder. */
   private void checkOutputs(SceneFolder folder, List<String> selected, Path directory)
-      throws CommandException {
+      throws TaskException {
     OutputGuard guard = overwrite.guard();
     for (String scene : folder.names()) {
       guard.readsScene(folder.file(scene));
@@ -153,12 +198,12 @@ final class GalleryCommand implements Callable<Integer> {
     }
   }
 
-  private static void makeDirectory(Path directory) throws CommandException {
+  private static void makeDirectory(Path directory) throws TaskException {
     try {
       Files.createDirectories(directory);
     } catch (IOException e) {
-      throw new CommandException(
-          ExitCodes.OUTPUT, directory + ": expected a folder, or a place for one", e);
+      throw new TaskException(
+          Kind.OUTPUT, directory + ": expected a folder, or a place for one", e);
     }
   }
 }

@@ -1,5 +1,13 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.option.BudgetFlags;
+import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Failures;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.StandardOutput;
+import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.image.FileFailure;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;

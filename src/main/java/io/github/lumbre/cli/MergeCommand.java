@@ -4,8 +4,19 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmMerge;
 import io.github.lumbre.checkpoint.FilmMismatchException;
+import io.github.lumbre.cli.option.DevelopFlags;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -68,7 +79,7 @@ final class MergeCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws CommandException {
+  public Integer call() throws TaskException {
     flags.validate();
     boolean isPicture = ImageFormat.of(output).isPresent();
     OutputGuard guard = overwrite.guard();
@@ -86,15 +97,15 @@ final class MergeCommand implements Callable<Integer> {
     return ExitCodes.OK;
   }
 
-  private void writeFilm() throws CommandException {
+  private void writeFilm() throws TaskException {
     try (CheckpointFile target = CheckpointFile.reserve(output)) {
       target.save(merged());
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
     }
   }
 
-  private FilmFile merged() throws CommandException {
+  private FilmFile merged() throws TaskException {
     Messages messages = new Messages(spec.commandLine().getErr());
     List<FilmMerge.Named> named = new ArrayList<>();
     for (Path film : films) {
@@ -103,7 +114,7 @@ final class MergeCommand implements Callable<Integer> {
     try {
       return FilmMerge.of(named);
     } catch (FilmMismatchException e) {
-      throw new CommandException(ExitCodes.SCENE, e.getMessage(), e);
+      throw new TaskException(Kind.SCENE, e.getMessage(), e);
     }
   }
 }

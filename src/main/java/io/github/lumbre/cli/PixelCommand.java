@@ -1,6 +1,18 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.FlagConverters.PixelPlace;
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.cli.output.PixelPlace;
+import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.RenderFlags;
+import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.PixelJson;
+import io.github.lumbre.cli.output.PixelReport;
+import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -75,7 +87,7 @@ final class PixelCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     flags.validate();
     kernel.validate();
     FlagChecks checks = new FlagChecks(spec);

@@ -1,12 +1,42 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.cli.option.BudgetFlags;
+import io.github.lumbre.cli.option.CheckpointFlags;
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.QualityFlags;
+import io.github.lumbre.cli.option.RenderFlags;
+import io.github.lumbre.cli.option.RunFlags;
+import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.output.StandardOutput;
+import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.FilmKeeper;
+import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.RenderJob;
+import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.stopping.Budget;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -127,12 +157,12 @@ final class RenderCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     JsonSummary report = new JsonSummary("render", options.scene());
     return run.summarized(report, () -> run(report));
   }
 
-  private int run(JsonSummary report) throws SceneFormatException, CommandException {
+  private int run(JsonSummary report) throws SceneFormatException, TaskException {
     flags.validate();
     budgets.validate();
     checkpoints.validate();
@@ -165,7 +195,7 @@ final class RenderCommand implements Callable<Integer> {
       picture.requireFits(file.settings());
       RunBudget budget =
           budgets.since(
-              start, startup, file.settings(), quality.targetError(), BudgetFlags.CONFIDENCE);
+              start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
       RenderJob job = job(file, picture, keeper, monitor, budget, report);
       interruption.requireRender();
       return job.run(flags.firstSample());
@@ -177,15 +207,15 @@ final class RenderCommand implements Callable<Integer> {
     return flags.over(kernel.over(options.parser()), isOpen, quality.isAdaptive(), quality.depth());
   }
 
-  private FilmKeeper keeper(Messages messages) throws CommandException {
+  private FilmKeeper keeper(Messages messages) throws TaskException {
     if (checkpoint.isEmpty()) {
       return FilmKeeper.none(messages);
     }
     Path path = checkpoint.get();
     for (Path existing : List.of(path, OutputFile.previous(path))) {
       if (Files.exists(existing)) {
-        throw new CommandException(
-            ExitCodes.OUTPUT,
+        throw new TaskException(
+            Kind.OUTPUT,
             existing + ": exists already; 'lumbre resume " + path + "' goes on with it");
       }
     }
@@ -209,10 +239,10 @@ final class RenderCommand implements Callable<Integer> {
     return new RenderJob(scene, file, picture, keeper, monitor, run.errors(), report, budget, how);
   }
 
-  private int estimate(SceneFile file, JsonSummary report) throws CommandException {
+  private int estimate(SceneFile file, JsonSummary report) throws TaskException {
     MemoryEstimate estimate = MemoryEstimate.measured(file.settings());
     if (!run.isJson()) {
-      estimate.print(run.out());
+      estimate.lines().forEach(run.out()::line);
     }
     report.putScene(file);
     report.putEstimate(estimate);
@@ -246,14 +276,14 @@ final class RenderCommand implements Callable<Integer> {
         "-o -: standard output is a terminal; expected a file or a pipe");
   }
 
-  private PictureOutput picture(Path target) throws CommandException {
+  private PictureOutput picture(Path target) throws TaskException {
     return isStandardOutput()
         ? PictureOutput.toStandardOutput(
             format.orElse(ImageFormat.PNG), checkpoints.fallback())
         : PictureOutput.reserve(target, checkpoints.fallback());
   }
 
-  private void checkOutputs(Path target) throws CommandException {
+  private void checkOutputs(Path target) throws TaskException {
     OutputGuard guard = options.guardedBy(overwrite.guard());
     if (!isStandardOutput()) {
       guard.writes("-o", target, OutputContent.PICTURE);

@@ -4,8 +4,30 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.cli.option.BudgetFlags;
+import io.github.lumbre.cli.option.CheckpointFlags;
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.RunFlags;
+import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.FilmInput;
+import io.github.lumbre.cli.run.FilmKeeper;
+import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.RenderJob;
+import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.image.FileFailure;
 import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
@@ -105,12 +127,12 @@ final class ResumeCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws CommandException, SceneFormatException {
+  public Integer call() throws TaskException, SceneFormatException {
     JsonSummary report = new JsonSummary("resume", "film", film);
     return run.summarized(report, () -> run(report));
   }
 
-  private int run(JsonSummary report) throws CommandException, SceneFormatException {
+  private int run(JsonSummary report) throws TaskException, SceneFormatException {
     validate();
     Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
@@ -158,7 +180,7 @@ final class ResumeCommand implements Callable<Integer> {
     }
   }
 
-  private void validate() throws CommandException {
+  private void validate() throws TaskException {
     samples.ifPresent(
         n -> new FlagChecks(spec).requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
     work.validate(spec);
@@ -166,19 +188,19 @@ final class ResumeCommand implements Callable<Integer> {
     checkpoints.validate();
     kernel.validate();
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
-      throw new CommandException(ExitCodes.SCENE, film + ": does not exist");
+      throw new TaskException(Kind.SCENE, film + ": does not exist");
     }
   }
 
   /** Returns the budget asked for; the film's own error is reached if nothing is asked for. */
   private RunBudget budget(
       FilmNotes notes, RenderSettings settings, Instant start, Duration startup)
-      throws CommandException {
+      throws TaskException {
     boolean asBefore = samples.isEmpty() && !budgets.areGiven();
     OptionalDouble error = asBefore ? notes.targetError() : OptionalDouble.empty();
     if (asBefore && error.isEmpty() && settings.samples() == RenderSettings.MAX_SAMPLES) {
-      throw new CommandException(
-          ExitCodes.USAGE,
+      throw new TaskException(
+          Kind.USAGE,
           film
               + ": was rendered without a number of samples; expected --samples, --time or"
               + " --target-error");
@@ -186,24 +208,24 @@ final class ResumeCommand implements Callable<Integer> {
     return budgets.since(start, startup, settings, error, notes.confidence());
   }
 
-  private void requireOnePart(FilmHeader header) throws CommandException {
+  private void requireOnePart(FilmHeader header) throws TaskException {
     List<FilmPart> parts = header.parts();
     if (parts.size() != 1 || !parts.get(0).window().equals(header.window())) {
-      throw new CommandException(
-          ExitCodes.SCENE,
+      throw new TaskException(
+          Kind.SCENE,
           film + ": its samples have gaps, so it cannot be gone on with: " + parts);
     }
   }
 
   /** Reads the film's scene, with the film's settings and what the flags change of them. */
   private SceneFile parse(FilmNotes notes, FilmHeader header, Path path)
-      throws CommandException, SceneFormatException {
+      throws TaskException, SceneFormatException {
     int most = header.parts().get(0).most();
     int limit =
         samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
     if (limit < most) {
-      throw new CommandException(
-          ExitCodes.USAGE, "--samples: the film has " + most + " samples per pixel already");
+      throw new TaskException(
+          Kind.USAGE, "--samples: the film has " + most + " samples per pixel already");
     }
     try {
       SceneFile file =
@@ -220,8 +242,8 @@ final class ResumeCommand implements Callable<Integer> {
       run.errors().warnings(file.warnings());
       return file;
     } catch (IOException e) {
-      throw new CommandException(
-          ExitCodes.SCENE,
+      throw new TaskException(
+          Kind.SCENE,
           path + ": the film's scene cannot be read: " + FileFailure.reason(e),
           e);
     }
@@ -229,7 +251,7 @@ final class ResumeCommand implements Callable<Integer> {
 
   /** Passes if the scene and its files are those of the film. */
   private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
-      throws CommandException {
+      throws TaskException {
     if (file.hash().equals(header.identity().get(FilmHeader.SCENE_HASH))) {
       return;
     }
@@ -238,8 +260,8 @@ final class ResumeCommand implements Callable<Integer> {
         changed.isEmpty()
             ? path + ", or a file that it uses, has"
             : String.join(", ", changed) + (changed.size() == 1 ? " has" : " have");
-    throw new CommandException(
-        ExitCodes.SCENE,
+    throw new TaskException(
+        Kind.SCENE,
         film
             + ": "
             + what
@@ -247,12 +269,12 @@ final class ResumeCommand implements Callable<Integer> {
             + " of the scene as it was: --scene COPY");
   }
 
-  private void requireSame(FilmHeader header, SceneFile file, Path path) throws CommandException {
+  private void requireSame(FilmHeader header, SceneFile file, Path path) throws TaskException {
     try {
       header.requireSame(
           FilmHeader.identity(file.hash(), file.settings()), film.toString(), path.toString());
     } catch (FilmMismatchException e) {
-      throw new CommandException(ExitCodes.SCENE, e.getMessage(), e);
+      throw new TaskException(Kind.SCENE, e.getMessage(), e);
     }
   }
 
@@ -261,7 +283,7 @@ final class ResumeCommand implements Callable<Integer> {
   }
 
   /** Gives a damaged film another name, lest the next save puts it in place of the good one. */
-  private void setDamagedAside(CheckpointFile.Loaded loaded) throws CommandException {
+  private void setDamagedAside(CheckpointFile.Loaded loaded) throws TaskException {
     if (loaded.problem().isEmpty() || !Files.exists(film)) {
       return;
     }
@@ -269,8 +291,8 @@ final class ResumeCommand implements Callable<Integer> {
     try {
       Files.move(film, aside, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
-      throw new CommandException(
-          ExitCodes.OUTPUT, film + ": cannot be renamed to " + aside + ": " + e.getMessage(), e);
+      throw new TaskException(
+          Kind.OUTPUT, film + ": cannot be renamed to " + aside + ": " + e.getMessage(), e);
     }
     run.errors().line("warning: " + film + ": is kept as " + aside);
   }

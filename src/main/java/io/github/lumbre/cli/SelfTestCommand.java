@@ -1,8 +1,12 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.laws.Law;
-import io.github.lumbre.laws.Laws;
-import io.github.lumbre.laws.Tries;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.lab.checks.Law;
+import io.github.lumbre.lab.checks.Laws;
+import io.github.lumbre.lab.checks.StabilityPage;
+import io.github.lumbre.lab.checks.Tries;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -1,11 +1,24 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.FlagConverters.Size;
-import io.github.lumbre.measure.ExactRow;
-import io.github.lumbre.measure.TradeResult;
-import io.github.lumbre.measure.TradeSweep;
+import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.output.TextOutput;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.trade.ExactRow;
+import io.github.lumbre.lab.trade.TradeBudget;
+import io.github.lumbre.lab.trade.TradeResult;
+import io.github.lumbre.lab.trade.TradeSweep;
+import io.github.lumbre.lab.trade.TradeTables;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Size;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashSet;
@@ -128,7 +141,7 @@ final class TradeCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));

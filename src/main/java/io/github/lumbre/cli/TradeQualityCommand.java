@@ -1,12 +1,22 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.FlagConverters.Size;
-import io.github.lumbre.measure.QualityStudy;
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.cli.option.Quality;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.perf.SampleBudget;
+import io.github.lumbre.lab.trade.QualityStudy;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.SettingType;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -78,7 +88,7 @@ final class TradeQualityCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws SceneFormatException, CommandException {
+  public Integer call() throws SceneFormatException, TaskException {
     new FlagChecks(spec).requireIn("--seeds", 3, 1000, seeds);
     Messages out = new Messages(spec.commandLine().getOut());
     out.line("| scene | pixels | reference | quality | samples | error | largest error | bias |");
@@ -95,9 +105,10 @@ final class TradeQualityCommand implements Callable<Integer> {
   }
 
   private void measure(Path scene, Messages out)
-      throws SceneFormatException, CommandException, InterruptedException {
+      throws SceneFormatException, TaskException, InterruptedException {
     Messages errors = new Messages(spec.commandLine().getErr());
-    SceneFile file = SceneFolder.load(scene, new SceneParser().inMode(Mode.PATH), errors);
+    SceneFile file = SceneFolder.load(scene, new SceneParser().inMode(Mode.PATH));
+    errors.warnings(file.warnings());
     RenderSettings settings = framed(file.settings());
     double least = Quality.REFERENCE.targetError();
     QualityStudy study =
@@ -110,7 +121,7 @@ final class TradeQualityCommand implements Callable<Integer> {
                   SceneFolder.name(scene),
                   settings.width() + "x" + settings.height(),
                   study.referenceCell(),
-                  FlagConverters.lower(quality)));
+                  SettingType.nameOf(quality)));
       cells.addAll(
           study
               .measure(quality.targetError(), quality.depth(), seeds)

@@ -1,13 +1,23 @@
 package io.github.lumbre.cli;
 
 import com.sun.management.OperatingSystemMXBean;
+import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.measure.TradePage;
-import io.github.lumbre.measure.TradePlan;
-import io.github.lumbre.measure.TradeResult;
-import io.github.lumbre.measure.TradeScene;
-import io.github.lumbre.measure.TradeStudy;
-import io.github.lumbre.measure.TradeSweep;
+import io.github.lumbre.lab.Release;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.perf.BenchMachine;
+import io.github.lumbre.lab.perf.Hardware;
+import io.github.lumbre.lab.perf.SampleBudget;
+import io.github.lumbre.lab.trade.TradeBudget;
+import io.github.lumbre.lab.trade.TradePage;
+import io.github.lumbre.lab.trade.TradePlan;
+import io.github.lumbre.lab.trade.TradeResult;
+import io.github.lumbre.lab.trade.TradeScene;
+import io.github.lumbre.lab.trade.TradeStudy;
+import io.github.lumbre.lab.trade.TradeSweep;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -15,6 +25,7 @@ import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.texture.ImageTexture.Filter;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -69,7 +80,7 @@ final class TradeRun {
 
   /** Measures; tells what it is doing. */
   TradeResult run(Set<String> knobs)
-      throws SceneFormatException, CommandException, InterruptedException {
+      throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser = kernel.over(options.parser()).inMode(Mode.PATH);
     file = options.load(parser, messages);
     pilot();
@@ -117,7 +128,7 @@ final class TradeRun {
 
   /** Returns a scene with its double that counts. */
   private TradeScene counted(SceneFile read, SceneParser parser)
-      throws SceneFormatException, CommandException {
+      throws SceneFormatException, TaskException {
     LongAdder nodes = new LongAdder();
     LongAdder lookUps = new LongAdder();
     SceneFile again = options.load(parser.countingTextures(lookUps), quiet);
@@ -126,12 +137,12 @@ final class TradeRun {
 
   /** Adds the filters that make another picture than the scene's own. */
   private void addFilters(TradeSweep sweep, SceneParser parser)
-      throws SceneFormatException, CommandException, InterruptedException {
+      throws SceneFormatException, TaskException, InterruptedException {
     for (Filter filter : Filter.values()) {
       SceneParser filtering = parser.filtering(filter);
       SceneFile read = options.load(filtering, quiet);
       if (!Arrays.equals(look(read), look(file))) {
-        sweep.addFilter(FlagConverters.lower(filter), counted(read, filtering));
+        sweep.addFilter(SettingType.nameOf(filter), counted(read, filtering));
       }
     }
   }
@@ -149,7 +160,7 @@ final class TradeRun {
     facts.put("machine", Hardware.here().line());
     facts.put("threads", threads == 0 ? "one per processor" : String.valueOf(threads));
     facts.put("load", String.format(Locale.ROOT, "%.1f", BenchMachine.here().load()));
-    facts.put("version", Version.number());
+    facts.put("version", Release.number());
     facts.put("took", Math.round(spent()) + " s");
   }
 
@@ -164,14 +175,14 @@ final class TradeRun {
   }
 
   /** Returns the page; after {@link #run}. */
-  String page() throws CommandException {
+  String page() throws TaskException {
     ImageWriter.Options visible =
         new ImageWriter.Options(
             file.settings().exposure(), file.settings().toneCurve(), 8, Map.of());
     try {
       return TradePage.of(facts.get("scene"), facts, result, visible);
     } catch (IOException e) {
-      throw new CommandException(ExitCodes.OUTPUT, e.getMessage(), e);
+      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
     }
   }
 }

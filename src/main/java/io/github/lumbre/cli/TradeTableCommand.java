@@ -2,9 +2,20 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.JsonParseException;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.image.FileFailure;
-import io.github.lumbre.measure.SceneTables;
-import io.github.lumbre.measure.SceneTrade;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.trade.SceneTables;
+import io.github.lumbre.lab.trade.SceneTrade;
+import io.github.lumbre.lab.trade.TradeFile;
+import io.github.lumbre.lab.trade.TradeTables;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -60,7 +71,7 @@ final class TradeTableCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() throws CommandException {
+  public Integer call() throws TaskException {
     OutputGuard guard = overwrite.guard();
     studies.forEach(study -> guard.reads(study, "a study"));
     guard
@@ -88,19 +99,19 @@ final class TradeTableCommand implements Callable<Integer> {
     return Path.of(output.toString().replaceAll("\\.md$", "") + ending);
   }
 
-  private static SceneTrade read(Path study) throws CommandException {
+  private static SceneTrade read(Path study) throws TaskException {
     try {
       TradeFile file = new Gson().fromJson(Files.readString(study), TradeFile.class);
       if (file == null || !TradeTables.FORMAT.equals(file.format)) {
-        throw new CommandException(
-            ExitCodes.USAGE, study + ": expected a study of trade, format " + TradeTables.FORMAT);
+        throw new TaskException(
+            Kind.USAGE, study + ": expected a study of trade, format " + TradeTables.FORMAT);
       }
       return file.trade();
     } catch (IOException e) {
-      throw new CommandException(
-          ExitCodes.USAGE, study + ": cannot be read: " + FileFailure.reason(e), e);
+      throw new TaskException(
+          Kind.USAGE, study + ": cannot be read: " + FileFailure.reason(e), e);
     } catch (JsonParseException e) {
-      throw new CommandException(ExitCodes.USAGE, study + ": expected JSON of trade", e);
+      throw new TaskException(Kind.USAGE, study + ": expected JSON of trade", e);
     }
   }
 }

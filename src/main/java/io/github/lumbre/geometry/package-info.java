@@ -13,3 +13,4 @@
  * from the hit, never by a fixed epsilon: {@code SurfaceHit.spawn} is the only place that offsets.
  */
 package io.github.lumbre.geometry;
+

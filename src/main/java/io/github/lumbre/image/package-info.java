@@ -16,3 +16,4 @@
  * thread.
  */
 package io.github.lumbre.image;
+

@@ -8,3 +8,4 @@
  * listens to the steps of a path and explains how a sample came about.
  */
 package io.github.lumbre.integrator;
+

@@ -10,3 +10,4 @@
  * <p>Radiance in linear RGB; densities per solid angle at the lit point; world space.
  */
 package io.github.lumbre.light;
+

@@ -11,3 +11,4 @@
  * leaves unchanged: no factor appears when light enters or leaves glass.
  */
 package io.github.lumbre.material;
+

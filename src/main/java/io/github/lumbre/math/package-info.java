@@ -13,3 +13,4 @@
  * another package.
  */
 package io.github.lumbre.math;
+

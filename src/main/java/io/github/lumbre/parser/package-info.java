@@ -8,3 +8,4 @@
  * says where, what was found and what was expected.
  */
 package io.github.lumbre.parser;
+

@@ -9,3 +9,4 @@
  * io.github.lumbre.render.PixelReplay} repeats single samples.
  */
 package io.github.lumbre.render;
+

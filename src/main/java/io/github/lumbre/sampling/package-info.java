@@ -10,3 +10,4 @@
  * angle unless they say per area. Local frames have the normal on +z.
  */
 package io.github.lumbre.sampling;
+

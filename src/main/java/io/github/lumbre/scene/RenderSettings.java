@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
@@ -204,6 +206,29 @@ public final class RenderSettings {
   public enum Mode {
     RAY,
     PATH
+  }
+
+  /**
+   * Width and height of the full frame, in pixels.
+   *
+   * @param width at most nine digits; {@link Builder#size} limits it further
+   * @param height at most nine digits
+   */
+  public record Size(int width, int height) {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9})x(\\d{1,9})");
+
+    /**
+     * Returns the size that a text such as {@code 640x480} states.
+     *
+     * @throws IllegalArgumentException if it does not state one
+     */
+    public static Size of(String text) {
+      Matcher found = FORM.matcher(text);
+      if (!found.matches()) {
+        throw new IllegalArgumentException("expected WxH, such as 640x480, found '" + text + "'");
+      }
+      return new Size(Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)));
+    }
   }
 
   /**

@@ -119,7 +119,7 @@ public sealed interface SettingType<T> {
 
     @Override
     public String format(E value) {
-      return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+      return nameOf(value);
     }
 
     /** Returns the constants by their texts, in their order. */
@@ -164,6 +164,11 @@ public sealed interface SettingType<T> {
     } catch (NumberFormatException e) {
       throw unexpected(expected, text);
     }
+  }
+
+  /** Returns a constant of an enum as scenes and command lines write it: lower case, hyphens. */
+  static String nameOf(Enum<?> value) {
+    return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
   private static IllegalArgumentException unexpected(String expected, String found) {

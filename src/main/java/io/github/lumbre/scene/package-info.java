@@ -7,3 +7,4 @@
  * picture is to be made.
  */
 package io.github.lumbre.scene;
+

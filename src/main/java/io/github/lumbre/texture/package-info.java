@@ -17,3 +17,4 @@
  * io.github.lumbre.texture.Noise} or of random points. They follow from a seed alone, and tile.
  */
 package io.github.lumbre.texture;
+

@@ -7,3 +7,4 @@
  * another process. The sources are never changed.
  */
 package io.github.lumbre.mutants;
+

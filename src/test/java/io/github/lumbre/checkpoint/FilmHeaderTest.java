@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.render.RenderStatistics;
-import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.cli.output.ExitCodes;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -3,6 +3,9 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.cli.output.Fallback;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Film;

@@ -2,6 +2,13 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.run.CommandLineHost;
+import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.gallery.GalleryRenderer;
+import io.github.lumbre.lab.perf.Hardware;
+import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -97,10 +104,11 @@ class GalleryCommandTest {
     StringWriter text = new StringWriter();
     Messages messages = new Messages(new PrintWriter(text, true));
     GalleryRenderer renderer =
-        new GalleryRenderer(new SceneFolder(directory), out(), 1, 0, () -> null);
-    renderer.warnIfTooShort("a-scene", settings, 12800, messages);
+        new GalleryRenderer(
+            new SceneFolder(directory), 1, 0, new CommandLineHost(null, false, messages));
+    renderer.warnIfTooShort("a-scene", settings, 12800);
     assertThat(text.toString()).isEmpty();
-    renderer.warnIfTooShort("a-scene", settings, 6400, messages);
+    renderer.warnIfTooShort("a-scene", settings, 6400);
     assertThat(text.toString().strip())
         .isEqualTo(
             "warning: a-scene: --seconds 1 is too short for 64 samples per pixel, the fewest of a"

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.testing.Effort;
 import java.io.IOException;

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.github.lumbre.cli.output.ExitCodes;
 import java.io.IOException;
 import java.lang.module.ModuleFinder;
 import java.nio.file.Files;

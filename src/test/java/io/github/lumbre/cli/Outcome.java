@@ -6,9 +6,9 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 
 /** How a run of the command line ended, and what it printed. */
-record Outcome(int exitCode, String out, String err) {
+public record Outcome(int exitCode, String out, String err) {
   /** Runs the command line in this virtual machine. */
-  static Outcome of(String... args) {
+  public static Outcome of(String... args) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     int exitCode = Lumbre.run(args, new PrintWriter(out, true), new PrintWriter(err, true));
@@ -16,7 +16,7 @@ record Outcome(int exitCode, String out, String err) {
   }
 
   /** Passes if the run failed with this code and a single line that contains these texts. */
-  void assertFailed(int code, String... parts) {
+  public void assertFailed(int code, String... parts) {
     assertThat(err).contains(parts).doesNotContain("Exception", "\tat ");
     assertThat(err.lines()).hasSize(1);
     assertThat(out).isEmpty();

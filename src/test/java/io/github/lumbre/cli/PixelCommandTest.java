@@ -6,6 +6,8 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.PixelJson;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;

@@ -2,8 +2,11 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.laws.Law;
-import io.github.lumbre.laws.Laws;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.lab.checks.Law;
+import io.github.lumbre.lab.checks.Laws;
+import io.github.lumbre.lab.checks.StabilityPage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;

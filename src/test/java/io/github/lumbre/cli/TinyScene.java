@@ -6,9 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A scene that renders in no time: a lit sphere in a corner of two walls, 16x12 pixels. */
-final class TinyScene {
+public final class TinyScene {
   /** The scene's text. Each thing is on a line of its own, for {@link #with} to exchange. */
-  static final String JSON =
+  public static final String JSON =
       """
       {"mainCameraId": 1,
        "renderOptions": {"width": 16, "height": 12, "samples": 2, "antialiasing": 1},
@@ -28,7 +28,7 @@ final class TinyScene {
   private TinyScene() {}
 
   /** Returns the scene with the first occurrence of one text exchanged for another. */
-  static String with(String old, String replacement) {
+  public static String with(String old, String replacement) {
     int at = JSON.indexOf(old);
     if (at < 0) {
       throw new IllegalArgumentException("the scene does not contain " + old);
@@ -51,7 +51,7 @@ final class TinyScene {
   }
 
   /** Writes a scene into a directory and returns its file. */
-  static Path write(Path directory, String json) {
+  public static Path write(Path directory, String json) {
     try {
       return Files.writeString(directory.resolve("tiny.json"), json);
     } catch (IOException e) {

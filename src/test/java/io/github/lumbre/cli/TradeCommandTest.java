@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import io.github.lumbre.cli.output.ExitCodes;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;

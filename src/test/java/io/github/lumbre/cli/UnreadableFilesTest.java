@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import io.github.lumbre.cli.output.ExitCodes;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -1,5 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.lab.Csv;
+import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -8,6 +10,7 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.SettingType;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -61,7 +64,7 @@ record WorkCounters(String scene, String mode, long samples, long rays, long sha
         new BucketRenderer(file.settings()).render(file.scene(), Progress.NONE).statistics();
     return new WorkCounters(
         scene,
-        FlagConverters.lower(mode),
+        SettingType.nameOf(mode),
         statistics.samples(),
         statistics.rays(),
         statistics.shadowRays());

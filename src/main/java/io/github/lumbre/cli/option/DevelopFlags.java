@@ -1,0 +1,79 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.Setting.Group;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The flags that say how a film becomes a picture. */
+public final class DevelopFlags {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Mixin private SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
+
+  @Option(
+      names = "--bits",
+      paramLabel = "8|16",
+      description = "Bits per channel of a PNG (as rendered).")
+  private Optional<Integer> bits;
+
+  @Option(
+      names = "--jpeg-quality",
+      paramLabel = "N",
+      defaultValue = "90",
+      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
+  private int jpegQuality;
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  /** Where a film comes from. */
+  public interface Source {
+    FilmFile film() throws TaskException;
+  }
+
+  /** Complains about values out of range before anything is read. */
+  public void validate() {
+    new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
+    if (bits.isPresent() && bits.get() != 8 && bits.get() != 16) {
+      throw new ParameterException(
+          spec.commandLine(), "--bits: expected 8 or 16, found " + bits.get());
+    }
+  }
+
+  /**
+   * Develops a film and writes the picture, whose place is reserved before the film is read.
+   *
+   * @param name of the film, for messages
+   */
+  public void develop(Path name, Source source, Path output) throws TaskException {
+    try (PictureOutput picture = PictureOutput.reserve(output)) {
+      develop(name, source.film(), picture);
+    }
+  }
+
+  private void develop(Path name, FilmFile film, PictureOutput picture) throws TaskException {
+    FilmNotes notes = new FilmNotes(name, film.header());
+    Exposure stops = settings.valueOr(Setting.EXPOSURE, notes.exposure());
+    ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
+    int depth = bits.isPresent() ? bits.get() : notes.bits();
+    Map<String, String> metadata = notes.metadata();
+    picture.write(
+        film.film().develop(),
+        new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
+  }
+}

@@ -1,0 +1,203 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.cli.output.PixelPlace;
+import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.lab.perf.BenchComparison.Clock;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.SettingType;
+import java.math.BigDecimal;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import picocli.CommandLine;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Values of flags from text; what cannot be read is told together with what was expected. */
+public final class FlagConverters {
+  private FlagConverters() {}
+
+  /** Lets a command tell in its own words what it expected instead of a text that is no number. */
+  public static void registerNumbers(CommandLine command) {
+    String integer = "an integer up to ";
+    ITypeConverter<Integer> ofInt =
+        text -> number(Integer::valueOf, integer + Integer.MAX_VALUE, text);
+    ITypeConverter<Long> ofLong = text -> number(Long::valueOf, integer + Long.MAX_VALUE, text);
+    command.registerConverter(int.class, ofInt).registerConverter(Integer.class, ofInt);
+    command.registerConverter(Long.class, ofLong);
+    command.registerConverter(Double.class, text -> number(Double::valueOf, "a number", text));
+    command.registerConverter(BigDecimal.class, text -> number(BigDecimal::new, "a number", text));
+  }
+
+  private static <N> N number(Function<String, N> parser, String expected, String text) {
+    try {
+      return parser.apply(text);
+    } catch (NumberFormatException e) {
+      throw unexpected(expected, text);
+    }
+  }
+
+  /** {@code 640x480}. */
+  public static final class OfSize implements ITypeConverter<Size> {
+    @Override
+    public Size convert(String text) {
+      try {
+        return Size.of(text);
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException(e.getMessage());
+      }
+    }
+  }
+
+  /** {@code 100,50}. */
+  public static final class OfPixel implements ITypeConverter<PixelPlace> {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9}),(\\d{1,9})");
+
+    @Override
+    public PixelPlace convert(String text) {
+      Matcher found = FORM.matcher(text);
+      if (!found.matches()) {
+        throw unexpected("x,y in pixels, such as 100,50", text);
+      }
+      return new PixelPlace(Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)));
+    }
+  }
+
+  /** {@code 100,50,64,48}. */
+  static final class OfCrop implements ITypeConverter<Crop> {
+    private static final Pattern FORM =
+        Pattern.compile("(\\d{1,9}),(\\d{1,9}),(\\d{1,9}),(\\d{1,9})");
+
+    @Override
+    public Crop convert(String text) {
+      Matcher found = FORM.matcher(text);
+      if (!found.matches()) {
+        throw unexpected("x,y,w,h in pixels, such as 100,50,64,48", text);
+      }
+      try {
+        return new Crop(number(found, 1), number(found, 2), number(found, 3), number(found, 4));
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException(e.getMessage());
+      }
+    }
+
+    private static int number(Matcher found, int group) {
+      return Integer.parseInt(found.group(group));
+    }
+  }
+
+  /** {@code 90s}, {@code 5m}, {@code 2h} or {@code 1.5h}; always longer than nothing. */
+  public static final class OfDuration implements ITypeConverter<Duration> {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)([smh])");
+    private static final Map<String, Double> SECONDS = Map.of("s", 1., "m", 60., "h", 3600.);
+
+    @Override
+    public Duration convert(String text) {
+      Matcher found = FORM.matcher(text);
+      double seconds =
+          found.matches() ? Double.parseDouble(found.group(1)) * SECONDS.get(found.group(2)) : 0;
+      Duration duration = Duration.ofNanos((long) Math.min(seconds * 1e9, Long.MAX_VALUE / 2));
+      if (duration.isZero()) {
+        throw unexpected("a time longer than nothing, such as 90s, 5m or 2h", text);
+      }
+      return duration;
+    }
+  }
+
+  /** {@code 2%}: a share above nothing. */
+  public static final class OfShare implements ITypeConverter<Double> {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)%");
+
+    @Override
+    public Double convert(String text) {
+      Matcher found = FORM.matcher(text);
+      double percent = found.matches() ? Double.parseDouble(found.group(1)) : 0;
+      if (percent == 0) {
+        throw unexpected("a percentage above 0, such as 2%", text);
+      }
+      return percent / 100;
+    }
+  }
+
+  /** {@code ray} or {@code path}. */
+  public static final class OfMode implements ITypeConverter<Mode> {
+    @Override
+    public Mode convert(String text) {
+      return oneOf(Mode.values(), text);
+    }
+  }
+
+  /** {@code cpu} or {@code wall}. */
+  public static final class OfClock implements ITypeConverter<Clock> {
+    @Override
+    public Clock convert(String text) {
+      return oneOf(Clock.values(), text);
+    }
+  }
+
+  /** {@code draft}, {@code preview}, {@code final} or {@code reference}. */
+  static final class OfQuality implements ITypeConverter<Quality> {
+    @Override
+    public Quality convert(String text) {
+      return oneOf(Quality.values(), text);
+    }
+  }
+
+  /** {@code auto}, {@code vector} or {@code scalar}. */
+  static final class OfKernel implements ITypeConverter<Kernel> {
+    @Override
+    public Kernel convert(String text) {
+      return oneOf(Kernel.values(), text);
+    }
+  }
+
+  /** {@code png}, {@code exr}, {@code pfm} or {@code jpg}. */
+  public static final class OfImageFormat implements ITypeConverter<ImageFormat> {
+    @Override
+    public ImageFormat convert(String text) {
+      return oneOf(ImageFormat.values(), text);
+    }
+  }
+
+  /** How a render tells how far it is. */
+  enum ProgressStyle {
+    BAR,
+    JSON,
+    NONE
+  }
+
+  /** {@code bar}, {@code json} or {@code none}. */
+  static final class OfProgressStyle implements ITypeConverter<ProgressStyle> {
+    @Override
+    public ProgressStyle convert(String text) {
+      return oneOf(ProgressStyle.values(), text);
+    }
+  }
+
+  private static <E extends Enum<E>> E oneOf(E[] values, String text) {
+    return Arrays.stream(values)
+        .filter(value -> SettingType.nameOf(value).equals(text))
+        .findFirst()
+        .orElseThrow(
+            () -> {
+              String names =
+                  Arrays.stream(values)
+                      .map(SettingType::nameOf)
+                      .collect(Collectors.joining(", "));
+              return unexpected("one of " + names, text);
+            });
+  }
+
+
+  private static TypeConversionException unexpected(String expected, String found) {
+    return new TypeConversionException("expected " + expected + ", found '" + found + "'");
+  }
+}

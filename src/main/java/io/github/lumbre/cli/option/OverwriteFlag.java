@@ -1,0 +1,17 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.cli.output.OutputGuard;
+import picocli.CommandLine.Option;
+
+/** The flag of all commands that write files. */
+public final class OverwriteFlag {
+  @Option(
+      names = "--overwrite",
+      description = "Replace an existing output even if it is a file of a different kind.")
+  private boolean overwrite;
+
+  /** Returns a guard that knows no files yet. */
+  public OutputGuard guard() {
+    return new OutputGuard(overwrite);
+  }
+}

@@ -1,0 +1,196 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.Setting.Group;
+import java.util.Optional;
+import java.util.OptionalInt;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The flags that say how to render; each that is given wins over the scene. */
+public final class RenderFlags {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = "--mode",
+      paramLabel = "MODE",
+      converter = FlagConverters.OfMode.class,
+      description = "ray (Whitted) or path (all light). Default: the scene's, or else path.")
+  private Optional<Mode> mode;
+
+  @Option(
+      names = {"-s", "--samples"},
+      paramLabel = "N",
+      description = "Samples per pixel, in either mode. Default: the scene's, or else 100.")
+  private Optional<Integer> samples;
+
+  @Option(
+      names = "--samples-from",
+      paramLabel = "N",
+      description =
+          "Number of each pixel's first sample (0): films whose samples follow on each other "
+              + "make one by 'lumbre merge'.")
+  private Optional<Integer> samplesFrom;
+
+  @Option(
+      names = "--samples-to",
+      paramLabel = "M",
+      description = "Instead of --samples: the number after that of each pixel's last sample.")
+  private Optional<Integer> samplesTo;
+
+  @Option(
+      names = "--depth",
+      paramLabel = "N",
+      description = {
+        "Path mode: how many vertices of a path may scatter (scene or 5).",
+        "Ray mode: how many mirrors, and how many glass surfaces, a path may meet (scene or 2)."
+      })
+  private Optional<Integer> depth;
+
+  @Mixin
+  private SettingFlags settings =
+      new SettingFlags("", Group.TRANSPORT, Group.SAMPLING, Group.OUTPUT, Group.EXECUTION);
+
+  @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      converter = FlagConverters.OfSize.class,
+      description = "Size of the full frame in pixels (scene or 1920x1080).")
+  private Optional<Size> size;
+
+  @Option(
+      names = "--crop",
+      paramLabel = "x,y,w,h",
+      converter = FlagConverters.OfCrop.class,
+      description = "Render this part of the full frame only, with the same pixels.")
+  private Optional<Crop> crop;
+
+  @Option(
+      names = "--max-pixels",
+      paramLabel = "N",
+      description = "Refuse a full frame of more pixels (268435456, which is 2^28).")
+  private Optional<Integer> maxPixels;
+
+  /**
+   * Complains about values out of range before anything is read.
+   *
+   * @throws ParameterException naming the flag
+   */
+  public void validate() {
+    samples.ifPresent(n -> require("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    samplesFrom.ifPresent(n -> require("--samples-from", 0, RenderSettings.MAX_SAMPLES - 1, n));
+    samplesTo.ifPresent(
+        n -> require("--samples-to", firstSample() + 1, RenderSettings.MAX_SAMPLES, n));
+    if (samples.isPresent() && samplesTo.isPresent()) {
+      throw new ParameterException(
+          spec.commandLine(), "--samples and --samples-to: expected one of them");
+    }
+    depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
+    settings.validate(spec);
+    maxPixels.ifPresent(n -> require("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
+    size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
+    size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
+    size.ifPresent(s -> requireCropIn(s.width(), s.height()));
+  }
+
+  /** Returns whether bright samples are to be scaled down. */
+  public boolean isClamping() {
+    return settings.isGiven(Setting.CLAMP);
+  }
+
+  /** Tells whether only some of the pixels' samples are asked for, by their numbers. */
+  public boolean hasSampleRange() {
+    return samplesFrom.isPresent() || samplesTo.isPresent();
+  }
+
+  /** Returns the number of each pixel's first sample. */
+  public int firstSample() {
+    return samplesFrom.orElse(0);
+  }
+
+  private void require(String flag, int low, int high, int found) {
+    if (found < low || found > high) {
+      throw new ParameterException(
+          spec.commandLine(), flag + ": expected " + low + " to " + high + ", found " + found);
+    }
+  }
+
+  private void requireCropIn(int width, int height) {
+    Crop window = crop.orElse(new Crop(0, 0, 1, 1));
+    boolean inside =
+        (long) window.x() + window.width() <= width
+            && (long) window.y() + window.height() <= height;
+    if (!inside) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--crop: expected a part of " + width + "x" + height + ", found " + window);
+    }
+  }
+
+  /** Returns a parser that lets the flags win over the scene. */
+  public SceneParser over(SceneParser parser) {
+    return over(parser, false, false, OptionalInt.empty());
+  }
+
+  /**
+   * Returns a parser that lets the flags win over the scene.
+   *
+   * @param isOpen whether something else ends the render, so that the scene's samples do not
+   * @param adaptive whether noisy pixels get more samples
+   * @param pathDepth that wins over the scene's in path mode
+   */
+  public SceneParser over(SceneParser parser, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
+    SceneParser limited = maxPixels.map(parser::limitedTo).orElse(parser);
+    return mode.map(limited::inMode)
+        .orElse(limited)
+        .overriding(inScene -> override(changed(inScene, isOpen, adaptive, pathDepth)));
+  }
+
+  private static RenderSettings changed(
+      RenderSettings inScene, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
+    RenderSettings.Builder builder = inScene.toBuilder().adaptive(adaptive);
+    if (isOpen) {
+      builder.samples(RenderSettings.MAX_SAMPLES);
+    }
+    pathDepth.ifPresent(builder::maxTraceDepth);
+    return builder.build();
+  }
+
+  private RenderSettings override(RenderSettings inScene) {
+    RenderSettings.Builder builder = inScene.toBuilder();
+    samples.ifPresent(builder::samples);
+    samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
+    settings.override(builder);
+    requirePathsFor(Setting.SPLIT, inScene.mode());
+    size.ifPresent(s -> builder.size(s.width(), s.height()));
+    depth.ifPresent(n -> setDepth(builder, inScene.mode(), n));
+    if (size.isEmpty()) {
+      requireCropIn(inScene.width(), inScene.height());
+    }
+    crop.ifPresent(builder::crop);
+    return builder.build();
+  }
+
+  private void requirePathsFor(Setting<?> setting, Mode mode) {
+    if (mode == Mode.RAY && settings.isGiven(setting)) {
+      throw new ParameterException(
+          spec.commandLine(), setting.flag() + ": expected path mode, found ray");
+    }
+  }
+
+  private static void setDepth(RenderSettings.Builder builder, Mode mode, int depth) {
+    switch (mode) {
+      case PATH -> builder.maxTraceDepth(depth);
+      case RAY -> builder.rayDepths(depth, depth);
+    }
+  }
+}

@@ -1,0 +1,131 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** What all commands that read a scene take. */
+public final class SceneOptions {
+  private Optional<byte[]> text = Optional.empty();
+
+  @Parameters(
+      index = "0",
+      paramLabel = "SCENE",
+      description = "The scene, a JSON file; - reads standard input.")
+  private Path scene;
+
+  @ArgGroup private Strictness strictness = new Strictness();
+
+  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  private boolean debug;
+
+  /** How to take what is doubtful; one of the two at most. */
+  static final class Strictness {
+    @Option(
+        names = "--strict",
+        description = "Make every warning an error, and every sample that is not a number.")
+    private boolean strict;
+
+    @Option(
+        names = "--lenient",
+        description = "Make references to missing assets warnings instead of errors.")
+    private boolean lenient;
+  }
+
+  public Path scene() {
+    return scene;
+  }
+
+  public boolean isStandardInput() {
+    return scene.equals(PictureOutput.STANDARD);
+  }
+
+  /**
+   * Adds the scene and all files that its assets name to the files that a command reads.
+   *
+   * @throws TaskException if standard input cannot be read
+   */
+  public OutputGuard guardedBy(OutputGuard guard) throws TaskException {
+    if (!isStandardInput()) {
+      return guard.readsScene(scene);
+    }
+    byte[] content = standardInput();
+    return guard
+        .reads(Path.of("/dev/stdin"), "standard input")
+        .readsAssets(scene, () -> SceneParser.files(content, PictureOutput.STDIN));
+  }
+
+  private byte[] standardInput() throws TaskException {
+    try {
+      if (text.isEmpty()) {
+        text = Optional.of(System.in.readAllBytes());
+      }
+      return text.get();
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.SCENE, "standard input cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  public boolean isStrict() {
+    return strictness.strict;
+  }
+
+  public boolean isLenient() {
+    return strictness.lenient;
+  }
+
+  /** Returns a parser that is as lenient as asked for. */
+  public SceneParser parser() {
+    SceneParser parser = new SceneParser();
+    return strictness.lenient ? parser.lenient() : parser;
+  }
+
+  /**
+   * Reads the scene and prints its warnings.
+   *
+   * @throws TaskException if there are warnings under {@code --strict}, or if the scene cannot
+   *     be read
+   */
+  public SceneFile load(SceneParser parser, Messages messages)
+      throws SceneFormatException, TaskException {
+    SceneFile file = read(parser);
+    messages.warnings(file.warnings());
+    if (isStrict() && !file.warnings().isEmpty()) {
+      int count = file.warnings().size();
+      String warnings = count == 1 ? "1 warning" : count + " warnings";
+      throw new TaskException(
+          Kind.WARNINGS, scene + ": " + warnings + ", which --strict makes errors");
+    }
+    return file;
+  }
+
+  /**
+   * Reads the scene and keeps its warnings for the caller.
+   *
+   * @throws TaskException if the scene cannot be read
+   */
+  public SceneFile read(SceneParser parser) throws SceneFormatException, TaskException {
+    if (isStandardInput()) {
+      return parser.parse(standardInput(), PictureOutput.STDIN);
+    }
+    try {
+      return parser.parse(scene);
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+}

@@ -1,0 +1,166 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.Setting.Group;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IModelTransformer;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.IGetter;
+import picocli.CommandLine.Model.ISetter;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
+
+/**
+ * The flags that each set one {@link Setting}, made from its declaration. Mutable: picocli stores
+ * the values given on the command line here.
+ *
+ * <p>A command that has this as a mixin must name {@link Adder} as its model transformer.
+ */
+@Command
+public final class SettingFlags {
+  private final List<Setting<?>> offered;
+  private final String unlessGiven;
+  private final Map<Setting<?>, Object> given = new LinkedHashMap<>();
+
+  /**
+   * Offers the flags of some groups of settings.
+   *
+   * @param unlessGiven what applies without a flag, for the help text; empty for the scene's value
+   */
+  public SettingFlags(String unlessGiven, Group first, Group... others) {
+    Set<Group> groups = EnumSet.of(first, others);
+    this.unlessGiven = unlessGiven;
+    offered =
+        Setting.all().stream()
+            .filter(setting -> groups.contains(setting.group()) && !setting.flag().isEmpty())
+            .toList();
+  }
+
+  /** Adds the flags to each command that has such a mixin. */
+  public static final class Adder implements IModelTransformer {
+    @Override
+    public CommandSpec transform(CommandSpec command) {
+      addFrom(command, command);
+      return command;
+    }
+
+    private static void addFrom(CommandSpec mixed, CommandSpec command) {
+      for (CommandSpec mixin : mixed.mixins().values()) {
+        if (mixin.userObject() instanceof SettingFlags flags) {
+          flags.offered.forEach(setting -> command.addOption(flags.option(setting)));
+        }
+        addFrom(mixin, command);
+      }
+    }
+  }
+
+  private <T> OptionSpec option(Setting<T> setting) {
+    ITypeConverter<T> converter = text -> parse(setting, text);
+    ISetter setter =
+        new ISetter() {
+          @Override
+          public <V> V set(V value) {
+            if (value == null) {
+              given.remove(setting);
+            } else {
+              given.put(setting, value);
+            }
+            return null;
+          }
+        };
+    return OptionSpec.builder(setting.flag())
+        .paramLabel(setting.label())
+        .arity("1")
+        .type(Object.class)
+        .converters(converter)
+        .setter(setter)
+        .getter(new Getter(setting))
+        .description(description(setting).replace("%", "%%"))
+        .build();
+  }
+
+  /** Reads what was given for a setting. */
+  private final class Getter implements IGetter {
+    private final Setting<?> setting;
+
+    Getter(Setting<?> setting) {
+      this.setting = setting;
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // Only picocli asks, for what it has set.
+    public <V> V get() {
+      return (V) given.get(setting);
+    }
+  }
+
+  private <T> String description(Setting<T> setting) {
+    if (!unlessGiven.isEmpty()) {
+      return setting.meaning() + " Default: " + unlessGiven + ".";
+    }
+    String missing =
+        setting.missing().equals(Double.POSITIVE_INFINITY)
+            ? "none"
+            : setting.type().format(setting.missing());
+    String from = setting.isInScenes() ? "the scene's, or else " + missing : missing;
+    return setting.meaning() + " Default: " + from + ".";
+  }
+
+  private static <T> T parse(Setting<T> setting, String text) {
+    try {
+      return setting.type().parse(text);
+    } catch (IllegalArgumentException e) {
+      throw new TypeConversionException(e.getMessage());
+    }
+  }
+
+  /**
+   * Checks the ranges of the given values.
+   *
+   * @param command that has these flags
+   * @throws ParameterException naming the flag, what was expected and what was found
+   */
+  public void validate(CommandSpec command) {
+    given.keySet().forEach(setting -> validate(setting, command));
+  }
+
+  @SuppressWarnings("unchecked") // The converter made a value of the setting's type.
+  private <T> void validate(Setting<T> setting, CommandSpec command) {
+    T value = (T) given.get(setting);
+    if (!setting.type().accepts(value)) {
+      String range = "expected " + setting.type().expected();
+      String found = ", found " + setting.type().format(value);
+      throw new ParameterException(
+          command.commandLine(), setting.flag() + ": " + range + found);
+    }
+  }
+
+  /** Returns whether a setting is given on the command line. */
+  boolean isGiven(Setting<?> setting) {
+    return given.containsKey(setting);
+  }
+
+  /** Sets all that was given. */
+  public void override(RenderSettings.Builder builder) {
+    given.keySet().forEach(setting -> set(setting, builder));
+  }
+
+  @SuppressWarnings("unchecked") // The converter made a value of the setting's type.
+  private <T> void set(Setting<T> setting, RenderSettings.Builder builder) {
+    builder.set(setting, (T) given.get(setting));
+  }
+
+  /** Returns the value given for a setting, or another. */
+  @SuppressWarnings("unchecked") // The converter made a value of the setting's type.
+  <T> T valueOr(Setting<T> setting, T other) {
+    return (T) given.getOrDefault(setting, other);
+  }
+}

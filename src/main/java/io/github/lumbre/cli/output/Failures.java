@@ -1,0 +1,106 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.render.RenderException;
+import java.nio.file.InvalidPathException;
+import java.util.List;
+import picocli.CommandLine;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+
+/** Puts what went wrong into words and an exit code: a line a problem, no stack trace unasked. */
+public final class Failures implements IExecutionExceptionHandler, IParameterExceptionHandler {
+  @Override
+  public int handleParseException(ParameterException e, String[] args) {
+    CommandLine command = e.getCommandLine();
+    String help = command.getCommandSpec().qualifiedName() + " --help";
+    // Some messages of picocli begin or end in a way of their own.
+    String message = e.getMessage().replaceFirst("^Error: ", "").replaceFirst("[.]$", "");
+    new Messages(command.getErr()).error(message + " (see '" + help + "')");
+    return ExitCodes.USAGE;
+  }
+
+  @Override
+  public int handleExecutionException(Exception e, CommandLine command, ParseResult result) {
+    return report(e, command, isDebug(result));
+  }
+
+  /** Reports anything thrown by a command and returns the exit code. */
+  public static int report(Throwable thrown, CommandLine command, boolean debug) {
+    Messages messages = new Messages(command.getErr());
+    if (thrown instanceof SceneFormatException) {
+      problems(thrown).forEach(messages::line);
+    } else {
+      boolean unexplained = exitCode(thrown) == ExitCodes.INTERNAL && !debug;
+      String advice = unexplained ? " (--debug shows where)" : "";
+      problems(thrown).forEach(problem -> messages.error(problem + advice));
+    }
+    if (debug) {
+      thrown.printStackTrace(command.getErr());
+      command.getErr().flush();
+    }
+    return exitCode(thrown);
+  }
+
+  /** Returns how the program ends after this was thrown. */
+  static int exitCode(Throwable thrown) {
+    if (thrown instanceof TaskException e) {
+      return ExitCodes.of(e.kind());
+    }
+    if (thrown instanceof SceneFormatException e) {
+      return switch (e.kind()) {
+        case INVALID -> ExitCodes.SCENE;
+        case ASSET -> ExitCodes.ASSET;
+        case LIMIT -> ExitCodes.LIMIT;
+      };
+    }
+    if (thrown instanceof InvalidPathException) {
+      return ExitCodes.USAGE;
+    }
+    return rootIs(thrown, OutOfMemoryError.class) ? ExitCodes.LIMIT : ExitCodes.INTERNAL;
+  }
+
+  /** Returns what went wrong when this was thrown, at least one line. */
+  static List<String> problems(Throwable thrown) {
+    if (thrown instanceof TaskException e) {
+      return List.of(e.getMessage());
+    }
+    if (thrown instanceof SceneFormatException e) {
+      return e.problems();
+    }
+    if (thrown instanceof InvalidPathException e) {
+      return List.of(e.getInput() + ": " + FileFailure.reason(e));
+    }
+    if (rootIs(thrown, OutOfMemoryError.class)) {
+      return List.of(
+          "out of memory: the heap is limited to "
+              + MemoryEstimate.mebibytes(Runtime.getRuntime().maxMemory())
+              + " (LUMBRE_JAVA_OPTS=-Xmx8g raises that)");
+    }
+    String what = thrown instanceof RenderException ? thrown.getMessage() : thrown.toString();
+    return List.of("internal error: " + what);
+  }
+
+  private static boolean rootIs(Throwable thrown, Class<? extends Throwable> type) {
+    Throwable root = thrown;
+    while (root.getCause() != null) {
+      root = root.getCause();
+    }
+    return type.isInstance(root);
+  }
+
+  /** Tells whether a command, or the one below it, was asked to show stack traces. */
+  public static boolean isDebug(ParseResult result) {
+    for (ParseResult r = result; r != null; r = r.subcommand()) {
+      if (r.hasMatchedOption("--debug")) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,156 @@
+package io.github.lumbre.cli.output;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.Release;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.SceneContents;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.SettingType;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.ParameterException;
+
+/**
+ * What a command did or why it failed, for programs to read: a JSON object on one line. Mutable.
+ *
+ * <p>Keys may be added; {@link #FORMAT} changes when older readers would misunderstand.
+ */
+public final class JsonSummary {
+  static final String FORMAT = "lumbre-summary-1";
+
+  private static final Gson GSON = new GsonBuilder().disableHtmlEscaping().create();
+
+  private final Map<String, Object> values = new LinkedHashMap<>();
+
+  /** What a command does, and the exit code that it ends with. */
+  public interface Action {
+    int run() throws SceneFormatException, TaskException;
+  }
+
+  /**
+   * @param command that was run
+   * @param scene that it was given
+   */
+  public JsonSummary(String command, Path scene) {
+    this(command, "scene", scene);
+  }
+
+  /**
+   * @param command that was run
+   * @param key what it was given
+   * @param path of that
+   */
+  public JsonSummary(String command, String key, Path path) {
+    values.put("format", FORMAT);
+    values.put("version", Release.number());
+    values.put("command", command);
+    values.put(key, path.toString());
+  }
+
+  /**
+   * Runs a command that prints its own summary if it succeeds, and prints one if it fails.
+   *
+   * @throws ParameterException without a summary, if the command line is wrong
+   */
+  public int around(Action action, Messages out) throws SceneFormatException, TaskException {
+    try {
+      return action.run();
+    } catch (ParameterException e) {
+      throw e;
+    } catch (SceneFormatException | TaskException | RuntimeException | Error e) {
+      values.put("exit_code", Failures.exitCode(e));
+      values.put("problems", Failures.problems(e));
+      print(out);
+      throw e;
+    }
+  }
+
+  public void print(Messages out) {
+    out.line(GSON.toJson(values));
+  }
+
+  public void put(String key, Object value) {
+    values.put(key, value);
+  }
+
+  /** Adds what is known of a scene that has been read. */
+  public void putScene(SceneFile file) {
+    RenderSettings settings = file.settings();
+    values.put("scene_sha256", file.hash());
+    values.put("width", settings.width());
+    values.put("height", settings.height());
+    settings.crop().ifPresent(crop -> values.put("crop", crop.toString()));
+    values.put("mode", SettingType.nameOf(settings.mode()));
+    values.put("samples_per_pixel", settings.samples());
+    values.put("adaptive", settings.adaptive());
+    for (Setting<?> setting : FilmHeader.named()) {
+      values.put(setting.name(), value(settings.get(setting)));
+    }
+    values.put("seed", settings.seed());
+    values.put("warnings", file.warnings());
+  }
+
+  /** Returns a value as JSON has it: numbers and texts; null instead of an infinite limit. */
+  private static Object value(Object value) {
+    if (value instanceof Double number) {
+      return Double.isFinite(number) ? number : null;
+    }
+    return value instanceof Enum<?> constant ? SettingType.nameOf(constant) : value;
+  }
+
+  /** Adds how much of everything a scene holds. */
+  public void putContents(SceneContents contents) {
+    values.put("camera", contents.camera());
+    values.put("shapes", contents.shapes());
+    values.put("meshes", contents.meshes());
+    values.put("triangles", contents.triangles());
+    values.put("lights", contents.lights());
+    values.put("materials", contents.materials());
+    values.put("textures", contents.textures());
+  }
+
+  /** Adds what a render will take of memory. */
+  public void putEstimate(MemoryEstimate estimate) {
+    values.put("pixels", estimate.pixels());
+    values.put("threads", estimate.threads());
+    values.put("film_bytes", estimate.filmBytes());
+    values.put("scene_bytes", estimate.sceneBytes());
+    values.put("thread_bytes", estimate.threadBytes());
+    values.put("needed_bytes", estimate.neededBytes());
+    values.put("checkpoint_copy_bytes", estimate.copyBytes());
+    values.put("max_heap_bytes", estimate.maxHeapBytes());
+    values.put("fits", estimate.fits());
+  }
+
+  /**
+   * Adds what a render did. A rejected sample is column and row in the full frame, and number.
+   *
+   * @param seconds that rendering took
+   */
+  public void putResult(RenderResult result, double seconds) {
+    RenderStatistics statistics = result.statistics();
+    values.put("complete", result.complete());
+    values.put("seconds", seconds);
+    values.put("samples", statistics.samples());
+    values.put("rays", statistics.rays());
+    values.put("shadow_rays", statistics.shadowRays());
+    values.put("rejected", statistics.rejected());
+    values.put(
+        "first_rejected",
+        statistics.firstRejected().stream()
+            .map(sample -> List.of(sample.x(), sample.y(), sample.sample()))
+            .toList());
+    values.put("saturated", statistics.saturated());
+    values.put("peak_heap_bytes", Summary.peakHeapBytes());
+  }
+}

@@ -1,0 +1,71 @@
+package io.github.lumbre.cli.output;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Lines for people, a line each, whatever they contain: characters that could move the cursor,
+ * colour the terminal, or feign another line are written as {@code \\u001b}.
+ */
+public final class Messages {
+  private final PrintWriter out;
+
+  public Messages(PrintWriter out) {
+    this.out = out;
+  }
+
+  /** Prints a line. */
+  public void line(String text) {
+    ProgressBar.aside(
+        () -> {
+          out.println(printable(text));
+          out.flush();
+        });
+  }
+
+  /** Prints a line in the program's name. */
+  public void error(String text) {
+    line("lumbre: " + text);
+  }
+
+  /** Prints a line for each warning. */
+  public void warnings(List<String> warnings) {
+    warnings.forEach(this::warning);
+  }
+
+  /** Prints a line that begins with {@code warning:}. */
+  public void warning(String text) {
+    line("warning: " + text);
+  }
+
+  /** Returns a text with its control and formatting characters written as escapes. */
+  public static String printable(String text) {
+    StringBuilder safe = new StringBuilder(text.length());
+    text.codePoints()
+        .forEach(
+            c -> {
+              if (isSafe(c)) {
+                safe.appendCodePoint(c);
+              } else {
+                for (char unit : Character.toChars(c)) {
+                  safe.append(String.format(Locale.ROOT, "\\u%04x", (int) unit));
+                }
+              }
+            });
+    return safe.toString();
+  }
+
+  private static boolean isSafe(int codePoint) {
+    return switch (Character.getType(codePoint)) {
+      case Character.CONTROL,
+          Character.FORMAT,
+          Character.LINE_SEPARATOR,
+          Character.PARAGRAPH_SEPARATOR,
+          Character.SURROGATE,
+          Character.UNASSIGNED ->
+          false;
+      default -> true;
+    };
+  }
+}

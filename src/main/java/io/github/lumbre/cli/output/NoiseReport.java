@@ -1,0 +1,120 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.render.Film;
+import io.github.lumbre.stopping.NoiseEstimate;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * What is told of a picture's samples and noise.
+ *
+ * @param noise empty if it is not known
+ * @param target that the error was to reach, if one was asked for
+ * @param end what ended the render: {@code samples}, {@code time} or {@code error}
+ */
+public record NoiseReport(
+    Film film,
+    Optional<NoiseEstimate> noise,
+    OptionalDouble target,
+    boolean reachedTarget,
+    String end) {
+  /**
+   * Returns {@code 64}, or {@code 32 to 64 (median 64, mean 50.1)} if pixels have different ones.
+   */
+  String samples() {
+    int fewest = film.fewestSamples();
+    int most = film.mostSamples();
+    return fewest == most
+        ? String.valueOf(most)
+        : String.format(
+            Locale.ROOT,
+            "%d to %d (median %d, mean %.4g)",
+            fewest,
+            most,
+            film.medianSamples(),
+            film.meanSamples());
+  }
+
+  /** Returns {@code noise about 1.6 % (at most 1.8 %), }; nothing if it is not known. */
+  String line() {
+    return noise
+        .map(n -> "noise about %s (%s), ".formatted(percent(n.relativeRmse()), bound(n)))
+        .orElse("");
+  }
+
+  private static String bound(NoiseEstimate noise) {
+    return Double.isInfinite(noise.upperRelativeMse())
+        ? "no bound: too few pixels"
+        : "at most " + percent(noise.upperRelativeRmse());
+  }
+
+  /** Prints what is doubtful about the noise, or was not reached. */
+  public void printDoubts(Messages messages) {
+    if (noise.filter(NoiseEstimate::hasHeavyTail).isPresent()) {
+      messages.line(
+          "warning: a thousandth of the pixels carries "
+              + percent(noise.get().tailShare())
+              + " of the noise; more bright spots may be to come than its bound knows of");
+    }
+    if (isMissed()) {
+      messages.line(
+          "warning: the target error of "
+              + percent(target.getAsDouble())
+              + " is not reached"
+              + noise.map(n -> ": " + bound(n)).orElse(""));
+    }
+  }
+
+  /** Tells whether an error was asked for that the picture has not reached. */
+  public boolean isMissed() {
+    return target.isPresent() && !reachedTarget;
+  }
+
+  /** Adds what the picture's file is to tell. */
+  public void putInto(Map<String, String> metadata) {
+    metadata.put("Samples", samples());
+    noise.ifPresent(
+        n -> {
+          metadata.put("Noise", percent(n.relativeRmse()));
+          metadata.put("NoiseBound", bound(n) + " with a confidence of " + percent(n.confidence()));
+          if (n.hasHeavyTail()) {
+            metadata.put(
+                "NoiseTail", percent(n.tailShare()) + " of it in a thousandth of the pixels");
+          }
+        });
+  }
+
+  /** Adds what programs are to hear. */
+  public void putInto(JsonSummary report) {
+    Map<String, Object> samples = new LinkedHashMap<>();
+    samples.put("min", film.fewestSamples());
+    samples.put("median", film.medianSamples());
+    samples.put("mean", film.meanSamples());
+    samples.put("max", film.mostSamples());
+    report.put("pixel_samples", samples);
+    report.put("ended_by", end);
+    noise.ifPresent(
+        n -> {
+          Map<String, Object> values = new LinkedHashMap<>();
+          values.put("relative_rmse", n.relativeRmse());
+          if (Double.isFinite(n.upperRelativeMse())) {
+            values.put("at_most", n.upperRelativeRmse());
+          }
+          values.put("confidence", n.confidence());
+          values.put("tail_share", n.tailShare());
+          report.put("noise", values);
+        });
+    target.ifPresent(
+        t -> {
+          report.put("target_error", t);
+          report.put("target_reached", reachedTarget);
+        });
+  }
+
+  private static String percent(double share) {
+    return String.format(Locale.ROOT, share >= .1 ? "%.0f %%" : "%.2g %%", 100 * share);
+  }
+}

@@ -1,0 +1,72 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.image.ImageFormat;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Predicate;
+
+/** The kinds of files that commands write, and how an existing one is recognized. */
+public enum OutputContent {
+  PICTURE("a PNG, JPEG, OpenEXR, PFM or HDR picture", ImageFormat::startsPicture),
+  FILM("a checkpoint file", FilmFile::startsIn),
+  TRADE_PAGE(
+      "a page of 'lumbre trade'",
+      text(start -> start.startsWith("<!DOCTYPE html>") && start.contains("Speed for accuracy"))),
+  TRADE_CSV("a CSV file of 'lumbre trade'", text(start -> start.startsWith("knob,value,kind,"))),
+  TRADE_JSON(
+      "a JSON file of 'lumbre trade'",
+      text(start -> start.contains("\"format\": \"lumbre-trade-"))),
+  TRADE_TABLES(
+      "a file of 'lumbre trade-table'",
+      text(start -> start.startsWith("# Speed for accuracy, scene by scene"))),
+  TRADE_CHART(
+      "a chart of 'lumbre trade-table'",
+      text(start -> start.startsWith("<svg") && start.contains("system-ui,sans-serif\"><title>"))),
+  BENCH_JSON(
+      "a JSON file of 'lumbre bench'",
+      text(start -> start.contains("\"format\": \"lumbre-bench-"))),
+  BENCHMARK_CSV(
+      "a CSV file of 'lumbre benchmark'", text(start -> start.startsWith("row,name,scene,size,"))),
+  HASHES(
+      "a file of 'lumbre benchmark --store'",
+      text(start -> start.startsWith("row,scene,size,samples,sha256"))),
+  GALLERY_PAGE(
+      "a page of 'lumbre gallery'",
+      text(start -> start.startsWith("# Pictures") && start.contains("`lumbre gallery`")));
+
+  private static final int START_BYTES = 4096;
+
+  private final String description;
+  private final Predicate<byte[]> isStart;
+
+  OutputContent(String description, Predicate<byte[]> isStart) {
+    this.description = description;
+    this.isStart = isStart;
+  }
+
+  private static Predicate<byte[]> text(Predicate<String> isStart) {
+    return start -> isStart.test(new String(start, StandardCharsets.UTF_8));
+  }
+
+  /** Returns what the kind is called in a message, with its article. */
+  String description() {
+    return description;
+  }
+
+  /**
+   * Returns whether a new file of this kind may replace an existing file: it is empty, or begins as
+   * files of this kind do.
+   *
+   * @throws IOException if the file cannot be read
+   */
+  boolean mayReplace(Path existing) throws IOException {
+    try (InputStream in = Files.newInputStream(existing)) {
+      byte[] start = in.readNBytes(START_BYTES);
+      return start.length == 0 || isStart.test(start);
+    }
+  }
+}

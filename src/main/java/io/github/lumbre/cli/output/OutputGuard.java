@@ -1,0 +1,209 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * The files that a command reads and writes. {@link #check} refuses the command before it begins if
+ * it would overwrite a file that it reads, write one file twice, or replace a file of a different
+ * kind. Symbolic links and hard links are followed. Mutable.
+ */
+public final class OutputGuard {
+  private final boolean overwrite;
+  private final List<Input> inputs = new ArrayList<>();
+  private final List<Assets> assets = new ArrayList<>();
+  private final List<Output> outputs = new ArrayList<>();
+
+  /** Lists the files that a scene's assets name. */
+  @FunctionalInterface
+  public interface AssetList {
+    Set<Path> files() throws SceneFormatException, IOException;
+  }
+
+  private record Assets(Path scene, AssetList list) {
+    /** Returns the files; none if the scene cannot be read, which the command itself reports. */
+    Set<Path> files() {
+      try {
+        return list.files();
+      } catch (SceneFormatException | IOException e) {
+        return Set.of();
+      }
+    }
+  }
+
+  private record Input(Path path, String role) {}
+
+  /**
+   * @param flag that names another place
+   * @param isOwn whether the command checks the file's present content itself
+   */
+  private record Output(String flag, Path path, OutputContent content, boolean isOwn) {}
+
+  /**
+   * @param overwrite whether outputs may replace files of a different kind
+   */
+  public OutputGuard(boolean overwrite) {
+    this.overwrite = overwrite;
+  }
+
+  /**
+   * Adds a file that the command reads.
+   *
+   * @param role of the file in messages, such as "the scene"
+   */
+  public OutputGuard reads(Path path, String role) {
+    inputs.add(new Input(path, role));
+    return this;
+  }
+
+  /** Adds a film that the command reads, or the previous one beside it. */
+  public OutputGuard readsFilm(Path film) {
+    return reads(film, "a film").reads(OutputFile.previous(film), "the previous version of a film");
+  }
+
+  /** Adds a scene, with all files that its assets name. */
+  public OutputGuard readsScene(Path scene) {
+    return reads(scene, "the scene").readsAssets(scene, () -> SceneParser.files(scene));
+  }
+
+  /** Adds the files that a scene's assets name. */
+  public OutputGuard readsAssets(Path scene, AssetList list) {
+    assets.add(new Assets(scene, list));
+    return this;
+  }
+
+  /**
+   * Adds a file that the command writes.
+   *
+   * @param flag that names the file, for messages
+   */
+  public OutputGuard writes(String flag, Path path, OutputContent content) {
+    outputs.add(new Output(flag, path, content, false));
+    return this;
+  }
+
+  /** Adds a file that the command reads first and then replaces, or whose content is checked. */
+  public OutputGuard updates(String flag, Path path, OutputContent content) {
+    outputs.add(new Output(flag, path, content, true));
+    return this;
+  }
+
+  /** Adds a film that the command replaces, and the previous one beside it. */
+  public OutputGuard updatesFilm(String flag, Path film) {
+    return updates(flag, film, OutputContent.FILM)
+        .updates(flag, OutputFile.previous(film), OutputContent.FILM);
+  }
+
+  /**
+   * Checks all outputs.
+   *
+   * @throws TaskException with {@link ExitCodes#OUTPUT} for the first output that must not be
+   *     written
+   */
+  public void check() throws TaskException {
+    for (Output output : outputs) {
+      for (Input input : inputs) {
+        requireDifferent(output, input);
+      }
+    }
+    for (int i = 1; i < outputs.size(); i++) {
+      for (Output other : outputs.subList(0, i)) {
+        requireDifferent(outputs.get(i), other);
+      }
+    }
+    checkAssets();
+    for (Output output : outputs) {
+      requireReplaceable(output);
+    }
+  }
+
+  /** Reads the scenes' lists of files only where an output exists: only then can it be an asset. */
+  private void checkAssets() throws TaskException {
+    List<Output> existing =
+        outputs.stream().filter(o -> written(o.path).stream().anyMatch(Files::exists)).toList();
+    if (existing.isEmpty()) {
+      return;
+    }
+    for (Assets ofScene : assets) {
+      for (Path asset : ofScene.files()) {
+        for (Output output : existing) {
+          requireDifferent(output, new Input(asset, "a file of the scene " + ofScene.scene));
+        }
+      }
+    }
+  }
+
+  /** Returns the files that writing an output replaces or deletes. */
+  private static List<Path> written(Path output) {
+    Path name = output.getFileName();
+    return name == null ? List.of(output) : List.of(output, OutputFile.temporary(output));
+  }
+
+  private static void requireDifferent(Output output, Input input) throws TaskException {
+    for (Path written : written(output.path)) {
+      if (PictureOutput.isSame(written, input.path)) {
+        throw refused(
+            output.path
+                + ": is "
+                + input.role
+                + (output.path.equals(input.path) ? "" : " (" + input.path + ")")
+                + ", which is read and must not be overwritten; "
+                + advice(output.flag));
+      }
+    }
+  }
+
+  private static void requireDifferent(Output output, Output other) throws TaskException {
+    if (PictureOutput.isSame(output.path, other.path)) {
+      throw refused(
+          output.path
+              + ": is written twice, by "
+              + other.flag
+              + " ("
+              + other.path
+              + ") and by "
+              + output.flag
+              + "; "
+              + advice(output.flag));
+    }
+  }
+
+  private void requireReplaceable(Output output) throws TaskException {
+    if (overwrite || output.isOwn || !Files.isRegularFile(output.path)) {
+      return;
+    }
+    String found;
+    try {
+      if (output.content.mayReplace(output.path)) {
+        return;
+      }
+      found = "is not " + output.content.description();
+    } catch (IOException e) {
+      found = "cannot be read";
+    }
+    throw refused(
+        output.path
+            + ": exists and "
+            + found
+            + "; "
+            + advice(output.flag)
+            + ", or replace the file with --overwrite");
+  }
+
+  private static String advice(String flag) {
+    return "choose another place with " + flag;
+  }
+
+  private static TaskException refused(String message) {
+    return new TaskException(Kind.OUTPUT, message);
+  }
+}

@@ -1,0 +1,209 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Where the picture goes: reserved before the work begins, filled when it has ended. Mutable. */
+public final class PictureOutput implements AutoCloseable {
+  /** The name that means standard input or output. */
+  public static final Path STANDARD = Path.of("-");
+
+  /** The name of a scene from standard input: its assets are relative to the working directory. */
+  public static final Path STDIN = Path.of("stdin");
+
+  private final Path target;
+  private final OutputFile file;
+  private final Fallback fallback;
+
+  private PictureOutput(Path target, OutputFile file, Fallback fallback) {
+    this.target = target;
+    this.file = file;
+    this.fallback = fallback;
+  }
+
+  /**
+   * Returns where a scene's picture goes by default: its name with another ending, in the working
+   * directory; {@code stdin.png} for a scene from standard input.
+   */
+  public static Path defaultFor(Path scene) {
+    Path name = scene.equals(STANDARD) ? STDIN : scene.getFileName();
+    String text = name == null ? "" : name.toString();
+    int dot = text.lastIndexOf('.');
+    String base = dot > 0 ? text.substring(0, dot) : text;
+    return Path.of((base.isEmpty() ? "picture" : base) + ImageFormat.PNG.ending());
+  }
+
+  /** Returns whether two paths lead to the same file, which need not exist. */
+  static boolean isSame(Path one, Path other) {
+    try {
+      return Files.isSameFile(one, other);
+    } catch (IOException e) {
+      return real(one).equals(real(other));
+    }
+  }
+
+  /** Returns a path whose symbolic links are resolved; the file itself need not exist. */
+  private static Path real(Path path) {
+    Path absolute = path.toAbsolutePath();
+    Path parent = absolute.getParent();
+    try {
+      return Files.exists(absolute) || parent == null
+          ? absolute.toRealPath()
+          : parent.toRealPath().resolve(absolute.getFileName());
+    } catch (IOException e) {
+      return absolute.normalize();
+    }
+  }
+
+  /**
+   * Reserves a place for a picture.
+   *
+   * @throws TaskException if it cannot be written there
+   */
+  public static PictureOutput reserve(Path target) throws TaskException {
+    return reserve(target, Fallback.TEMPORARY);
+  }
+
+  /**
+   * Reserves a place for a picture.
+   *
+   * @param fallback where the picture goes if it turns out that it cannot be written there
+   * @throws TaskException if that is known already
+   */
+  public static PictureOutput reserve(Path target, Fallback fallback) throws TaskException {
+    try {
+      return new PictureOutput(target, OutputFile.open(target), fallback);
+    } catch (IOException e) {
+      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Returns an output that writes to standard output. The picture is collected in a temporary file,
+   * which stays if standard output cannot be written.
+   *
+   * @param fallback where the temporary file is
+   * @throws TaskException if it cannot be made
+   */
+  public static PictureOutput toStandardOutput(ImageFormat format, Fallback fallback)
+      throws TaskException {
+    Path directory = fallback.directory();
+    try {
+      Path collected = fallback.newFile(Path.of("picture" + format.ending()));
+      return new PictureOutput(STANDARD, OutputFile.open(collected), fallback);
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.OUTPUT, directory + ": cannot be written: " + e.getMessage(), e);
+    }
+  }
+
+  /** Returns the path of the picture, or {@link #STANDARD}. */
+  public Path target() {
+    return target;
+  }
+
+  /** Returns whether the picture is for the screen. */
+  public boolean isForScreen() {
+    return ImageFormat.of(file.target()).filter(ImageFormat::isForScreen).isPresent();
+  }
+
+  /**
+   * Checks that the format can hold a picture.
+   *
+   * @throws TaskException if the picture is too large for it
+   */
+  public void requireFits(RenderSettings settings) throws TaskException {
+    int side =
+        settings
+            .crop()
+            .map(crop -> Math.max(crop.width(), crop.height()))
+            .orElse(Math.max(settings.width(), settings.height()));
+    boolean isJpeg = ImageFormat.of(file.target()).equals(Optional.of(ImageFormat.JPG));
+    if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
+      throw new TaskException(
+          Kind.LIMIT,
+          target
+              + ": a JPEG has at most "
+              + ImageWriter.MAX_JPEG_SIDE
+              + " pixels on a side, found "
+              + side
+              + "; choose another format");
+    }
+  }
+
+  private boolean isStandardOutput() {
+    return target.equals(STANDARD);
+  }
+
+  /**
+   * Writes the picture; if that fails, into the other directory, lest it be lost.
+   *
+   * @throws TaskException if that failed, naming the path where the picture is instead
+   */
+  public void write(Image image, ImageWriter.Options options) throws TaskException {
+    try {
+      ImageWriter.write(image, file, options);
+    } catch (IOException e) {
+      String failure = file.target() + ": cannot be written: " + e.getMessage();
+      String rescue = isStandardOutput() ? "" : "; " + rescue(image, options);
+      throw new TaskException(Kind.OUTPUT, failure + rescue, e);
+    }
+    if (isStandardOutput()) {
+      print(file.target());
+    }
+  }
+
+  private static void print(Path collected) throws TaskException {
+    try (OutputStream out = StandardOutput.open()) {
+      Files.copy(collected, out);
+      Files.delete(collected);
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.OUTPUT,
+          "standard output cannot be written: "
+              + e.getMessage()
+              + "; the picture is saved as "
+              + collected
+              + " instead",
+          e);
+    }
+  }
+
+  private String rescue(Image image, ImageWriter.Options options) {
+    try {
+      Path other = fallback.newFile(target());
+      try {
+        ImageWriter.write(image, other, options);
+      } finally {
+        Fallback.deleteIfEmpty(other);
+      }
+      return "saved as " + other + " instead";
+    } catch (IOException e) {
+      return "nor could " + fallback.directory() + ": " + e.getMessage();
+    }
+  }
+
+  /** Releases the place if nothing was written. */
+  @Override
+  public void close() {
+    try {
+      file.close();
+      if (isStandardOutput()) {
+        Fallback.deleteIfEmpty(file.target());
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

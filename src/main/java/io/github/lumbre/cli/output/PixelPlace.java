@@ -1,0 +1,14 @@
+package io.github.lumbre.cli.output;
+
+/**
+ * A pixel of the full frame.
+ *
+ * @param x its column, from the left
+ * @param y its row, from the top
+ */
+public record PixelPlace(int x, int y) {
+  @Override
+  public String toString() {
+    return x + "," + y;
+  }
+}

@@ -1,0 +1,263 @@
+package io.github.lumbre.cli.output;
+
+import java.io.PrintStream;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.DoubleSupplier;
+import java.util.function.Supplier;
+
+/**
+ * A progress bar on the last line of a terminal, drawn by a daemon thread four times a second.
+ * Mutable; safe for use by any thread.
+ *
+ * <p>The cursor rests in the first column. If the window becomes narrower and the terminal wraps
+ * the line, everything from there on is erased before the next drawing. No program but this one
+ * changes the terminal's settings or the handling of signals.
+ */
+public final class ProgressBar implements ProgressDisplay {
+  private static final long INTERVAL_MILLIS = 250;
+
+  /** How long reading takes before it is worth a line. */
+  private static final double PATIENCE_SECONDS = 0.75;
+
+  /** Without a drawing for so long, the program was suspended; that is no time of the render. */
+  private static final double SUSPENDED_SECONDS = 3;
+
+  private static final long VANISH_MILLIS = 200;
+
+  /** The one that the terminal shows; lines of text are printed instead of it. */
+  private static final AtomicReference<Optional<ProgressBar>> SHOWN =
+      new AtomicReference<>(Optional.empty());
+
+  private final PrintStream out;
+  private final TerminalWidth width;
+  private final boolean hasEscapes;
+  private final DoubleSupplier clock;
+
+  /** One for each thread in effect: workers report many times a second. */
+  private final LongAdder done = new LongAdder();
+
+  private final ScheduledExecutorService timer =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread thread = new Thread(task, "lumbre-bar");
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  /** Guards what follows, and the terminal. */
+  private final ReentrantLock lock = new ReentrantLock();
+
+  private String activity = "";
+  private long total;
+  private double start;
+  private double lastTick;
+  private Supplier<OptionalDouble> secondsLeft = OptionalDouble::empty;
+  private OptionalDouble targetError = OptionalDouble.empty();
+  private OptionalDouble error = OptionalDouble.empty();
+  private int drawn;
+  private int drawnWidth;
+  private boolean closed;
+
+  private ProgressBar(
+      PrintStream out, TerminalWidth width, boolean hasEscapes, DoubleSupplier clock) {
+    this.out = out;
+    this.width = width;
+    this.hasEscapes = hasEscapes;
+    this.clock = clock;
+    start = clock.getAsDouble();
+    lastTick = start;
+  }
+
+  /** Returns a bar on standard error, which draws itself from now on. */
+  public static ProgressBar onStandardError() {
+    String terminal = System.getenv().getOrDefault("TERM", "dumb");
+    ProgressBar bar =
+        new ProgressBar(
+            System.err,
+            TerminalWidth.watching(),
+            !terminal.equals("dumb"),
+            () -> System.nanoTime() * 1e-9);
+    SHOWN.set(Optional.of(bar));
+    bar.timer.scheduleAtFixedRate(
+        bar::tick, INTERVAL_MILLIS, INTERVAL_MILLIS, TimeUnit.MILLISECONDS);
+    return bar;
+  }
+
+  /** Returns a bar that draws itself at {@link #tick} only. */
+  static ProgressBar manual(
+      PrintStream out, TerminalWidth width, boolean hasEscapes, DoubleSupplier clock) {
+    return new ProgressBar(out, width, hasEscapes, clock);
+  }
+
+  /** Prints lines in place of the bar, if there is one, which then follows below them. */
+  static void aside(Runnable print) {
+    Optional<ProgressBar> shown = SHOWN.get();
+    if (shown.isEmpty()) {
+      print.run();
+      return;
+    }
+    ProgressBar bar = shown.get();
+    bar.lock.lock();
+    try {
+      bar.erase();
+      print.run();
+    } finally {
+      bar.lock.unlock();
+    }
+  }
+
+  /** Erases the bar for good, unless the terminal is stopped: the program ends at once. */
+  public static void vanish() {
+    Optional<ProgressBar> shown = SHOWN.get();
+    try {
+      if (shown.isPresent()
+          && shown.get().lock.tryLock(VANISH_MILLIS, TimeUnit.MILLISECONDS)) {
+        shown.get().erase();
+        shown.get().closed = true;
+        shown.get().lock.unlock();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void reading(String name) {
+    lock.lock();
+    try {
+      activity = "reading " + Messages.printable(name);
+      start = clock.getAsDouble();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void started(long totalSamples) {
+    lock.lock();
+    try {
+      activity = "";
+      done.reset();
+      total = totalSamples;
+      start = clock.getAsDouble();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void expected(long furtherSamples) {
+    lock.lock();
+    try {
+      total = done.sum() + furtherSamples;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void limited(Supplier<OptionalDouble> newSecondsLeft, OptionalDouble newTargetError) {
+    lock.lock();
+    try {
+      secondsLeft = newSecondsLeft;
+      targetError = newTargetError;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void advanced(long samples) {
+    done.add(samples);
+  }
+
+  @Override
+  public void estimable(Supplier<OptionalDouble> relativeError) {
+    if (targetError.isPresent()) {
+      OptionalDouble known = relativeError.get();
+      lock.lock();
+      try {
+        error = known;
+      } finally {
+        lock.unlock();
+      }
+    }
+  }
+
+  /** Erases the bar; it is not drawn again. */
+  @Override
+  public void close() {
+    timer.shutdownNow();
+    lock.lock();
+    try {
+      erase();
+      closed = true;
+    } finally {
+      lock.unlock();
+    }
+    width.close();
+    SHOWN.updateAndGet(shown -> shown.filter(bar -> bar != this));
+  }
+
+  /** Draws the bar as it is now. */
+  void tick() {
+    int columns = width.columns();
+    lock.lock();
+    try {
+      double now = clock.getAsDouble();
+      if (now - lastTick > SUSPENDED_SECONDS) {
+        start += now - lastTick;
+      }
+      lastTick = now;
+      if (!closed) {
+        draw(now - start, columns);
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void draw(double seconds, int columns) {
+    if (!activity.isEmpty() && seconds < PATIENCE_SECONDS) {
+      return;
+    }
+    if (drawn > 0 && columns != drawnWidth) {
+      erase();
+    }
+    String text =
+        activity.isEmpty()
+            ? status(seconds).line(columns - 1)
+            : BarStatus.cut(activity + " ... " + clock(seconds), columns - 1);
+    String rest = hasEscapes ? "\033[K" : " ".repeat(Math.max(0, drawn - text.length()));
+    out.print("\r" + text + rest + "\r");
+    out.flush();
+    drawn = text.length();
+    drawnWidth = columns;
+  }
+
+  private BarStatus status(double seconds) {
+    return new BarStatus(done.sum(), total, seconds, secondsLeft.get(), error, targetError);
+  }
+
+  private void erase() {
+    if (drawn > 0) {
+      out.print(hasEscapes ? "\r\033[J" : "\r" + " ".repeat(drawn) + "\r");
+      out.flush();
+      drawn = 0;
+    }
+  }
+
+  /** Returns {@code 1:02:03}. */
+  static String clock(double seconds) {
+    Duration time = Duration.ofSeconds(Math.round(seconds));
+    return "%d:%02d:%02d".formatted(time.toHours(), time.toMinutesPart(), time.toSecondsPart());
+  }
+}

@@ -1,0 +1,54 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.render.RenderStatistics.RejectedSample;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.SettingType;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** The command that repeats a sample of a render: what to type after a warning. */
+final class ReplayCommand {
+  private ReplayCommand() {}
+
+  /** Returns the command, with all flags that decide which sample it is. */
+  static String of(Path scene, RenderSettings settings, RejectedSample sample) {
+    return String.format(
+        Locale.ROOT,
+        "lumbre pixel %s %d,%d --sample %d --seed %d --size %dx%d --mode %s%s%s",
+        quoted(scene.toString()),
+        sample.x(),
+        sample.y(),
+        sample.sample(),
+        settings.seed(),
+        settings.width(),
+        settings.height(),
+        SettingType.nameOf(settings.mode()),
+        depth(settings),
+        others(settings));
+  }
+
+  private static String depth(RenderSettings settings) {
+    return switch (settings.mode()) {
+      case PATH -> " --depth " + settings.maxTraceDepth();
+      // Two depths that differ can only come from the scene, which the command reads again.
+      case RAY ->
+          settings.reflectionTraceDepth() == settings.refractionTraceDepth()
+              ? " --depth " + settings.reflectionTraceDepth()
+              : "";
+    };
+  }
+
+  private static String others(RenderSettings settings) {
+    return FilmHeader.named().stream()
+        .filter(settings::isSet)
+        .map(setting -> " " + setting.flag() + " " + settings.text(setting))
+        .collect(Collectors.joining());
+  }
+
+  /** Returns a name as a shell takes it. */
+  private static String quoted(String name) {
+    return name.matches("[A-Za-z0-9_./\\\\:-]+") ? name : "'" + name.replace("'", "'\\''") + "'";
+  }
+}

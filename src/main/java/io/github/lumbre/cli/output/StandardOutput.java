@@ -1,0 +1,62 @@
+package io.github.lumbre.cli.output;
+
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.util.Optional;
+
+/**
+ * A stream of results that remembers its first failure, which a {@link PrintWriter} hides. Mutable,
+ * for one thread.
+ */
+public final class StandardOutput extends OutputStream {
+  private final OutputStream stream;
+  private Optional<IOException> failure = Optional.empty();
+
+  StandardOutput(OutputStream stream) {
+    this.stream = stream;
+  }
+
+  /** Returns standard output itself. */
+  public static StandardOutput open() {
+    return new StandardOutput(new FileOutputStream(FileDescriptor.out));
+  }
+
+  /** Returns whether standard output is known to be a terminal. */
+  public static boolean isTerminal() {
+    // Newer virtual machines have a console without any terminal.
+    boolean isConsole = Runtime.version().feature() < 22 && System.console() != null;
+    return Boolean.getBoolean("lumbre.stdout.tty") || isConsole;
+  }
+
+  @Override
+  public void write(int value) throws IOException {
+    write(new byte[] {(byte) value}, 0, 1);
+  }
+
+  @Override
+  public void write(byte[] bytes, int offset, int length) throws IOException {
+    try {
+      stream.write(bytes, offset, length);
+    } catch (IOException e) {
+      failure = failure.or(() -> Optional.of(e));
+      throw e;
+    }
+  }
+
+  /**
+   * Returns how the program ends after a command: with {@link ExitCodes#OUTPUT} and a message if
+   * the command had an answer that could not be printed.
+   */
+  public int exitCode(int ofCommand, PrintWriter errors) {
+    boolean isAnswer = ofCommand == ExitCodes.OK || ofCommand == ExitCodes.DIFFERENT;
+    if (failure.isEmpty() || !isAnswer) {
+      return ofCommand;
+    }
+    String reason = failure.get().getMessage();
+    new Messages(errors).error("standard output cannot be written: " + reason);
+    return ExitCodes.OUTPUT;
+  }
+}

@@ -1,0 +1,151 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.management.MemoryType;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/** What is told after a render, a line each. */
+public final class Summary {
+  /** A luminance, after exposure, below which a pixel counts as dark. */
+  private static final double DARK = .1;
+
+  private final RenderSettings settings;
+  private final RenderResult result;
+  private final double seconds;
+  private final long samplesInAll;
+
+  /**
+   * @param seconds that rendering took
+   */
+  public Summary(RenderSettings settings, RenderResult result, double seconds) {
+    this(settings, result, seconds, result.statistics().samples());
+  }
+
+  /**
+   * @param seconds that rendering took
+   * @param samplesInAll that the picture has, those rendered by earlier runs included
+   */
+  public Summary(RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
+    this.settings = settings;
+    this.result = result;
+    this.seconds = seconds;
+    this.samplesInAll = samplesInAll;
+  }
+
+  /** Prints what was made, where it is, and how long it took. */
+  public void print(Path output, Messages messages) {
+    print(output, String.valueOf(settings.samples()), "", messages);
+  }
+
+  /** Prints what was made, where it is, how noisy it is, and how long it took. */
+  public void print(Path output, NoiseReport noise, Messages messages) {
+    print(output, noise.samples(), noise.line(), messages);
+  }
+
+  private void print(Path output, String samples, String noise, Messages messages) {
+    Image image = result.image();
+    messages.line(
+        String.format(
+            Locale.ROOT,
+            "%s: %s%dx%d pixels, %s, %s%.2f s, %s samples/s",
+            output,
+            result.complete() ? "" : "stopped early, partial picture of ",
+            image.width(),
+            image.height(),
+            result.complete() ? samples + " samples per pixel" : progress(),
+            noise,
+            seconds,
+            Markdown.rate(result.statistics().samples(), seconds)));
+  }
+
+  /** Returns how much of the work was done: {@code 120 of 4800 samples}. */
+  public String progress() {
+    Image image = result.image();
+    long total = (long) image.width() * image.height() * settings.samples();
+    return settings.samples() == RenderSettings.MAX_SAMPLES
+        ? samplesInAll + " samples"
+        : samplesInAll + " of " + total + " samples";
+  }
+
+  /** Prints what the render did. */
+  public void printStatistics(Messages messages) {
+    RenderStatistics statistics = result.statistics();
+    long rays = statistics.rays() + statistics.shadowRays();
+    messages.line("samples      " + statistics.samples());
+    messages.line("rays         " + statistics.rays());
+    messages.line("shadow rays  " + statistics.shadowRays());
+    messages.line("rays/s       " + Markdown.rate(rays, seconds));
+    messages.line("rejected     " + statistics.rejected() + " samples");
+    messages.line("saturated    " + statistics.saturated() + " sample values");
+    messages.line("threads      " + threads());
+    messages.line("peak heap    " + MemoryEstimate.mebibytes(peakHeapBytes()));
+  }
+
+  /** Prints which samples of a scene were rejected, if any were, and how to repeat them. */
+  public void printRejected(Path scene, Messages messages) {
+    RenderStatistics statistics = result.statistics();
+    if (statistics.rejected() == 0) {
+      return;
+    }
+    messages.line(
+        "warning: "
+            + statistics.rejected()
+            + " samples were negative or not finite, and count as black; the first are:");
+    statistics
+        .firstRejected()
+        .forEach(
+            s ->
+                messages.line(
+                    "warning: pixel "
+                        + s.x()
+                        + ","
+                        + s.y()
+                        + " sample "
+                        + s.sample()
+                        + ": "
+                        + ReplayCommand.of(scene, settings, s)));
+  }
+
+  /** Prints a suggestion if the picture will look dark on a screen. */
+  public void printIfDark(Messages messages) {
+    boolean isFixed = settings.exposure().stops().isPresent();
+    if (isFixed && result.complete() && isDark()) {
+      messages.line("hint: 99 % of the picture is darker than " + DARK + "; try --exposure auto");
+    }
+  }
+
+  private boolean isDark() {
+    Image image = result.image();
+    double threshold = DARK / settings.exposure().factor(image);
+    long bright = 0;
+    for (int y = 0; y < image.height(); y++) {
+      for (int x = 0; x < image.width(); x++) {
+        bright += image.pixel(x, y).luminance() >= threshold ? 1 : 0;
+      }
+    }
+    return 100 * bright < (long) image.width() * image.height();
+  }
+
+  private int threads() {
+    return settings.threads() == 0
+        ? Runtime.getRuntime().availableProcessors()
+        : settings.threads();
+  }
+
+  /** Returns the sum over the heap's parts of each one's highest use: at least the true peak. */
+  static long peakHeapBytes() {
+    return ManagementFactory.getMemoryPoolMXBeans().stream()
+        .filter(pool -> pool.getType() == MemoryType.HEAP)
+        .map(MemoryPoolMXBean::getPeakUsage)
+        .mapToLong(usage -> usage.getUsed())
+        .sum();
+  }
+}

@@ -1,0 +1,54 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.parser.FileHashes;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * The hashes of a scene's files as a film's header keeps them: a line each, the hash, a space, and
+ * the name that the scene gives the file; the scene file itself, first, has no name.
+ */
+final class FilmFiles {
+  /** The header of a film may have a megabyte; what is longer is left out. */
+  private static final int MAX_LENGTH = 1 << 18;
+
+  private FilmFiles() {}
+
+  /** Returns the text for the header; empty if it is too long. */
+  static Optional<String> text(FileHashes files) {
+    StringBuilder text = new StringBuilder(files.scene()).append(' ');
+    files.assets().forEach((name, hash) -> text.append('\n').append(hash + " " + name));
+    return text.length() > MAX_LENGTH ? Optional.empty() : Optional.of(text.toString());
+  }
+
+  /**
+   * Returns the names of files that are not what they were.
+   *
+   * @param then the text of the header
+   * @param sceneName what to call the scene file
+   */
+  static List<String> changed(String then, FileHashes now, String sceneName) {
+    Map<String, String> before = new TreeMap<>();
+    for (String line : then.split("\n")) {
+      int space = line.indexOf(' ');
+      if (space > 0) {
+        before.put(line.substring(space + 1), line.substring(0, space));
+      }
+    }
+    List<String> changed = new ArrayList<>();
+    if (!now.scene().equals(before.get(""))) {
+      changed.add(sceneName);
+    }
+    now.assets()
+        .forEach(
+            (name, hash) -> {
+              if (before.containsKey(name) && !hash.equals(before.get(name))) {
+                changed.add(name);
+              }
+            });
+    return changed;
+  }
+}

@@ -1,0 +1,53 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmFormatException;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
+/** Reads films for commands. */
+public final class FilmInput {
+  private FilmInput() {}
+
+  /**
+   * Reads a film, or the one saved before it if it is damaged, which is told.
+   *
+   * @throws TaskException if neither can be read
+   */
+  public static CheckpointFile.Loaded load(Path path, Messages messages) throws TaskException {
+    try {
+      CheckpointFile.Loaded loaded = CheckpointFile.load(path);
+      loaded
+          .problem()
+          .ifPresent(
+              problem ->
+                  messages.line(
+                      "warning: "
+                          + path
+                          + ": "
+                          + problem
+                          + "; uses "
+                          + loaded.from()
+                          + " instead"));
+      return loaded;
+    } catch (NoSuchFileException e) {
+      throw new TaskException(Kind.SCENE, path + ": does not exist", e);
+    } catch (FilmFormatException e) {
+      throw new TaskException(Kind.SCENE, path + ": " + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  /** Reads a film; see {@link #load}. */
+  public static FilmFile read(Path path, Messages messages) throws TaskException {
+    return load(path, messages).file();
+  }
+}

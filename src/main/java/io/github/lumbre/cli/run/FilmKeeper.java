@@ -1,0 +1,155 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.checkpoint.Checkpoints;
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.cli.output.Fallback;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Keeps the film of a running render in a file, if there is one; if it cannot be written, in
+ * another directory. Mutable, for the thread that renders; films are saved in another.
+ */
+public final class FilmKeeper implements AutoCloseable {
+  private final Optional<CheckpointFile> file;
+  private final Fallback fallback;
+  private final Messages messages;
+  private final Duration interval;
+  private Optional<Checkpoints> checkpoints = Optional.empty();
+  private Map<String, String> identity = Map.of();
+  private Map<String, String> notes = Map.of();
+  private RenderStatistics statistics = RenderStatistics.ZERO;
+  private Optional<Path> instead = Optional.empty();
+  private Optional<String> failure = Optional.empty();
+
+  /**
+   * @param interval between two checkpoints
+   * @param messages hears of failures
+   */
+  public FilmKeeper(
+      Optional<CheckpointFile> file, Duration interval, Fallback fallback, Messages messages) {
+    this.file = file;
+    this.fallback = fallback;
+    this.messages = messages;
+    this.interval = interval;
+  }
+
+  /** Returns one that keeps nothing. */
+  public static FilmKeeper none(Messages messages) {
+    return new FilmKeeper(Optional.empty(), Duration.ZERO, Fallback.TEMPORARY, messages);
+  }
+
+  /**
+   * Begins the first interval. Rendering will wait for saves only if memory has no room for a
+   * second film.
+   *
+   * @param newIdentity what films are of
+   * @param faults of the samples that the film has already
+   */
+  public void begin(
+      Map<String, String> newIdentity,
+      Map<String, String> newNotes,
+      RenderStatistics faults,
+      RenderSettings settings) {
+    statistics = faults;
+    identity = newIdentity;
+    notes = newNotes;
+    checkpoints =
+        file.map(f -> new Checkpoints(interval, MemoryEstimate.leavesRoomForCopy(settings)));
+  }
+
+  /** Returns a listener that pauses a pass whenever the film is to be saved. */
+  public Progress pausing(Progress progress) {
+    return checkpoints.map(c -> c.pausing(progress)).orElse(progress);
+  }
+
+  /**
+   * Saves a film if it is time to; called after each pass.
+   *
+   * @param newStatistics of all samples that the film has
+   */
+  public void saveIfDue(Film film, RenderStatistics newStatistics) {
+    statistics = newStatistics;
+    checkpoints.ifPresent(c -> c.saveIfDue(film, content -> save(content, newStatistics)));
+  }
+
+  /** Saves a film now, at the end of the render. */
+  public void saveLast(Film film) {
+    checkpoints.ifPresent(c -> c.saveLast(film, content -> save(content, statistics)));
+  }
+
+  /**
+   * Saves a film that has samples. A failure is told once, and remembered until a later attempt
+   * succeeds.
+   */
+  private void save(Film film, RenderStatistics itsStatistics) {
+    if (film.totalSamples() == 0) {
+      return;
+    }
+    CheckpointFile wanted = file.orElseThrow();
+    FilmFile content = FilmFile.of(identity, film, notes, itsStatistics);
+    try {
+      wanted.save(content);
+      failure = Optional.empty();
+    } catch (IOException e) {
+      String what = wanted.path() + ": cannot be written: " + e.getMessage();
+      Optional<String> found = Optional.of(what + "; " + rescue(content, wanted.path()));
+      if (!found.equals(failure)) {
+        messages.line("warning: " + found.get());
+      }
+      failure = found;
+    }
+  }
+
+  private String rescue(FilmFile content, Path wanted) {
+    try {
+      Path other = instead.isPresent() ? instead.get() : fallback.newFile(wanted);
+      rescue(content, other, instead.isEmpty());
+      instead = Optional.of(other);
+      return "the film is saved as " + other + " instead";
+    } catch (IOException e) {
+      return "nor could " + fallback.directory() + ": " + e.getMessage();
+    }
+  }
+
+  /** Saves a film in a file that may be new; a new file stays only if the film is in it. */
+  private static void rescue(FilmFile content, Path other, boolean isNew) throws IOException {
+    try (CheckpointFile rescued = CheckpointFile.reserve(other)) {
+      rescued.save(content);
+    } finally {
+      if (isNew) {
+        Fallback.deleteIfEmpty(other);
+        Fallback.deleteIfEmpty(OutputFile.previous(other));
+      }
+    }
+  }
+
+  /** Returns what went wrong with the last film, if anything did; asked after the last save. */
+  public Optional<String> failure() {
+    return failure;
+  }
+
+  /** Gives the file free. */
+  @Override
+  public void close() {
+    if (file.isPresent()) {
+      try {
+        file.get().close();
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+}

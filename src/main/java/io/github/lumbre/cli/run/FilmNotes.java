@@ -1,0 +1,257 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.Release;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.stopping.Budget;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+
+/** What a film's header tells the command line: how to go on, and how to develop it. */
+public final class FilmNotes {
+  private static final String SOFTWARE = "software";
+  private static final String SCENE = "scene";
+  private static final String OUTPUT = "output";
+  private static final String FILES = "files";
+  private static final String SAMPLES = "samples";
+  private static final String EXPOSURE = "exposure";
+  private static final String TONE_CURVE = "tonemap";
+  private static final String BITS = "bits";
+  private static final String LENIENT = "lenient";
+  private static final String TARGET_ERROR = "target-error";
+  private static final String CONFIDENCE = "confidence";
+
+  private final Path film;
+  private final FilmHeader header;
+
+  /**
+   * @param film the file's path, for messages
+   */
+  public FilmNotes(Path film, FilmHeader header) {
+    this.film = film;
+    this.header = header;
+  }
+
+  /** Returns the notes for a render's film. */
+  public static Map<String, String> of(
+      Path scene, SceneFile file, Path output, int bits, boolean lenient, RunBudget budget) {
+    RenderSettings settings = file.settings();
+    Map<String, String> notes = new LinkedHashMap<>();
+    notes.put(SOFTWARE, "Lumbre " + Release.number());
+    notes.put(SCENE, scene.toAbsolutePath().normalize().toString());
+    FilmFiles.text(file.files()).ifPresent(text -> notes.put(FILES, text));
+    notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
+    notes.put(SAMPLES, String.valueOf(settings.samples()));
+    notes.put(EXPOSURE, settings.text(Setting.EXPOSURE));
+    notes.put(TONE_CURVE, settings.text(Setting.TONE_MAP));
+    notes.put(BITS, String.valueOf(bits));
+    notes.put(LENIENT, String.valueOf(lenient));
+    budget.targetError().ifPresent(error -> notes.put(TARGET_ERROR, String.valueOf(error)));
+    notes.put(CONFIDENCE, String.valueOf(budget.confidence()));
+    return notes;
+  }
+
+  public Path scene() throws TaskException {
+    return note(SCENE, FilmNotes::path);
+  }
+
+  private static Path path(String text) {
+    try {
+      return Path.of(text);
+    } catch (InvalidPathException e) {
+      throw new IllegalArgumentException(FileFailure.reason(e), e);
+    }
+  }
+
+  public Path output() throws TaskException {
+    return note(OUTPUT, FilmNotes::path);
+  }
+
+  /**
+   * Returns what of a scene is not as it was for the film: the names of the files; none if the film
+   * does not have their hashes, as those of older versions.
+   */
+  public List<String> changedFiles(Path scene, SceneFile now) {
+    return Optional.ofNullable(header.notes().get(FILES))
+        .map(then -> FilmFiles.changed(then, now.files(), String.valueOf(scene.getFileName())))
+        .orElse(List.of());
+  }
+
+  /** Returns how many samples per pixel the film is to have, at least those that it has. */
+  public int samples() throws TaskException {
+    int most = header.parts().stream().mapToInt(FilmPart::most).max().orElse(0);
+    return Math.max(most, note(SAMPLES, Integer::valueOf));
+  }
+
+  /** Returns the error that the film was to reach; empty if there was none. */
+  public OptionalDouble targetError() throws TaskException {
+    return header.notes().containsKey(TARGET_ERROR)
+        ? OptionalDouble.of(note(TARGET_ERROR, text -> share(text, Double.MIN_VALUE)))
+        : OptionalDouble.empty();
+  }
+
+  /** Returns how sure that was to be. */
+  public double confidence() throws TaskException {
+    return header.notes().containsKey(CONFIDENCE)
+        ? note(CONFIDENCE, text -> share(text, .5))
+        : Budget.CONFIDENCE;
+  }
+
+  private static double share(String text, double least) {
+    double share = Double.parseDouble(text);
+    if (!(share >= least && share < 1)) {
+      throw new IllegalArgumentException("expected a share of 1, found " + text);
+    }
+    return share;
+  }
+
+  public Exposure exposure() throws TaskException {
+    return note(EXPOSURE, Setting.EXPOSURE.type()::parse);
+  }
+
+  public ToneCurve toneCurve() throws TaskException {
+    return note(TONE_CURVE, Setting.TONE_MAP.type()::parse);
+  }
+
+  public int bits() throws TaskException {
+    return note(BITS, text -> text.equals("16") ? 16 : 8);
+  }
+
+  /** Returns what a picture made of the film tells of itself, a map that more can be put into. */
+  public Map<String, String> metadata() throws TaskException {
+    Map<String, String> metadata = new LinkedHashMap<>();
+    metadata.put("Software", note(SOFTWARE, Function.identity()));
+    metadata.put("Scene", String.valueOf(scene().getFileName()));
+    metadata.put("SceneHash", identity(FilmHeader.SCENE_HASH, Function.identity()));
+    metadata.put("Mode", identity(FilmHeader.MODE, Function.identity()));
+    for (Setting<?> setting : FilmHeader.named()) {
+      if (header.identity().containsKey(setting.name())) {
+        String value = identity(setting.name(), Function.identity());
+        metadata.put(PictureMetadata.keyword(setting), value);
+      }
+    }
+    metadata.put("Seed", identity(FilmHeader.SEED, Function.identity()));
+    metadata.put("Size", identity(FilmHeader.SIZE, Function.identity()));
+    metadata.put("Window", header.window().toString());
+    metadata.put("Film", String.valueOf(header.parts()));
+    return metadata;
+  }
+
+  public boolean lenient() throws TaskException {
+    return note(LENIENT, Boolean::valueOf);
+  }
+
+  /**
+   * Returns a parser that reads a scene as it was read for the film.
+   *
+   * @param change made to the settings at last
+   */
+  public SceneParser parser(Consumer<RenderSettings.Builder> change) throws TaskException {
+    RenderSettings.Mode mode = identity(FilmHeader.MODE, Setting.MODE.type()::parse);
+    Size size = identity(FilmHeader.SIZE, Size::of);
+    long seed = identity(FilmHeader.SEED, Long::valueOf);
+    int[] depths = identity(FilmHeader.DEPTH, FilmNotes::depths);
+    UnaryOperator<RenderSettings.Builder> named = namedSettings();
+    int samples = samples();
+    Exposure exposure = exposure();
+    ToneCurve toneCurve = toneCurve();
+    SceneParser parser = lenient() ? new SceneParser().lenient() : new SceneParser();
+    return parser
+        .limitedTo(SceneParser.MAX_PIXELS_EVER)
+        .inMode(mode)
+        .overriding(
+            inScene -> {
+              RenderSettings.Builder builder = inScene.toBuilder();
+              builder.size(size.width(), size.height()).seed(seed);
+              Crop whole = new Crop(0, 0, size.width(), size.height());
+              if (!header.window().equals(whole)) {
+                builder.crop(header.window());
+              }
+              builder.samples(samples).exposure(exposure).toneCurve(toneCurve);
+              named.apply(builder);
+              switch (mode) {
+                case PATH -> builder.maxTraceDepth(depths[0]);
+                case RAY -> builder.rayDepths(depths[0], depths[depths.length - 1]);
+              }
+              change.accept(builder);
+              return builder.build();
+            });
+  }
+
+  /** Returns a change that sets all that the identity states by the names of settings. */
+  private UnaryOperator<RenderSettings.Builder> namedSettings() throws TaskException {
+    RenderSettings.Builder read = new RenderSettings.Builder();
+    List<Setting<?>> stated =
+        FilmHeader.named().stream().filter(s -> header.identity().containsKey(s.name())).toList();
+    for (Setting<?> setting : stated) {
+      identity(setting.name(), text -> set(setting, text, read));
+    }
+    RenderSettings settings = read.build();
+    return builder -> {
+      FilmHeader.named().forEach(setting -> copy(setting, settings, builder));
+      return builder;
+    };
+  }
+
+  private static <T> RenderSettings.Builder set(
+      Setting<T> setting, String text, RenderSettings.Builder builder) {
+    T value = setting.type().parse(text);
+    if (!setting.type().accepts(value)) {
+      throw new IllegalArgumentException(
+          "expected " + setting.type().expected() + ", found " + text);
+    }
+    return builder.set(setting, value);
+  }
+
+  private static <T> void copy(
+      Setting<T> setting, RenderSettings from, RenderSettings.Builder builder) {
+    builder.set(setting, from.get(setting));
+  }
+
+  private static int[] depths(String text) {
+    String[] parts = text.split(",");
+    int[] depths = new int[parts.length];
+    for (int i = 0; i < parts.length; i++) {
+      depths[i] = Integer.parseInt(parts[i]);
+    }
+    return depths;
+  }
+
+  private <T> T note(String name, Function<String, T> reader) throws TaskException {
+    return read(name, Optional.ofNullable(header.notes().get(name)), reader);
+  }
+
+  private <T> T identity(String name, Function<String, T> reader) throws TaskException {
+    return read(name, Optional.ofNullable(header.identity().get(name)), reader);
+  }
+
+  private <T> T read(String name, Optional<String> text, Function<String, T> reader)
+      throws TaskException {
+    try {
+      return reader.apply(text.orElseThrow(() -> new IllegalArgumentException("is missing")));
+    } catch (IllegalArgumentException e) {
+      throw new TaskException(
+          Kind.SCENE, film + ": " + name + " in its header: " + e.getMessage(), e);
+    }
+  }
+}

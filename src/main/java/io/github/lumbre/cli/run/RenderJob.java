@@ -1,0 +1,294 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.ForecastReport;
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.LightReport;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.NoiseReport;
+import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.output.Summary;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.render.Schedule;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.stopping.Forecast;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * Renders a film to its end, or until it is stopped, and saves film and picture.
+ *
+ * @param scene the scene's path
+ * @param report is told what came of it
+ * @param budget what ends the render, beside its samples
+ * @param how what is written and told at the end
+ */
+public record RenderJob(
+    Path scene,
+    SceneFile file,
+    PictureOutput picture,
+    FilmKeeper keeper,
+    RenderMonitor monitor,
+    Messages messages,
+    JsonSummary report,
+    RunBudget budget,
+    How how) {
+  /**
+   * What is written and told at the end.
+   *
+   * @param bits per channel of a PNG
+   * @param jpegQuality of a JPEG, 1 to 100
+   * @param strict whether samples and texture points that are no numbers make an error
+   */
+  public record How(int bits, int jpegQuality, boolean quiet, boolean stats, boolean strict) {
+    public How withJpegQuality(int quality) {
+      return new How(bits, quality, quiet, stats, strict);
+    }
+  }
+
+  /** Renders a new film. */
+  public int run(int firstSample) throws TaskException {
+    FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
+    return run(renderer, renderer.newFilm(firstSample), RenderStatistics.ZERO);
+  }
+
+  /** Renders what a film lacks; returns the exit code. */
+  public int run(FilmFile begun) throws TaskException {
+    budget.lookAgain(begun.film());
+    FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
+    return run(renderer, begun.film(), begun.header().faults());
+  }
+
+  private int run(FilmRenderer renderer, Film film, RenderStatistics faults)
+      throws TaskException {
+    long start = System.nanoTime();
+    Schedule schedule = renderer.schedule();
+    RenderStatistics statistics;
+    LightReport light;
+    try (monitor) {
+      statistics = addSamples(renderer, schedule, film, faults);
+      light = light(film, statistics);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitCodes.INTERRUPTED;
+    } finally {
+      // Not later: the virtual machine may end as soon as nothing is left to be written.
+      try (keeper) {
+        keeper.saveLast(film);
+      }
+    }
+    double seconds = (System.nanoTime() - start) * 1e-9;
+    requireSamples(film);
+    long unreadable = statistics.unreadable();
+    warnOfUnreadable(unreadable);
+    NoiseReport noise = budget.report(film);
+    boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
+    finish(film, new RenderResult(film.develop(), complete, statistics), noise, light, seconds);
+    if (how.strict() && statistics.rejected() != 0) {
+      return ExitCodes.INTERNAL;
+    }
+    if (how.strict() && unreadable != 0) {
+      return ExitCodes.WARNINGS;
+    }
+    return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
+  }
+
+  /**
+   * Renders until something ends it.
+   *
+   * @param faults of the samples that the film has
+   * @return what was done, the faults of all samples included
+   */
+  private RenderStatistics addSamples(
+      FilmRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
+      throws InterruptedException {
+    monitor.limited(budget);
+    long all = (long) film.window().width() * film.window().height() * file.settings().samples();
+    monitor.started(budget.isOpen() ? 0 : Math.max(0, all - film.totalSamples()));
+    warn(budget.doubt(film));
+    RenderStatistics statistics = faults;
+    long start = System.nanoTime();
+    boolean isForecast = false;
+    while (!monitor.isCancelled() && (isFirstPass(film) || !budget.isUsedUp())) {
+      Optional<SampleTarget> target = schedule.next(film);
+      if (target.isEmpty()) {
+        break;
+      }
+      // Complete the first pass even if --time is over: each pixel has a sample then.
+      Progress progress = isFirstPass(film) ? monitor : budget.within(monitor);
+      PassResult pass = renderer.addSamples(film, target.get(), keeper.pausing(progress));
+      statistics = statistics.plus(pass.statistics());
+      keeper.saveIfDue(film, statistics);
+      monitor.estimable(() -> budget.noise(film));
+      if (pass.complete()) {
+        budget.look(film);
+      }
+      if (!isForecast && !budget.isUsedUp() && budget.forecast().isPresent()) {
+        isForecast = true;
+        tell(budget.forecast().get(), (System.nanoTime() - start) * 1e-9, film);
+      }
+    }
+    return statistics;
+  }
+
+  private static boolean isFirstPass(Film film) {
+    return film.fewestSamples() == 0;
+  }
+
+  private void warn(Optional<String> warning) {
+    if (!how.quiet()) {
+      warning.ifPresent(messages::line);
+    }
+  }
+
+  /**
+   * Tells how long the render will take, after its first look at the error.
+   *
+   * @param seconds that the film has taken
+   */
+  private void tell(Forecast forecast, double seconds, Film film) {
+    double likely = Math.min(forecast.likely(), file.settings().samples());
+    if (budget.isOpen()) {
+      RenderSettings.Crop window = film.window();
+      double all = (double) window.width() * window.height() * likely;
+      monitor.expected(Math.max(1, (long) all - film.totalSamples()));
+    }
+    if (!how.quiet()) {
+      OptionalDouble left = budget.secondsLeft();
+      ForecastReport told =
+          new ForecastReport(
+              forecast,
+              seconds / film.meanSamples(),
+              file.settings().samples(),
+              left.isPresent()
+                  ? OptionalDouble.of(seconds + left.getAsDouble())
+                  : OptionalDouble.empty());
+      messages.line(told.line());
+    }
+  }
+
+  /** Estimates what the picture lacks; without what takes a while if the render was stopped. */
+  private LightReport light(Film film, RenderStatistics statistics) throws InterruptedException {
+    boolean isBrief = how.quiet() || monitor.isCancelled();
+    Optional<LightReport> report =
+        monitor.unlessStopped(() -> LightReport.of(file, film, statistics, isBrief));
+    return report.isPresent() ? report.get() : LightReport.of(file, film, statistics, true);
+  }
+
+  private void warnOfUnreadable(long points) {
+    if (points != 0) {
+      messages.line(
+          "warning: textures were read at "
+              + points
+              + " points that are not finite, and taken as (0, 0): a scale or offset of a texture"
+              + " is near the largest number");
+    }
+  }
+
+  private void requireSamples(Film film) throws TaskException {
+    if (film.totalSamples() != 0) {
+      return;
+    }
+    if (monitor.isOutOfTime()) {
+      throw new TaskException(
+          Kind.LIMIT,
+          "--timeout: the time was over before anything was rendered; no picture is written");
+    }
+    throw new TaskException(
+        Kind.STOPPED, "stopped before anything was rendered; no picture is written");
+  }
+
+  private String stoppedBy() {
+    return monitor.isOutOfTime() ? "timeout" : "signal";
+  }
+
+  private void finish(
+      Film film, RenderResult result, NoiseReport noise, LightReport light, double seconds)
+      throws TaskException {
+    RenderSettings settings = file.settings();
+    Summary summary = new Summary(settings, result, seconds, film.totalSamples());
+    Map<String, String> metadata = PictureMetadata.of(scene, file, settings, seconds);
+    if (!result.complete()) {
+      metadata.put("Partial", summary.progress());
+      report.put("stopped_by", stoppedBy());
+    }
+    noise.putInto(metadata);
+    light.putInto(metadata);
+    picture.write(
+        result.image(),
+        new ImageWriter.Options(
+            settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata));
+    tell(summary, noise, light);
+    warn(coverage(film));
+    warn(evenness(film));
+    report.putScene(file);
+    report.put("output", picture.target().toString());
+    report.putResult(result, seconds);
+    noise.putInto(report);
+    if (!result.complete()) {
+      report.put("ended_by", stoppedBy());
+    }
+    light.putInto(report);
+    if (keeper.failure().isPresent()) {
+      throw new TaskException(Kind.OUTPUT, keeper.failure().get());
+    }
+  }
+
+  /** Returns the warning that pixels have no sample, or only one since --time was short. */
+  private Optional<String> coverage(Film film) {
+    double share = film.shareWithoutSamples();
+    if (share > 0) {
+      return Optional.of(
+          String.format(
+              Locale.ROOT,
+              "warning: %.2g %% of the pixels have no sample and are black",
+              100 * share));
+    }
+    return budget.isOutOfTime() && film.mostSamples() == 1
+        ? Optional.of(
+            "warning: --time was too short for more than the first pass, one sample per pixel,"
+                + " which is always completed")
+        : Optional.empty();
+  }
+
+  /** Returns the warning that the render ended before samples could be distributed adaptively. */
+  private Optional<String> evenness(Film film) {
+    return file.settings().adaptive() && film.mostSamples() <= FilmRenderer.ADAPTIVE_PILOT
+        ? Optional.of(
+            ("warning: --adaptive had no effect: the first %d samples per pixel are the same for"
+                    + " all pixels, and the render ended with %d")
+                .formatted(FilmRenderer.ADAPTIVE_PILOT, film.mostSamples()))
+        : Optional.empty();
+  }
+
+  private void tell(Summary summary, NoiseReport noise, LightReport light) {
+    Path target = picture.target();
+    summary.printRejected(scene, messages);
+    if (!how.quiet()) {
+      summary.print(target, noise, messages);
+      light.print(messages);
+      noise.printDoubts(messages);
+    }
+    if (!how.quiet() && picture.isForScreen()) {
+      summary.printIfDark(messages);
+    }
+    if (how.stats()) {
+      summary.printStatistics(messages);
+    }
+  }
+}

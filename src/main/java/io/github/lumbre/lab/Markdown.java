@@ -1,0 +1,26 @@
+package io.github.lumbre.lab;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** Texts of tables in Markdown. */
+public final class Markdown {
+  private Markdown() {}
+
+  /** Returns a row of a table. */
+  public static String row(List<String> cells) {
+    return cells.stream()
+        .map(cell -> cell.replace("|", "\\|"))
+        .collect(Collectors.joining(" | ", "| ", " |"));
+  }
+
+  /** Returns a rate for people, three digits: {@code 1.25 M}; a whole number below a million. */
+  public static String rate(long count, double seconds) {
+    double rate = seconds > 0 ? count / seconds : 0;
+    if (rate >= 1e6) {
+      return String.format(Locale.ROOT, "%.3g M", rate / 1e6);
+    }
+    return String.format(Locale.ROOT, "%.0f", rate);
+  }
+}

@@ -1,0 +1,61 @@
+package io.github.lumbre.lab;
+
+import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** A folder of scene files. */
+public record SceneFolder(Path directory) {
+  private static final String ENDING = ".json";
+
+  /**
+   * Returns the names of all scenes without their ending, in order.
+   *
+   * @throws TaskException if the folder cannot be read
+   */
+  public List<String> names() throws TaskException {
+    try (Stream<Path> files = Files.list(directory)) {
+      return files
+          .filter(file -> file.getFileName().toString().endsWith(ENDING))
+          .map(SceneFolder::name)
+          .sorted()
+          .toList();
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.USAGE,
+          directory + ": cannot be read as a folder of scenes: " + FileFailure.reason(e),
+          e);
+    }
+  }
+
+  /** Returns the name of a scene file, without its ending. */
+  public static String name(Path file) {
+    String name = String.valueOf(file.getFileName());
+    return name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name;
+  }
+
+  /** Returns the file of the scene with this name. */
+  public Path file(String name) {
+    return directory.resolve(name + ENDING);
+  }
+
+  /**
+   * Reads a scene of any folder.
+   *
+   * @throws TaskException if the file cannot be read
+   */
+  public static SceneFile load(Path path, SceneParser parser) throws SceneFormatException, TaskException {
+    try {
+      return parser.parse(path);
+    } catch (IOException e) {
+      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+}

@@ -1,0 +1,57 @@
+package io.github.lumbre.lab;
+
+import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Files of text in UTF-8, read and written whole. */
+public final class TextFile {
+  private TextFile() {}
+
+  /**
+   * Returns the lines of a file.
+   *
+   * @throws TaskException with the exit code of a wrong command line, if it cannot be read
+   */
+  public static List<String> lines(Path file) throws TaskException {
+    try {
+      return Files.readAllLines(file);
+    } catch (NoSuchFileException e) {
+      throw new TaskException(Kind.USAGE, file + ": does not exist", e);
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  /**
+   * Writes a file, which appears complete or not at all.
+   *
+   * @throws TaskException if that fails
+   */
+  public static void write(Path file, String text) throws TaskException {
+    try (OutputFile output = OutputFile.open(file)) {
+      write(output, text);
+    } catch (IOException e) {
+      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+    }
+  }
+
+  /** Writes a file reserved before, and commits it. */
+  public static void write(OutputFile output, String text) throws IOException {
+    SeekableByteChannel channel = output.restart();
+    ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
+    while (bytes.hasRemaining()) {
+      channel.write(bytes);
+    }
+    output.commit();
+  }
+}

@@ -1,0 +1,239 @@
+package io.github.lumbre.lab.checks;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.CookTorrance;
+import io.github.lumbre.material.Fresnel;
+import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.Phong;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.ArrayList;
+import java.util.List;
+
+/** How surfaces scatter: every material, from smooth to rough, from above to grazing. */
+final class MaterialLaws {
+  private static final int SAMPLES = 1 << 12;
+  private static final int PAIRS = 20_000;
+  private static final int ROWS = 512;
+  private static final int COLUMNS = 256;
+  private static final double[] COSINES = {.01, .1, .3, .6, .95};
+  private static final double[] ROUGHNESSES = {1e-3, .01, .05, .1, .3, .5, 1};
+  private static final double[] EXPONENTS = {0, 1, 10, 52, 1e3, 1e6, 1e9};
+
+  /** Lobes that are narrower fall between the points of the quadrature. */
+  private static final double LEAST_WIDE = .3;
+
+  private static final double MOST_WIDE_EXPONENT = 52;
+
+  /** Index, reflectance at normal incidence, at 60 and at 80 degrees (exact Fresnel equations). */
+  private static final double[][] FRESNEL = {
+    {1.1, .0022675736961451, .0130699669001, .193562762457},
+    {1.33, .020059312199525, .0591255992474, .346916096262},
+    {1.5, .04, .0891867128022, .387704354691},
+    {2.4, .16955017301038, .209351260771, .433236034108},
+    {3.0504, .25626031614535, .276636121267, .432822279413},
+    {1e6, .999996000008, .999995000017, .999988135295}
+  };
+
+  private MaterialLaws() {}
+
+  static List<Law> all() {
+    String range =
+        "matte, Phong with exponents 0 to 1e9, Cook-Torrance (Beckmann, GGX) and glass of roughness"
+            + " 1e-3 to 1, mirror; cosines .01 to .95";
+    return List.of(
+        new Law(
+            "furnace",
+            "light scattered in a white furnace beyond what arrives, as a share",
+            range,
+            2e-3,
+            tries -> excess()),
+        new Law(
+            "weights",
+            "relative difference of drawn weights from f·cos/pdf",
+            range,
+            1e-12,
+            MaterialLaws::weights),
+        new Law(
+            "reciprocity",
+            "relative difference of f with its directions exchanged",
+            "all that reflects, from roughness .05 and to exponent 1000",
+            1e-12,
+            MaterialLaws::reciprocity),
+        new Law(
+            "pdf-integral",
+            "integral of the density over all directions beyond 1",
+            "lobes wide enough for a quadrature: exponents to 52, roughness from .3",
+            2e-3,
+            tries -> integrals()),
+        new Law(
+            "fresnel",
+            "relative difference from the Fresnel equations",
+            "indices 1.1 to 1e6, at 0°, 60° and 80°",
+            1e-11,
+            tries -> fresnel()));
+  }
+
+  private static List<Bsdf> all(List<Material> materials) {
+    return materials.stream().map(material -> material.at(new TexturePoint(.5, .5))).toList();
+  }
+
+  private static List<Material> opaque(double leastRoughness, double mostExponent) {
+    Texture<Rgb> white = Texture.constant(Rgb.WHITE);
+    Texture<Rgb> black = Texture.constant(Rgb.BLACK);
+    Texture<Rgb> half = Texture.constant(Rgb.grey(.5));
+    List<Material> materials = new ArrayList<>();
+    materials.add(new Matte(white));
+    for (double exponent : EXPONENTS) {
+      if (exponent <= mostExponent) {
+        materials.add(new Phong(black, white, ScalarTexture.constant(exponent)));
+        materials.add(new Phong(half, half, ScalarTexture.constant(exponent)));
+      }
+    }
+    for (Kind kind : Kind.values()) {
+      for (double roughness : ROUGHNESSES) {
+        if (roughness >= leastRoughness) {
+          ScalarTexture alpha = ScalarTexture.constant(roughness);
+          ScalarTexture ior = ScalarTexture.constant(CookTorrance.DEFAULT_IOR);
+          materials.add(new CookTorrance(black, white, alpha, ior, kind));
+          materials.add(new CookTorrance(half, half, alpha, ior, kind));
+        }
+      }
+    }
+    return materials;
+  }
+
+  private static List<Material> glasses(double leastRoughness) {
+    Texture<Rgb> white = Texture.constant(Rgb.WHITE);
+    List<Material> materials = new ArrayList<>();
+    for (double ior : new double[] {1.33, 1.5, 2.4}) {
+      for (double roughness : ROUGHNESSES) {
+        if (roughness >= leastRoughness) {
+          materials.add(
+              new Glass(
+                  white, white, ScalarTexture.constant(ior), ScalarTexture.constant(roughness)));
+        }
+      }
+    }
+    return materials;
+  }
+
+  private static List<Bsdf> everything() {
+    List<Material> materials = new ArrayList<>(opaque(0, Double.MAX_VALUE));
+    materials.addAll(glasses(0));
+    materials.add(new Mirror(Texture.constant(Rgb.WHITE)));
+    Texture<Rgb> white = Texture.constant(Rgb.WHITE);
+    materials.add(new Glass(white, white, ScalarTexture.constant(1.5), ScalarTexture.constant(0)));
+    return all(materials);
+  }
+
+  private static Vec3 viewer(double cosine) {
+    return new Vec3(Elementary.safeSqrt(1 - cosine * cosine), 0, cosine);
+  }
+
+  private static double excess() {
+    Sampler sampler = new SobolSampler(21);
+    double worst = 0;
+    for (Bsdf bsdf : everything()) {
+      for (double cosine : COSINES) {
+        double sum = 0;
+        for (int i = 0; i < SAMPLES; i++) {
+          sampler.startSample(0, 0, i);
+          sum += bsdf.sample(viewer(cosine), sampler.get1d(0), sampler.get2d(1)).weight().max();
+        }
+        // A sum that is no number must not pass for a small one.
+        worst = sum >= 0 ? Math.max(worst, sum / SAMPLES - 1) : Double.NaN;
+      }
+    }
+    return worst;
+  }
+
+  private static double weights(Tries tries) {
+    Draws draws = tries.draws(22);
+    double worst = 0;
+    for (Bsdf bsdf : everything()) {
+      for (double cosine : COSINES) {
+        Vec3 wo = viewer(cosine);
+        for (int i = 0; i < tries.times() * (SAMPLES / 8); i++) {
+          BsdfSample drawn = bsdf.sample(wo, draws.unit(), draws.point());
+          if (!drawn.isAbsorbed() && !drawn.isSpecular()) {
+            double expected = bsdf.eval(wo, drawn.wi()).max() / bsdf.pdf(wo, drawn.wi());
+            worst = Math.max(worst, Math.abs(drawn.weight().max() / expected - 1));
+          }
+        }
+      }
+    }
+    return worst;
+  }
+
+  private static double reciprocity(Tries tries) {
+    Draws draws = tries.draws(23);
+    double worst = 0;
+    for (Bsdf bsdf : all(opaque(.05, 1e3))) {
+      for (int i = 0; i < tries.times() * PAIRS; i++) {
+        Vec3 wo = upward(draws.direction());
+        Vec3 wi = upward(draws.direction());
+        double one = bsdf.eval(wo, wi).max() / wi.z();
+        double other = bsdf.eval(wi, wo).max() / wo.z();
+        double largest = Math.max(one, other);
+        worst = largest <= 1e-100 ? worst : Math.max(worst, Math.abs(one - other) / largest);
+      }
+    }
+    return worst;
+  }
+
+  private static Vec3 upward(Vec3 direction) {
+    return new Vec3(direction.x(), direction.y(), Math.abs(direction.z()));
+  }
+
+  private static double integrals() {
+    List<Material> materials = new ArrayList<>(opaque(LEAST_WIDE, MOST_WIDE_EXPONENT));
+    materials.addAll(glasses(LEAST_WIDE));
+    double worst = 0;
+    for (Bsdf bsdf : all(materials)) {
+      for (double cosine : new double[] {.1, .6}) {
+        worst = Math.max(worst, integral(bsdf, viewer(cosine)) - 1);
+      }
+    }
+    return worst;
+  }
+
+  /** Returns the integral of the density over the sphere, by midpoints. */
+  private static double integral(Bsdf bsdf, Vec3 wo) {
+    double sum = 0;
+    for (int row = 0; row < ROWS; row++) {
+      double z = 2 * (row + .5) / ROWS - 1;
+      double across = Elementary.safeSqrt(1 - z * z);
+      for (int column = 0; column < COLUMNS; column++) {
+        double turns = (column + .5) / COLUMNS;
+        double x = across * Elementary.cosTurns(turns);
+        double y = across * Elementary.sinTurns(turns);
+        sum += bsdf.pdf(wo, new Vec3(x, y, z));
+      }
+    }
+    return sum * 4 * Math.PI / (ROWS * COLUMNS);
+  }
+
+  private static double fresnel() {
+    double worst = 0;
+    double[] cosines = {1, .5, Elementary.cosDegrees(80)};
+    for (double[] row : FRESNEL) {
+      for (int i = 0; i < cosines.length; i++) {
+        double found = Fresnel.dielectric(cosines[i], row[0]);
+        worst = Math.max(worst, Math.abs(found / row[i + 1] - 1));
+      }
+    }
+    return worst;
+  }
+}

@@ -1,0 +1,121 @@
+package io.github.lumbre.lab.gallery;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TextFile;
+import io.github.lumbre.lab.perf.Hardware;
+import io.github.lumbre.lab.report.ReportTime;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** The page that shows a folder's pictures and tells how each was made. Mutable. */
+public final class GalleryPage {
+  /** The page's file, which forges show when they show the folder. */
+  public static final String FILE = "README.md";
+
+  private static final String HEAD =
+      """
+      # Pictures
+
+      Made by `lumbre gallery` from the scenes of the same names. The same samples give the same \
+      pixels on every machine; time is that of rendering alone.
+
+      | scene | picture | size | samples | time | threads | hardware |
+      |---|---|---|--:|--:|--:|---|
+      """;
+
+  private static final Pattern ROW = Pattern.compile("\\| \\[([^]]+)]\\(.*");
+  private static final int WIDTH = 240;
+
+  private final Path file;
+  private final Map<String, String> rows = new TreeMap<>();
+
+  private GalleryPage(Path file) {
+    this.file = file;
+  }
+
+  /**
+   * How a picture was made.
+   *
+   * @param scene its name, which is the picture's without the ending
+   */
+  public record Entry(
+      String scene, String size, int samples, double seconds, int threads, Hardware hardware) {
+    /** Returns how a scene was rendered on this machine. */
+    public static Entry of(String scene, GalleryRenderer.Rendered rendered) {
+      Hardware hardware = Hardware.here();
+      int threads = rendered.settings().threads();
+      Image image = rendered.result().image();
+      return new Entry(
+          scene,
+          image.width() + "x" + image.height(),
+          rendered.settings().samples(),
+          rendered.seconds(),
+          threads == 0 ? hardware.cores() : threads,
+          hardware);
+    }
+  }
+
+  /**
+   * Returns a folder's page with what it tells of pictures that are still there; an empty page if
+   * there is none.
+   *
+   * @throws TaskException if there is one that cannot be read
+   */
+  public static GalleryPage load(Path directory) throws TaskException {
+    GalleryPage page = new GalleryPage(directory.resolve(FILE));
+    if (Files.exists(page.file)) {
+      for (String line : TextFile.lines(page.file)) {
+        Matcher row = ROW.matcher(line);
+        if (row.matches() && Files.exists(picture(directory, row.group(1)))) {
+          page.rows.put(row.group(1), line);
+        }
+      }
+    }
+    return page;
+  }
+
+  /** Returns the file of a scene's picture, in this page's folder. */
+  public Path picture(String scene) {
+    return file.resolveSibling(scene + ".png");
+  }
+
+  /** Returns the file of a scene's picture. */
+  public static Path picture(Path directory, String scene) {
+    return directory.resolve(scene + ".png");
+  }
+
+  /** Takes how a picture was made, instead of how the former one was. */
+  public void put(Entry entry) {
+    String name = entry.scene;
+    String image = "<img src=\"" + name + ".png\" width=\"" + WIDTH + "\" alt=\"" + name + "\">";
+    rows.put(
+        name,
+        Markdown.row(
+            List.of(
+                "[" + name + "](" + name + ".png)",
+                image,
+                entry.size,
+                String.valueOf(entry.samples),
+                ReportTime.of(entry.seconds),
+                String.valueOf(entry.threads),
+                entry.hardware.line())));
+  }
+
+  /**
+   * Writes the page.
+   *
+   * @throws TaskException if that fails
+   */
+  public void save() throws TaskException {
+    String lines = rows.values().stream().map(row -> row + "\n").collect(Collectors.joining());
+    TextFile.write(file, HEAD + lines);
+  }
+}

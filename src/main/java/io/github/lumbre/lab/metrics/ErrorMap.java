@@ -1,0 +1,65 @@
+package io.github.lumbre.lab.metrics;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Srgb;
+import io.github.lumbre.math.Elementary;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * A picture of where another one is wrong: each pixel's relative error, the root of the mean over
+ * channels of (x − r)² / (r² + 0.01), by a scale that is the same for all pictures.
+ *
+ * <p>From black (0.001 and less) over purple (0.01) and orange (0.1) to pale yellow (1 and more),
+ * evenly in the logarithm: noise falls by one such step when samples grow a hundredfold.
+ */
+public final class ErrorMap {
+  private static final double DECADES = 3;
+
+  /** Encoded colours, evenly spaced on the scale. */
+  private static final int[][] COLOURS = {
+    {0, 0, 4},
+    {58, 12, 96},
+    {133, 33, 107},
+    {205, 64, 71},
+    {247, 125, 21},
+    {251, 188, 55},
+    {252, 255, 190}
+  };
+
+  private ErrorMap() {}
+
+  /** Returns the map of two pictures of one size; written as PNG, it has the colours above. */
+  public static Image of(Image picture, Image reference) {
+    double[] x = PictureError.seen(picture);
+    double[] r = PictureError.seen(reference);
+    float[] rgb = new float[x.length];
+    for (int i = 0; i < x.length; i += 3) {
+      double squares = 0;
+      for (int c = i; c < i + 3; c++) {
+        squares += (x[c] - r[c]) * (x[c] - r[c]) / (r[c] * r[c] + PictureError.FLOOR);
+      }
+      paint(Math.sqrt(squares / 3), rgb, i);
+    }
+    return new Image(picture.width(), picture.height(), rgb, new float[0]);
+  }
+
+  /** Returns the colours of the scale, evenly spaced, as style sheets name them. */
+  public static List<String> webColours() {
+    return Arrays.stream(COLOURS)
+        .map(c -> String.format(Locale.ROOT, "#%02x%02x%02x", c[0], c[1], c[2]))
+        .toList();
+  }
+
+  private static void paint(double error, float[] rgb, int at) {
+    double decades = Elementary.log(Math.max(error, 1e-9)) / Elementary.log(10) + DECADES;
+    double place = Math.max(0, Math.min(decades / DECADES, 1)) * (COLOURS.length - 1);
+    int below = Math.min((int) place, COLOURS.length - 2);
+    for (int c = 0; c < 3; c++) {
+      double encoded =
+          COLOURS[below][c] + (place - below) * (COLOURS[below + 1][c] - COLOURS[below][c]);
+      rgb[at + c] = (float) Srgb.decode(encoded / 255);
+    }
+  }
+}

@@ -1,0 +1,86 @@
+package io.github.lumbre.lab.metrics;
+
+import io.github.lumbre.math.Elementary;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * A value and an interval that holds the true one with a confidence of 95 %.
+ *
+ * @param low at most {@code value}
+ * @param high at least {@code value}
+ */
+public record Interval(double value, double low, double high) {
+  private static final double CONFIDENCE = .95;
+
+  /** All values are on one side of the true median with a probability of 2^(1-n). */
+  private static final int FEWEST_FOR_MEDIAN = 6;
+
+  /** Returns the mean of independent values, at least one, by Student's t; of one, itself. */
+  public static Interval ofMean(List<Double> values) {
+    int count = values.size();
+    double mean = values.stream().mapToDouble(v -> v).sum() / count;
+    if (count < 2) {
+      return new Interval(mean, mean, mean);
+    }
+    double squares = values.stream().mapToDouble(v -> (v - mean) * (v - mean)).sum();
+    double half =
+        StudentT.critical(CONFIDENCE, count - 1) * Math.sqrt(squares / (count - 1) / count);
+    return new Interval(mean, mean - half, mean + half);
+  }
+
+  /**
+   * Returns the median of independent values and the order statistics around it that hold the true
+   * one, whatever the values' distribution (as in the sign test).
+   *
+   * @param values at least 6
+   */
+  public static Interval ofMedian(List<Double> values) {
+    double[] sorted = values.stream().mapToDouble(v -> v).sorted().toArray();
+    int count = sorted.length;
+    if (count < FEWEST_FOR_MEDIAN) {
+      throw new IllegalArgumentException(
+          "values: expected at least " + FEWEST_FOR_MEDIAN + ", found " + count);
+    }
+    // The true median lies outside if fewer than so many of the values are on one side of it.
+    double outside = Math.scalb(1.0, -count);
+    double term = outside;
+    int cut = 0;
+    while (2 * (outside + term * (count - cut) / (cut + 1)) <= 1 - CONFIDENCE) {
+      term *= (double) (count - cut) / (cut + 1);
+      outside += term;
+      cut++;
+    }
+    double middle = .5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
+    return new Interval(middle, sorted[cut], sorted[count - 1 - cut]);
+  }
+
+  /** Returns the middle value, or the mean of the two in the middle; NaN of none. */
+  public static double median(double... values) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    int half = sorted.length / 2;
+    return sorted.length == 0
+        ? Double.NaN
+        : .5 * (sorted[half] + sorted[sorted.length - 1 - half]);
+  }
+
+  /** Returns the geometric mean of independent positive values, at least one. */
+  public static Interval ofGeometricMean(List<Double> values) {
+    Interval logs = ofMean(values.stream().map(Elementary::log).toList());
+    return new Interval(
+        Elementary.exp(logs.value), Elementary.exp(logs.low), Elementary.exp(logs.high));
+  }
+
+  /**
+   * Returns the geometric mean of the ratios of pairs.
+   *
+   * @param over positive
+   * @param under positive, as many
+   */
+  public static Interval ofRatios(List<Double> over, List<Double> under) {
+    return ofGeometricMean(
+        IntStream.range(0, over.size()).mapToObj(i -> over.get(i) / under.get(i)).toList());
+  }
+}

@@ -1,0 +1,90 @@
+package io.github.lumbre.lab.metrics;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.render.PixelHalves;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * How far a picture is from a reference, over all pixels and channels of linear light unless said
+ * otherwise.
+ *
+ * @param rmse root of the mean squared error
+ * @param relativeMse mean of (x − r)² / (r² + 0.01), r being the reference
+ * @param bias mean of x − r
+ * @param percentile999 absolute error that 99.9 % of the values do not exceed
+ * @param largest absolute error
+ * @param ssim mean structural similarity of encoded luminance; 1 for the same picture
+ * @param flip mean of LDR-FLIP; 0 for the same picture
+ */
+public record PictureError(
+    double rmse,
+    double relativeMse,
+    double bias,
+    double percentile999,
+    double largest,
+    double ssim,
+    double flip) {
+  /** Keeps dark pixels from counting for all; in units of squared linear light. */
+  public static final double FLOOR = PixelHalves.FLOOR;
+
+  /**
+   * Compares a picture with a reference.
+   *
+   * @throws IllegalArgumentException if their sizes differ
+   */
+  public static PictureError of(Image picture, Image reference) {
+    double[] x = seen(picture);
+    double[] r = seen(reference);
+    if (picture.width() != reference.width() || picture.height() != reference.height()) {
+      throw new IllegalArgumentException(
+          "reference: expected %dx%d pixels, found %dx%d"
+              .formatted(picture.width(), picture.height(), reference.width(), reference.height()));
+    }
+    double squares = 0;
+    double relative = 0;
+    double signed = 0;
+    double[] absolute = new double[x.length];
+    for (int i = 0; i < x.length; i++) {
+      double error = x[i] - r[i];
+      squares += error * error;
+      relative += error * error / (r[i] * r[i] + FLOOR);
+      signed += error;
+      absolute[i] = Math.abs(error);
+    }
+    Arrays.sort(absolute);
+    return new PictureError(
+        Math.sqrt(squares / x.length),
+        relative / x.length,
+        signed / x.length,
+        absolute[(int) Math.ceil(.999 * absolute.length) - 1],
+        absolute[absolute.length - 1],
+        Ssim.of(picture, reference),
+        Flip.map(picture, reference).mean());
+  }
+
+  /** Returns a picture's values, three a pixel, as they look over black. */
+  public static double[] seen(Image image) {
+    double[] values = new double[image.rgb().length];
+    for (int i = 0; i < values.length; i++) {
+      int pixel = i / 3;
+      values[i] =
+          (double) image.rgb()[i] * image.alpha(pixel % image.width(), pixel / image.width());
+    }
+    return values;
+  }
+
+  /** Returns all figures by the names under which they are told, in order. */
+  public Map<String, Double> byName() {
+    Map<String, Double> figures = new LinkedHashMap<>();
+    figures.put("rmse", rmse);
+    figures.put("relmse", relativeMse);
+    figures.put("bias", bias);
+    figures.put("p99.9", percentile999);
+    figures.put("max", largest);
+    figures.put("ssim", ssim);
+    figures.put("flip", flip);
+    return figures;
+  }
+}

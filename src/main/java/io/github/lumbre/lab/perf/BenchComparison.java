@@ -1,0 +1,187 @@
+package io.github.lumbre.lab.perf;
+
+import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.metrics.RatioInterval;
+import io.github.lumbre.lab.metrics.RatioInterval.Verdict;
+import io.github.lumbre.lab.perf.BenchTimes.Series;
+import io.github.lumbre.lab.perf.BenchTimes.Work;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Two measurements of the same work, side by side. */
+public final class BenchComparison {
+  private final BenchTimes first;
+  private final BenchTimes second;
+  private final Clock clock;
+  private final List<Row> rows;
+
+  /** Which times tell what is faster. */
+  public enum Clock {
+    /** Of the process, summed over processors: what else the machine does hardly shows. */
+    CPU,
+
+    /** On the wall: what users wait for, and what idle threads cost too. */
+    WALL
+  }
+
+  /**
+   * What both measured.
+   *
+   * @param cpuTime empty if a render was too short for the system to count its time
+   */
+  private record Row(
+      Series first, Series second, RatioInterval time, Optional<RatioInterval> cpuTime) {
+    public static Row of(Series a, Series b) {
+      boolean isCounted =
+          Stream.of(a, b).flatMap(s -> s.cpuSeconds().stream()).allMatch(seconds -> seconds > 0);
+      return new Row(
+          a,
+          b,
+          RatioInterval.of(a.seconds(), b.seconds()),
+          isCounted
+              ? Optional.of(RatioInterval.of(a.cpuSeconds(), b.cpuSeconds()))
+              : Optional.empty());
+    }
+
+    Verdict verdict(Clock clock) {
+      return (clock == Clock.CPU ? cpuTime.orElse(time) : time).verdict();
+    }
+
+    boolean isSamePicture() {
+      return first.imageHash().equals(second.imageHash());
+    }
+
+    public boolean isWorse(Clock clock) {
+      return verdict(clock) == Verdict.SLOWER || !isSamePicture();
+    }
+  }
+
+  private BenchComparison(BenchTimes first, BenchTimes second, Clock clock, List<Row> rows) {
+    this.first = first;
+    this.second = second;
+    this.clock = clock;
+    this.rows = List.copyOf(rows);
+  }
+
+  /**
+   * Compares.
+   *
+   * @throws TaskException with the exit code of a wrong command line, if the two have no work in
+   *     common or too few repetitions of it
+   */
+  public static BenchComparison of(BenchTimes first, BenchTimes second, Clock clock)
+      throws TaskException {
+    Map<Work, Series> others = byWork(second);
+    List<Row> rows = new ArrayList<>();
+    try {
+      for (Series series : first.series()) {
+        if (others.containsKey(series.work())) {
+          rows.add(Row.of(series, others.get(series.work())));
+        }
+      }
+    } catch (IllegalArgumentException e) {
+      throw new TaskException(Kind.USAGE, e.getMessage(), e);
+    }
+    if (rows.isEmpty()) {
+      throw new TaskException(
+          Kind.USAGE,
+          "expected measurements of the same scenes, sizes, samples and threads, found none");
+    }
+    return new BenchComparison(first, second, clock, rows);
+  }
+
+  private static Map<Work, Series> byWork(BenchTimes times) {
+    Map<Work, Series> byWork = new LinkedHashMap<>();
+    times.series().forEach(series -> byWork.put(series.work(), series));
+    return byWork;
+  }
+
+  /** Tells whether something is slower in the second, or looks different. */
+  public boolean isWorse() {
+    return rows.stream().anyMatch(row -> row.isWorse(clock));
+  }
+
+  /** Returns all of it as Markdown. */
+  public List<String> lines() {
+    Stream<String> head =
+        Stream.of(
+            "A: Lumbre " + first.caption() + ".",
+            "B: Lumbre " + second.caption() + ".",
+            "Ratios of geometric means with 95 % confidence (Welch's t test of logarithms)."
+                + " Of 20 rows without a difference, one will seem to have one."
+                + (clock == Clock.CPU ? " B is: by CPU time." : " B is: by time on the wall."),
+            "",
+            Markdown.row(
+                List.of(
+                    "scene",
+                    "size",
+                    "samples",
+                    "threads",
+                    "time B/A",
+                    "95 %",
+                    "CPU time B/A",
+                    "95 %",
+                    "B is",
+                    "pictures")),
+            "|---|---|--:|--:|--:|---|--:|---|---|---|");
+    Stream<String> notes = Stream.concat(unmatched("A", first), unmatched("B", second));
+    return Stream.of(head, rows.stream().map(this::line), notes)
+        .flatMap(Function.identity())
+        .toList();
+  }
+
+  private String line(Row row) {
+    Work work = row.first.work();
+    List<String> cells = new ArrayList<>();
+    cells.addAll(List.of(work.scene(), work.size()));
+    cells.addAll(List.of(String.valueOf(work.samples()), String.valueOf(work.threads())));
+    cells.addAll(cells(row.time));
+    cells.addAll(row.cpuTime.map(BenchComparison::cells).orElse(List.of("-", "-")));
+    cells.add(row.verdict(clock).toString());
+    cells.add(pictures(row));
+    return Markdown.row(cells);
+  }
+
+  private static List<String> cells(RatioInterval interval) {
+    return List.of(
+        String.format(Locale.ROOT, "%.3f", interval.ratio()),
+        String.format(Locale.ROOT, "%.3f to %.3f", interval.low(), interval.high()));
+  }
+
+  private static String pictures(Row row) {
+    if (row.isSamePicture()) {
+      return "same";
+    }
+    boolean sameScene = row.first.sceneHash().equals(row.second.sceneHash());
+    return sameScene ? "differ" : "differ, and so do the scenes";
+  }
+
+  private Stream<String> unmatched(String name, BenchTimes times) {
+    Map<Work, Series> known =
+        rows.stream().collect(Collectors.toMap(r -> r.first.work(), r -> r.first));
+    return times.series().stream()
+        .map(Series::work)
+        .filter(work -> !known.containsKey(work))
+        .map(
+            work ->
+                "Only in "
+                    + name
+                    + ": "
+                    + String.join(
+                        ", ",
+                        work.scene(),
+                        work.size(),
+                        work.mode(),
+                        work.samples() + " samples",
+                        work.threads() + " threads"));
+  }
+}

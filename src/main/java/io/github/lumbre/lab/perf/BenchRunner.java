@@ -1,0 +1,153 @@
+package io.github.lumbre.lab.perf;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.LabHost;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.metrics.PictureNoise;
+import io.github.lumbre.lab.perf.BenchResult.Repetition;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Renders scenes as a plan has it, and measures what they take. */
+public final class BenchRunner {
+  private final BenchPlan plan;
+  private final LabHost host;
+
+  /** Ends a benchmark that was cancelled, from wherever it is. */
+  private static final class Stopped extends Exception {
+    private static final long serialVersionUID = 1;
+  }
+
+  /** What is known of a scene with one number of threads, and one of its pictures. */
+  private record Timed(
+      RenderSettings settings, WarmUp warmUp, List<Repetition> repetitions, TimedRender render) {}
+
+  /**
+   * @param host reads the scenes and shows every render
+   */
+  public BenchRunner(BenchPlan plan, LabHost host) {
+    this.plan = plan;
+    this.host = host;
+  }
+
+  /**
+   * Returns what a scene took, a result for each number of threads; nothing if it was stopped.
+   *
+   * @throws TaskException if the scene cannot be read, if the picture does not fit into memory,
+   *     or if two renders of the scene differ
+   */
+  public Optional<List<BenchResult>> run(Path scene)
+      throws SceneFormatException, TaskException, InterruptedException {
+    long start = System.nanoTime();
+    SceneParser parser = new SceneParser().overriding(plan::over);
+    SceneFile file =
+        plan.over(host.read(scene, parser));
+    double loadSeconds = (System.nanoTime() - start) * 1e-9;
+    MemoryEstimate.require(file.settings());
+    try {
+      return Optional.of(run(SceneFolder.name(scene), file, loadSeconds));
+    } catch (Stopped e) {
+      return Optional.empty();
+    }
+  }
+
+  private List<BenchResult> run(String scene, SceneFile file, double loadSeconds)
+      throws TaskException, InterruptedException, Stopped {
+    List<Timed> all = new ArrayList<>();
+    for (int threads : plan.threads()) {
+      all.add(time(scene, file, file.settings().toBuilder().threads(threads).build()));
+    }
+    Image picture = all.get(0).render.result().image();
+    String hash = RasterHash.of(picture);
+    for (Timed timed : all) {
+      requireSame(scene, hash, timed.render);
+    }
+    // Only now: renders in between would have warmed up what is to be timed.
+    PictureNoise noise = noise(file, picture);
+    return all.stream()
+        .map(
+            timed ->
+                new BenchResult(
+                    scene,
+                    file.hash(),
+                    timed.settings,
+                    loadSeconds,
+                    timed.warmUp,
+                    timed.repetitions,
+                    timed.render.result().statistics(),
+                    hash,
+                    noise))
+        .toList();
+  }
+
+  private Timed time(String scene, SceneFile file, RenderSettings settings)
+      throws TaskException, InterruptedException, Stopped {
+    List<Double> cold = shortRenders(file, settings, plan.warmup());
+    List<Repetition> repetitions = new ArrayList<>();
+    TimedRender first = render(file, settings);
+    repetitions.add(repetition(first));
+    String hash = RasterHash.of(first.result().image());
+    while (repetitions.size() < plan.repeat()) {
+      TimedRender render = render(file, settings);
+      requireSame(scene, hash, render);
+      repetitions.add(repetition(render));
+    }
+    int warmRenders = cold.isEmpty() ? 0 : BenchPlan.WARM_RENDERS;
+    WarmUp warmUp = new WarmUp(cold, shortRenders(file, settings, warmRenders));
+    return new Timed(settings, warmUp, repetitions, first);
+  }
+
+  /** Returns the seconds that renders of one sample per pixel took. */
+  private List<Double> shortRenders(SceneFile file, RenderSettings settings, int count)
+      throws InterruptedException, Stopped {
+    RenderSettings single = settings.toBuilder().samples(1).build();
+    List<Double> seconds = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      seconds.add(render(file, single).seconds());
+    }
+    return seconds;
+  }
+
+  private PictureNoise noise(SceneFile file, Image first) throws InterruptedException, Stopped {
+    RenderSettings settings = file.settings().toBuilder().threads(0).build();
+    List<Image> pictures = new ArrayList<>(List.of(first));
+    while (pictures.size() < 2 * plan.pairs()) {
+      long seed = settings.seed() + pictures.size();
+      RenderSettings other = settings.toBuilder().seed(seed).build();
+      pictures.add(render(file, other).result().image());
+    }
+    return PictureNoise.of(pictures);
+  }
+
+  private TimedRender render(SceneFile file, RenderSettings settings)
+      throws InterruptedException, Stopped {
+    TimedRender render;
+    try (LabHost.Display display = host.display()) {
+      render = TimedRender.of(file.scene(), settings, display);
+    }
+    if (!render.result().complete()) {
+      throw new Stopped();
+    }
+    return render;
+  }
+
+  private static Repetition repetition(TimedRender render) {
+    return new Repetition(render.seconds(), render.cpuSeconds(), render.allocatedBytes());
+  }
+
+  private static void requireSame(String scene, String hash, TimedRender render)
+      throws TaskException {
+    if (!RasterHash.of(render.result().image()).equals(hash)) {
+      throw new TaskException(Kind.INTERNAL, scene + ": renders of the same scene differ");
+    }
+  }
+}

@@ -1,0 +1,127 @@
+package io.github.lumbre.lab.perf;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import com.google.gson.JsonPrimitive;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.TextFile;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The times of a measurement, read from what {@link BenchJson} writes.
+ *
+ * @param caption which program measured on which machine
+ * @param series one for each scene and number of threads
+ */
+public record BenchTimes(String caption, List<Series> series) {
+  public BenchTimes {
+    series = List.copyOf(series);
+  }
+
+  /** The work that was timed: times of different work cannot be compared. */
+  record Work(String scene, String size, String mode, int samples, int threads) {}
+
+  /**
+   * The repetitions of one piece of work.
+   *
+   * @param seconds by the clock on the wall, each > 0
+   * @param cpuSeconds of the process, each ≥ 0
+   */
+  record Series(
+      Work work,
+      String sceneHash,
+      String imageHash,
+      List<Double> seconds,
+      List<Double> cpuSeconds) {}
+
+  /**
+   * Reads a file.
+   *
+   * @throws TaskException with the exit code of a wrong command line, if it cannot be read or is
+   *     no measurement
+   */
+  public static BenchTimes load(Path file) throws TaskException {
+    String text = String.join("\n", TextFile.lines(file));
+    try {
+      return of(object(JsonParser.parseString(text), "a measurement"));
+    } catch (JsonParseException | IllegalArgumentException e) {
+      throw new TaskException(
+          Kind.USAGE,
+          file + ": expected a file that lumbre bench --json wrote: " + e.getMessage(),
+          e);
+    }
+  }
+
+  private static BenchTimes of(JsonObject root) {
+    String format = text(root, "format");
+    if (!format.equals(BenchJson.FORMAT)) {
+      throw new IllegalArgumentException(
+          "format: expected " + BenchJson.FORMAT + ", found " + format);
+    }
+    JsonObject machine = object(root.get("machine"), "machine");
+    String caption =
+        text(root, "version") + ", " + text(machine, "cpu") + ", " + text(machine, "jvm");
+    List<Series> series = new ArrayList<>();
+    for (JsonElement result : array(root, "results")) {
+      series.add(series(object(result, "results")));
+    }
+    return new BenchTimes(caption, series);
+  }
+
+  private static Series series(JsonObject result) {
+    List<Double> seconds = new ArrayList<>();
+    List<Double> cpuSeconds = new ArrayList<>();
+    for (JsonElement element : array(result, "repetitions")) {
+      JsonObject repetition = object(element, "repetitions");
+      seconds.add(number(repetition, "seconds", Double.MIN_VALUE));
+      cpuSeconds.add(number(repetition, "cpu_seconds", 0));
+    }
+    Work work =
+        new Work(
+            text(result, "scene"),
+            text(result, "size"),
+            text(result, "mode"),
+            (int) number(result, "samples", 1),
+            (int) number(result, "threads", 1));
+    return new Series(
+        work, text(result, "scene_sha256"), text(result, "image_sha256"), seconds, cpuSeconds);
+  }
+
+  private static JsonObject object(JsonElement element, String name) {
+    if (element == null || !element.isJsonObject()) {
+      throw new IllegalArgumentException(name + ": expected an object");
+    }
+    return element.getAsJsonObject();
+  }
+
+  private static Iterable<JsonElement> array(JsonObject parent, String name) {
+    JsonElement element = parent.get(name);
+    if (element == null || !element.isJsonArray()) {
+      throw new IllegalArgumentException(name + ": expected an array");
+    }
+    return element.getAsJsonArray();
+  }
+
+  private static String text(JsonObject parent, String name) {
+    JsonElement element = parent.get(name);
+    if (!(element instanceof JsonPrimitive value) || !value.isString()) {
+      throw new IllegalArgumentException(name + ": expected a text");
+    }
+    return value.getAsString();
+  }
+
+  private static double number(JsonObject parent, String name, double low) {
+    JsonElement element = parent.get(name);
+    boolean isNumber = element instanceof JsonPrimitive value && value.isNumber();
+    double number = isNumber ? element.getAsDouble() : Double.NaN;
+    if (!(low <= number && number <= Double.MAX_VALUE)) {
+      throw new IllegalArgumentException(name + ": expected a number of at least " + low);
+    }
+    return number;
+  }
+}

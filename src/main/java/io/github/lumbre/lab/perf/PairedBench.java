@@ -1,0 +1,159 @@
+package io.github.lumbre.lab.perf;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.LabHost;
+import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.metrics.Interval;
+import io.github.lumbre.lab.metrics.PictureNoise;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Renders scenes in two ways, in turn and in one process, so that what the machine does meanwhile
+ * falls on both: plainly, and as a plan has it. Each pair of renders has a seed of its own.
+ *
+ * <p>The ratios are medians, whose intervals hold for whatever distribution; an error comes from
+ * two renders each, so there are half as many ratios of errors.
+ */
+public final class PairedBench {
+  /** So that errors have an interval. */
+  public static final int FEWEST_PAIRS = 12;
+
+  private final BenchPlan plan;
+  private final LabHost host;
+
+  /** What one of the ways took and gave, a render after the other. */
+  private static final class Way {
+    private final Scene scene;
+    private final RenderSettings settings;
+    private final List<TimedRender> renders = new ArrayList<>();
+
+    private Way(Scene scene, RenderSettings settings) {
+      this.scene = scene;
+      this.settings = settings;
+    }
+
+    /** Renders and keeps what it took; returns false if that was stopped. */
+    private boolean render(int number, int threads, LabHost host)
+        throws InterruptedException {
+      RenderSettings own =
+          settings.toBuilder().threads(threads).seed(settings.seed() + number).build();
+      TimedRender render;
+      try (LabHost.Display display = host.display()) {
+        render = TimedRender.of(scene, own, display);
+      }
+      renders.add(render);
+      return render.result().complete();
+    }
+
+    private List<Image> pictures() {
+      return renders.stream().map(render -> render.result().image()).toList();
+    }
+  }
+
+  public PairedBench(BenchPlan plan, LabHost host) {
+    this.plan = plan;
+    this.host = host;
+  }
+
+  /** Returns the lines above the rows, in Markdown. */
+  public List<String> head() {
+    return List.of(
+        "Ratios to plain renders, medians of "
+            + plan.repeat()
+            + " pairs in turn with intervals of 95 %; gain: one over time and error. "
+            + plan.sentences(),
+        "",
+        "| scene | size | samples | CPU time | memory allocated | squared error | gain | picture |",
+        "|---|---|--:|---|---|---|---|---|");
+  }
+
+  /** Returns a scene's row; nothing if it was stopped. */
+  public Optional<String> row(Path scene)
+      throws SceneFormatException, TaskException, InterruptedException {
+    SceneParser parser = new SceneParser().overriding(plan.plain()::over);
+    SceneFile file = host.read(scene, parser);
+    MemoryEstimate.require(file.settings());
+    Way plain = new Way(file.scene(), file.settings());
+    RenderSettings settings =
+        file.settings().toBuilder().adaptive(plan.adaptive()).split(plan.split()).build();
+    Way changed = new Way(plan.over(file).scene(), settings);
+    int threads = plan.threads().get(0);
+    for (int pair = 0; pair < plan.repeat() + 1; pair++) {
+      // In the order ABBA, lest a drift favours one of them.
+      Way first = pair % 2 == 0 ? plain : changed;
+      Way second = pair % 2 == 0 ? changed : plain;
+      if (!first.render(pair, threads, host) || !second.render(pair, threads, host)) {
+        return Optional.empty();
+      }
+      if (pair == 0) {
+        // What warms the virtual machine up does not count.
+        plain.renders.clear();
+        changed.renders.clear();
+      }
+    }
+    return Optional.of(row(SceneFolder.name(scene), plain, changed));
+  }
+
+  private static String row(String name, Way plain, Way changed) {
+    List<Double> times = new ArrayList<>();
+    List<Double> memory = new ArrayList<>();
+    boolean isSame = true;
+    for (int i = 0; i < plain.renders.size(); i++) {
+      TimedRender a = plain.renders.get(i);
+      TimedRender b = changed.renders.get(i);
+      times.add(b.cpuSeconds() / a.cpuSeconds());
+      memory.add((double) b.allocatedBytes() / a.allocatedBytes());
+      isSame &= RasterHash.of(a.result().image()).equals(RasterHash.of(b.result().image()));
+    }
+    String errors = "| 1 | " + text(times, -1);
+    if (!isSame) {
+      List<Double> errorRatios = errorRatios(plain, changed);
+      List<Double> products = new ArrayList<>();
+      for (int i = 0; i < errorRatios.size(); i++) {
+        products.add(errorRatios.get(i) * Math.sqrt(times.get(2 * i) * times.get(2 * i + 1)));
+      }
+      errors = "| " + text(errorRatios, 1) + " | " + text(products, -1);
+    }
+    RenderSettings settings = plain.settings;
+    return String.format(
+        Locale.ROOT,
+        "| %s | %dx%d | %d | %s | %s %s | %s |",
+        name,
+        settings.width(),
+        settings.height(),
+        settings.samples(),
+        text(times, 1),
+        text(memory, 1),
+        errors,
+        isSame ? "same" : "other");
+  }
+
+  private static List<Double> errorRatios(Way plain, Way changed) {
+    int even = plain.renders.size() / 2 * 2;
+    List<Double> a = PictureNoise.of(plain.pictures().subList(0, even)).relativeMses();
+    List<Double> b = PictureNoise.of(changed.pictures().subList(0, even)).relativeMses();
+    List<Double> ratios = new ArrayList<>();
+    for (int i = 0; i < a.size(); i++) {
+      ratios.add(b.get(i) / a.get(i));
+    }
+    return ratios;
+  }
+
+  /** Returns the median of powers of values, with its interval: {@code .98 (.97 to 1.01)}. */
+  private static String text(List<Double> values, int power) {
+    Interval interval = Interval.ofMedian(values.stream().map(v -> power < 0 ? 1 / v : v).toList());
+    return String.format(
+        Locale.ROOT, "%.3f (%.3f to %.3f)", interval.value(), interval.low(), interval.high());
+  }
+}

@@ -1,0 +1,49 @@
+package io.github.lumbre.lab.perf;
+
+import io.github.lumbre.image.Image;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+
+/** A fingerprint of a picture's linear light: equal fingerprints mean the same bits. */
+public final class RasterHash {
+  /** How many digits tables show: enough to distinguish any two pictures. */
+  public static final int SHOWN_DIGITS = 16;
+
+  private RasterHash() {}
+
+  /**
+   * Returns the SHA-256, in hexadecimal, of width and height as 32-bit integers followed by the
+   * picture's red, green and blue floats row by row from the top, all little-endian. Alpha does not
+   * count.
+   */
+  public static String of(Image image) {
+    MessageDigest digest = sha256();
+    digest.update(littleEndian(2).putInt(image.width()).putInt(image.height()).array());
+    float[] rgb = image.rgb();
+    int row = 3 * image.width();
+    ByteBuffer bytes = littleEndian(row);
+    for (int y = 0; y < image.height(); y++) {
+      bytes.clear();
+      for (int i = 0; i < row; i++) {
+        bytes.putFloat(rgb[y * row + i]);
+      }
+      digest.update(bytes.array());
+    }
+    return HexFormat.of().formatHex(digest.digest());
+  }
+
+  private static ByteBuffer littleEndian(int values) {
+    return ByteBuffer.allocate(4 * values).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  private static MessageDigest sha256() {
+    try {
+      return MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new AssertionError("every Java platform has SHA-256", e);
+    }
+  }
+}

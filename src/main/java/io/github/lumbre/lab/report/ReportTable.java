@@ -1,0 +1,92 @@
+package io.github.lumbre.lab.report;
+
+import io.github.lumbre.lab.Csv;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.TextFile;
+import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.Setting;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.Collectors;
+
+/** The report's table, which is a file beside the scenes. */
+public final class ReportTable {
+  /** The file's name. */
+  public static final String FILE = "table.csv";
+
+  private static final String HEADER =
+      "row,name,scene,size,mode,samples,bucket,depth,threads,hardware,time,note";
+  private static final int COLUMNS = Csv.values(HEADER).size();
+
+  private ReportTable() {}
+
+  /**
+   * Returns the rows of the table in a folder of scenes.
+   *
+   * @throws TaskException if the file is missing, or naming the line that is wrong
+   */
+  public static List<ReportRow> load(Path directory) throws TaskException {
+    Path file = directory.resolve(FILE);
+    List<String> lines = TextFile.lines(file);
+    if (lines.isEmpty() || !lines.get(0).equals(HEADER)) {
+      throw new TaskException(Kind.USAGE, file + ": line 1: expected " + HEADER);
+    }
+    List<ReportRow> rows = new ArrayList<>();
+    for (int i = 1; i < lines.size(); i++) {
+      try {
+        rows.add(row(lines.get(i)));
+      } catch (IllegalArgumentException e) {
+        throw new TaskException(
+            Kind.USAGE, file + ": line " + (i + 1) + ": " + e.getMessage(), e);
+      }
+    }
+    return rows;
+  }
+
+  private static ReportRow row(String line) {
+    List<String> values = Csv.values(line);
+    if (values.size() != COLUMNS) {
+      throw new IllegalArgumentException("expected " + COLUMNS + " values, found " + values.size());
+    }
+    Size size = Size.of(values.get(3));
+    return new ReportRow(
+        Integer.parseInt(values.get(0)),
+        values.get(1),
+        values.get(2),
+        size.width(),
+        size.height(),
+        Setting.MODE.type().parse(values.get(4)),
+        Integer.parseInt(values.get(5)),
+        Integer.parseInt(values.get(6)),
+        depth(values.get(7)),
+        Integer.parseInt(values.get(8)),
+        values.get(9),
+        values.get(10),
+        values.get(11));
+  }
+
+  private static OptionalInt depth(String text) {
+    return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(Integer.parseInt(text));
+  }
+
+  /**
+   * Returns the rows with the given numbers, in the table's order; all if none are given.
+   *
+   * @throws IllegalArgumentException naming a number that no row has
+   */
+  public static List<ReportRow> select(List<ReportRow> rows, List<Integer> numbers) {
+    List<Integer> known = rows.stream().map(ReportRow::number).toList();
+    for (int number : numbers) {
+      if (!known.contains(number)) {
+        String list = known.stream().map(String::valueOf).collect(Collectors.joining(", "));
+        throw new IllegalArgumentException("expected some of " + list + ", found " + number);
+      }
+    }
+    return rows.stream()
+        .filter(row -> numbers.isEmpty() || numbers.contains(row.number()))
+        .toList();
+  }
+}

@@ -1,0 +1,28 @@
+package io.github.lumbre.lab.report;
+
+/** Times as the report of 2016 writes them. */
+public final class ReportTime {
+  private ReportTime() {}
+
+  /**
+   * Returns a time as text: {@code 1h 26m 32s 336ms}. Hours, minutes and seconds that would begin
+   * it with a zero are left out; hours are not limited to a day.
+   *
+   * @param seconds finite, at least 0
+   */
+  public static String of(double seconds) {
+    long millis = Math.round(seconds * 1000);
+    long s = millis / 1000;
+    StringBuilder text = new StringBuilder();
+    if (s >= 3600) {
+      text.append(s / 3600).append("h ");
+    }
+    if (s >= 60) {
+      text.append(s / 60 % 60).append("m ");
+    }
+    if (s >= 1) {
+      text.append(s % 60).append("s ");
+    }
+    return text.append(millis % 1000).append("ms").toString();
+  }
+}

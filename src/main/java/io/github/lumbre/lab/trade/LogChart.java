@@ -1,0 +1,217 @@
+package io.github.lumbre.lab.trade;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.DoubleStream;
+
+/**
+ * A chart of points with intervals on two logarithmic axes, as SVG. Colours are those of the style
+ * sheet around it, so that it follows a page into the dark.
+ */
+final class LogChart {
+  private static final int WIDTH = 460;
+  private static final int PLOT_HEIGHT = 270;
+  private static final int LEFT = 58;
+  private static final int RIGHT = 14;
+  private static final int TOP = 34;
+  private static final int BELOW = 42;
+  private static final int LEGEND_LINE = 18;
+
+  /** Three columns of a legend hold names of so many letters. */
+  private static final int SHORT_NAME = 17;
+
+  /** How many colours the style sheet has. */
+  private static final int COLOURS = 8;
+
+  /** For a chart that is a file of its own. */
+  private static final String STYLE =
+      """
+      svg{background:#fff;--ink:#1c2430;--faint:#9aa3ad;--grid:#e3e7ec;--s0:#0b62a8;--s1:#c4472b;
+      --s2:#2e7d46;--s3:#8250a8;--s4:#a66a00;--s5:#00808a;--s6:#b5306f;--s7:#5a6270}
+      @media(prefers-color-scheme:dark){svg{background:#12161c;--ink:#e6eaef;--faint:#6b7582;
+      --grid:#2a313b;--s0:#6db3f2;--s1:#ff8f73;--s2:#6fcf8f;--s3:#c49bf0;--s4:#f0b040;--s5:#4fd0d8;
+      --s6:#ff85b8;--s7:#b4bcc6}}
+      """;
+
+  /** What makes a file of its own a drawing; within a page it is one without. */
+  private static final String NAMESPACE = " xmlns=\"http://www.w3.org/2000/svg\"";
+
+  private final String title;
+  private final String across;
+  private final String up;
+  private final List<Series> series;
+  private final int legendColumns;
+  private final int height;
+  private final LogAxis x;
+  private final LogAxis y;
+  private final List<String> lines = new ArrayList<>();
+
+  /**
+   * A point.
+   *
+   * @param low end of the interval of y; at most 0 if it reaches out of the chart
+   * @param label above the point; may be empty
+   * @param isFaint whether another point is better in every way
+   */
+  record Point(double x, double y, double low, double high, String label, boolean isFaint) {}
+
+  /**
+   * Points that belong together.
+   *
+   * @param isJoined whether a line goes from each to the next
+   */
+  record Series(String name, List<Point> points, boolean isJoined) {}
+
+  /**
+   * @param title of the chart; may be empty
+   * @param across what the horizontal axis is
+   * @param up what the vertical axis is
+   */
+  LogChart(String title, String across, String up, List<Series> series) {
+    this.title = title;
+    this.across = across;
+    this.up = up;
+    this.series = List.copyOf(series);
+    List<Point> all = series.stream().flatMap(s -> s.points.stream()).toList();
+    legendColumns = series.stream().allMatch(s -> s.name.length() <= SHORT_NAME) ? 3 : 2;
+    int legend = (series.size() + legendColumns - 1) / legendColumns * LEGEND_LINE;
+    height = TOP + PLOT_HEIGHT + BELOW + legend;
+    x = LogAxis.over(all.stream().mapToDouble(Point::x), LEFT + 6.0, WIDTH - RIGHT - 6.0);
+    y = LogAxis.over(all.stream().flatMapToDouble(LogChart::heights), bottom() - 6.0, TOP + 12.0);
+  }
+
+  private static DoubleStream heights(Point point) {
+    // An interval may reach down to nothing, which no logarithm shows.
+    return DoubleStream.of(point.y, point.high, Math.max(point.low, point.y / 3));
+  }
+
+  private static double bottom() {
+    return TOP + (double) PLOT_HEIGHT;
+  }
+
+  /** Returns the drawing, to stand in a page with a style sheet. */
+  String svg() {
+    return drawing("");
+  }
+
+  /** Returns the drawing as a file of its own. */
+  String file() {
+    return drawing("<style>" + STYLE + "</style>") + "\n";
+  }
+
+  private String drawing(String style) {
+    lines.clear();
+    lines.add(
+        format(
+            "<svg%s viewBox=\"0 0 %d %d\" role=\"img\""
+                + " font-family=\"system-ui,sans-serif\"><title>%s</title>%s",
+            style.isEmpty() ? "" : NAMESPACE,
+            WIDTH,
+            height,
+            Html.escaped(title.isEmpty() ? up + ", " + across : title),
+            style));
+    grid();
+    for (int i = 0; i < series.size(); i++) {
+      draw(series.get(i), i);
+      legend(series.get(i), i);
+    }
+    lines.add("</svg>");
+    return String.join("\n", lines);
+  }
+
+  private static String colour(int number) {
+    return "var(--s" + number % COLOURS + ")";
+  }
+
+  private void grid() {
+    text(LEFT, 20, "start", "var(--ink)", 14, title);
+    for (LogAxis.Tick tick : x.ticks()) {
+      line(tick.at(), TOP, tick.at(), bottom(), "var(--grid)", 1);
+      text(tick.at(), bottom() + 16, "middle", "var(--ink)", 12, tick.text());
+    }
+    for (LogAxis.Tick tick : y.ticks()) {
+      line(LEFT, tick.at(), WIDTH - (double) RIGHT, tick.at(), "var(--grid)", 1);
+      text(LEFT - 6.0, tick.at() + 4, "end", "var(--ink)", 12, tick.text());
+    }
+    text((LEFT + WIDTH - RIGHT) / 2.0, bottom() + 34, "middle", "var(--ink)", 12, across);
+    double middle = TOP + PLOT_HEIGHT / 2.0;
+    lines.add(
+        format(
+            "<text x=\"13\" y=\"%.1f\" text-anchor=\"middle\" fill=\"var(--ink)\" font-size=\"12\""
+                + " transform=\"rotate(-90 13 %.1f)\">%s</text>",
+            middle, middle, Html.escaped(up)));
+  }
+
+  private void legend(Series s, int number) {
+    double left = LEFT + number % legendColumns * (WIDTH - LEFT - RIGHT) / (double) legendColumns;
+    double at = bottom() + BELOW + LEGEND_LINE * (number / legendColumns) + 8.0;
+    boolean isFaint = !s.points.isEmpty() && s.points.stream().allMatch(Point::isFaint);
+    lines.add(mark(left + 4, at - 4, number, isFaint ? "var(--faint)" : colour(number)));
+    text(left + 14, at, "start", "var(--ink)", 12, s.name);
+  }
+
+  private void draw(Series s, int number) {
+    if (s.isJoined && s.points.size() > 1) {
+      StringBuilder path = new StringBuilder();
+      for (Point point : s.points) {
+        path.append(path.length() == 0 ? "M" : "L");
+        path.append(format("%.1f %.1f", x.at(point.x), y.at(point.y)));
+      }
+      lines.add(
+          "<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-opacity=\".6\"/>"
+              .formatted(path, colour(number)));
+    }
+    for (Point point : s.points) {
+      double px = x.at(point.x);
+      String shade = point.isFaint ? "var(--faint)" : colour(number);
+      line(px, y.at(point.low), px, y.at(point.high), shade, 1.5);
+      lines.add(mark(px, y.at(point.y), number, shade));
+      label(px, y.at(point.high) - 5, shade, point.label);
+    }
+  }
+
+  /** Returns a sign whose form tells the series without its colour. */
+  private static String mark(double px, double py, int number, String colour) {
+    return switch (number % 3) {
+      case 0 -> format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"/>", px, py, colour);
+      case 1 ->
+          format(
+              "<rect x=\"%.1f\" y=\"%.1f\" width=\"6.4\" height=\"6.4\" fill=\"%s\"/>",
+              px - 3.2, py - 3.2, colour);
+      default -> format("<path d=\"M%.1f %.1fl4 7h-8z\" fill=\"%s\"/>", px, py - 4.2, colour);
+    };
+  }
+
+  private void line(double x1, double y1, double x2, double y2, String colour, double width) {
+    lines.add(
+        format(
+            "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\""
+                + " stroke-width=\"%.1f\"/>",
+            x1, y1, x2, y2, colour, width));
+  }
+
+  private void text(double left, double base, String anchor, String colour, int size, String text) {
+    if (!text.isEmpty()) {
+      lines.add(
+          format(
+              "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\" font-size=\"%d\">%s"
+                  + "</text>",
+              left, base, anchor, colour, size, Html.escaped(text)));
+    }
+  }
+
+  private void label(double middle, double base, String colour, String text) {
+    if (!text.isEmpty()) {
+      lines.add(
+          format(
+              "<text class=\"point\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"%s\""
+                  + " font-size=\"11\">%s</text>",
+              middle, base, colour, Html.escaped(text)));
+    }
+  }
+
+  private static String format(String form, Object... values) {
+    return String.format(Locale.ROOT, form, values);
+  }
+}

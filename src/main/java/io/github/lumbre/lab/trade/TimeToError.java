@@ -1,0 +1,100 @@
+package io.github.lumbre.lab.trade;
+
+import io.github.lumbre.lab.metrics.Interval;
+import io.github.lumbre.math.Elementary;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+
+/**
+ * What a setting takes to reach an error: for each seed, the place where the line through its
+ * measured errors, on logarithmic axes, meets it.
+ *
+ * @param samples per pixel, geometric mean over the seeds
+ * @param cpuSeconds geometric mean over the seeds
+ * @param isExtrapolated whether a seed reaches the error with no number of samples that was
+ *     measured; beyond the last the squared error is taken to be inverse to the samples
+ */
+public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtrapolated) {
+  /**
+   * What one number of samples costs and brings: a value for each seed, in the same order in both.
+   *
+   * @param samples per pixel
+   * @param relativeMse of the pictures
+   * @param cpuSeconds for all samples up to these; 0 if the clock has not ticked meanwhile
+   */
+  public record Cost(int samples, List<Double> relativeMse, List<Double> cpuSeconds) {
+    /** What is left at least of an error, lest chance leaves nothing of it. */
+    private static final double LEAST_SHARE = .1;
+
+    private static final double LEAST_SECONDS = 1e-9;
+
+    /** Returns the same without the noise of the reference, as a relative mean squared error. */
+    Cost less(double referenceNoise) {
+      List<Double> own =
+          relativeMse.stream().map(e -> Math.max(e - referenceNoise, LEAST_SHARE * e)).toList();
+      return new Cost(samples, own, cpuSeconds);
+    }
+
+    /** Returns one seed's time or, where a time is too short for the clock, what it would be. */
+    private double positiveSeconds(int seed, double secondsPerSample) {
+      boolean isTold = cpuSeconds.stream().allMatch(seconds -> seconds > 0);
+      return isTold ? cpuSeconds.get(seed) : Math.max(LEAST_SECONDS, samples * secondsPerSample);
+    }
+  }
+
+  /**
+   * Returns what reaching an error takes.
+   *
+   * @param rows of one unbiased setting, by number of samples
+   * @param relativeMse the error, positive
+   */
+  public static TimeToError of(List<Cost> rows, double relativeMse) {
+    int seeds = rows.get(0).relativeMse.size();
+    Cost most = rows.get(rows.size() - 1);
+    double secondsPerSample = Interval.ofMean(most.cpuSeconds).value() / most.samples;
+    List<Double> samples = new ArrayList<>();
+    List<Double> seconds = new ArrayList<>();
+    for (int i = 0; i < seeds; i++) {
+      int seed = i;
+      samples.add(reach(rows, seed, relativeMse, Cost::samples));
+      seconds.add(
+          reach(rows, seed, relativeMse, row -> row.positiveSeconds(seed, secondsPerSample)));
+    }
+    return new TimeToError(
+        Interval.ofGeometricMean(samples),
+        Interval.ofGeometricMean(seconds),
+        IntStream.range(0, seeds).anyMatch(i -> !isReached(rows, i, relativeMse)));
+  }
+
+  private static boolean isReached(List<Cost> rows, int seed, double wanted) {
+    return rows.stream().anyMatch(row -> row.relativeMse.get(seed) <= wanted);
+  }
+
+  /** Returns the cost, positive at all rows, at which one seed's error falls to the wanted one. */
+  private static double reach(
+      List<Cost> rows, int seed, double wanted, ToDoubleFunction<Cost> cost) {
+    double logWanted = Elementary.log(wanted);
+    Cost last = rows.get(rows.size() - 1);
+    for (int i = 0; i < rows.size(); i++) {
+      double error = error(rows.get(i), seed);
+      if (error > logWanted) {
+        continue;
+      }
+      if (i == 0) {
+        return cost.applyAsDouble(rows.get(0)) * Elementary.exp(error - logWanted);
+      }
+      double before = error(rows.get(i - 1), seed);
+      double share = (before - logWanted) / (before - error);
+      double from = Elementary.log(cost.applyAsDouble(rows.get(i - 1)));
+      double to = Elementary.log(cost.applyAsDouble(rows.get(i)));
+      return Elementary.exp(from + share * (to - from));
+    }
+    return cost.applyAsDouble(last) * Elementary.exp(error(last, seed) - logWanted);
+  }
+
+  private static double error(Cost row, int seed) {
+    return Elementary.log(row.relativeMse.get(seed));
+  }
+}

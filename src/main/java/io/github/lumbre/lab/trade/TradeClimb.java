@@ -1,0 +1,87 @@
+package io.github.lumbre.lab.trade;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.metrics.PictureError;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.render.Schedule;
+import java.util.Optional;
+import java.util.function.DoubleSupplier;
+
+/**
+ * A setting rendered with one seed, to ever more samples, and what they took. Mutable; for one
+ * thread.
+ */
+final class TradeClimb {
+  private final TradeSetting setting;
+  private final DoubleSupplier cpuSeconds;
+  private final FilmRenderer renderer;
+  private final Film film;
+  private double seconds;
+  private double cpu;
+  private int samples;
+
+  /**
+   * @param cpuSeconds tells the processor time of the process so far
+   */
+  TradeClimb(TradeSetting setting, long seed, DoubleSupplier cpuSeconds) {
+    this.setting = setting;
+    this.cpuSeconds = cpuSeconds;
+    renderer = setting.renderer(seed);
+    film = renderer.newFilm();
+  }
+
+  /** Adds samples until each pixel has so many. */
+  void to(int goal) throws InterruptedException {
+    double cpuStart = cpuSeconds.getAsDouble();
+    double start = clock();
+    climb(renderer, film, goal);
+    seconds += clock() - start;
+    cpu += cpuSeconds.getAsDouble() - cpuStart;
+    samples = goal;
+  }
+
+  /** Returns what there is by now, compared with a reference. */
+  TradeTrial against(Image truth) {
+    Image picture = film.develop();
+    return new TradeTrial(setting, samples, seconds, cpu, PictureError.of(picture, truth), picture);
+  }
+
+  /** Returns the samples so far. */
+  Film film() {
+    return film;
+  }
+
+  /** Returns samples per pixel so far. */
+  int samples() {
+    return samples;
+  }
+
+  /** Returns the time on the wall so far, in seconds. */
+  double seconds() {
+    return seconds;
+  }
+
+  /** Returns seconds since some moment. */
+  static double clock() {
+    return System.nanoTime() * 1e-9;
+  }
+
+  /** Adds samples to a film, in growing passes, until each pixel has so many. */
+  static RenderStatistics climb(FilmRenderer renderer, Film film, int goal)
+      throws InterruptedException {
+    RenderStatistics statistics = RenderStatistics.ZERO;
+    Schedule schedule = renderer.schedule(goal);
+    for (Optional<SampleTarget> target = schedule.next(film);
+        target.isPresent();
+        target = schedule.next(film)) {
+      PassResult pass = renderer.addSamples(film, target.get(), Progress.NONE);
+      statistics = statistics.plus(pass.statistics());
+    }
+    return statistics;
+  }
+}

@@ -1,0 +1,248 @@
+package io.github.lumbre.lab.trade;
+
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.metrics.Interval;
+import io.github.lumbre.lab.trade.Html.Row;
+import io.github.lumbre.lab.trade.TradeSetting.Kind;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The page that shows what a study found: one HTML file that needs no other. {@link TradeAdvice},
+ * {@link TradeCharts} and {@link TradePictures} make its parts.
+ */
+public final class TradePage {
+  /** In place of a ratio of times that the processor's clock does not tell. */
+  private static final String TOO_SHORT = "too short to tell";
+
+  private final Map<String, String> facts;
+  private final TradeResult result;
+  private final Html html = new Html();
+
+  private TradePage(Map<String, String> facts, TradeResult result) {
+    this.facts = facts;
+    this.result = result;
+  }
+
+  /**
+   * Returns the page.
+   *
+   * @param scene its name
+   * @param facts of the run, by name: machine, seeds, how to repeat it
+   * @param options by which pictures become visible
+   * @throws IOException if pictures cannot be written to the directory for temporary files
+   */
+  public static String of(
+      String scene, Map<String, String> facts, TradeResult result, ImageWriter.Options options)
+      throws IOException {
+    TradePage page = new TradePage(facts, result);
+    page.write(scene, new TradePictures(result, options));
+    return page.html.toString();
+  }
+
+  private void write(String scene, TradePictures pictures) throws IOException {
+    String title = "Speed for accuracy: " + scene;
+    html.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">")
+        .raw("<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">")
+        // An empty icon, lest browsers ask for one.
+        .raw("<link rel=\"icon\" href=\"data:,\">")
+        .element("title", title)
+        .raw("<style>\n" + TradeStyle.SHEET + "</style></head><body>")
+        .element("h1", title)
+        .raw("<p class=\"lead\">" + Html.escaped(lead()) + "</p>");
+    TradeAdvice.addTo(html, result);
+    noise();
+    bias();
+    exact();
+    pictures.addTo(html);
+    everything();
+    method();
+    html.raw("</body></html>");
+  }
+
+  private String lead() {
+    return ("%s pixels, %d seeds of each setting, against a reference of %s samples per pixel whose"
+            + " own relative RMSE is about %s.")
+        .formatted(
+            facts.get("size"),
+            result.seeds(),
+            result.referenceSamples(),
+            TradeText.percent(result.referenceNoise().relativeRmse()));
+  }
+
+  private void noise() {
+    html.element("h2", "Noise: knobs that keep the truth")
+        .element(
+            "p",
+            "These settings all converge to the same picture. Their error is noise alone, and falls"
+                + " with time; the lower line wins. Numbers at the points are samples per pixel,"
+                + " bars are intervals of 95 % over the seeds.");
+    charts(TradeCharts.noise(result));
+    List<Row> rows = new ArrayList<>();
+    for (TradeSetting setting : result.settings(Kind.NOISE)) {
+      TradeRow most = result.most(setting);
+      TradeWork work = most.work();
+      boolean isUsual = setting == result.usual().get(0).setting();
+      rows.add(
+          new Row(
+              List.of(
+                  isUsual ? "baseline" : setting.label(),
+                  isUsual ? "1" : TradeText.ratio(result.gainByRays(setting)),
+                  isUsual ? "1" : result.gain(setting).map(TradeText::ratio).orElse(TOO_SHORT),
+                  TradeText.rootPercent(most.relativeMse().value()),
+                  TradeText.seconds(most.cpuTime()),
+                  TradeText.number(work.rays() + work.shadowRays()),
+                  TradeText.number(work.nodes()),
+                  TradeText.number(work.lookUps()),
+                  TradeText.slope(result.of(setting).stream().map(TradeRow::cost).toList())),
+              isUsual ? "best" : ""));
+    }
+    html.table(
+            List.of(
+                "setting",
+                "gain for the same rays",
+                "for the same time",
+                "error",
+                "CPU time",
+                "rays",
+                "nodes",
+                "look-ups",
+                "convergence exponent"),
+            rows)
+        .note(
+            "Gain: efficiency relative to the baseline, one over squared error times rays or"
+                + " processor time, at the most samples; below 1 is worse. Rays, visited nodes of"
+                + " the bounding volume hierarchy and texture look-ups are per sample, and the same"
+                + " on every machine. Convergence exponent: the squared error is proportional to"
+                + " the samples to this power; -1 for independent samples, lower is better."
+                + " Baseline: Sobol points, lights selected by their expected contribution, light"
+                + " and BSDF sampling combined by multiple importance sampling (MIS) with the power"
+                + " heuristic, Russian roulette from vertex 3. Settings named \"only\" use one of"
+                + " the two sampling techniques.");
+  }
+
+  private void bias() {
+    html.element("h2", "Bias: knobs that leave something out")
+        .element(
+            "p",
+            "These settings converge to another picture, so no number of samples takes their error"
+                + " below a floor. They are not to be ranked with those above: what they leave out"
+                + " may matter more, or less, than noise.");
+    charts(TradeCharts.bias(result));
+    List<Row> rows = new ArrayList<>();
+    for (TradeSetting setting : result.settings(Kind.BIAS)) {
+      TradeRow most = result.most(setting);
+      TradeRow.Bias bias = most.bias();
+      TradeWork work = most.work();
+      rows.add(
+          Row.of(
+              setting.label(),
+              bias.isDetected()
+                  ? TradeText.rootPercent(bias.squared())
+                  : "not detected, < " + TradeText.rootPercent(bias.high()),
+              bias.isDetected()
+                  ? TradeText.rootPercent(bias.low()) + " to " + TradeText.rootPercent(bias.high())
+                  : "",
+              TradeText.number(most.signedError().value()),
+              TradeText.seconds(most.cpuTime()),
+              TradeText.number(work.rays() + work.shadowRays()),
+              TradeText.number(work.nodes()),
+              TradeText.number(work.lookUps())));
+    }
+    html.table(
+            List.of(
+                "setting",
+                "bias",
+                "95 % interval",
+                "mean signed error",
+                "CPU time",
+                "rays",
+                "nodes",
+                "look-ups"),
+            rows)
+        .note(
+            "Bias: relative RMS difference between the mean of all seeds' pictures and the"
+                + " reference, with the noise of both subtracted. More samples do not reduce it.");
+  }
+
+  private void charts(List<LogChart> charts) {
+    html.raw("<div class=\"charts\">");
+    charts.forEach(chart -> html.raw(chart.svg()));
+    html.raw("</div>");
+  }
+
+  private void exact() {
+    html.element("h2", "Exact: knobs that change the time alone")
+        .table(
+            List.of("setting", "CPU time ratio (95 %)", "time ratio (95 %)", "picture"),
+            result.exact().stream()
+                .map(
+                    row ->
+                        new Row(
+                            List.of(
+                                row.setting(),
+                                row.cpuRatio().map(TradeText::ratio).orElse(TOO_SHORT),
+                                TradeText.ratio(row.timeRatio()),
+                                row.isSamePicture() ? "the same bits" : "DIFFERENT"),
+                            row.isSamePicture() ? "" : "bad"))
+                .toList())
+        .note("Five pairs each, in turn. The first row is what chance does on this machine.");
+  }
+
+  private void everything() {
+    html.element("h2", "All that was measured");
+    List<Row> rows = new ArrayList<>();
+    for (TradeRow row : result.rows()) {
+      Interval error = row.relativeMse();
+      rows.add(
+          new Row(
+              List.of(
+                  row.setting().label(),
+                  row.setting().isUnbiased() ? "noise" : "bias",
+                  String.valueOf(row.samples()),
+                  TradeText.seconds(row.time()),
+                  TradeText.seconds(row.cpuTime()),
+                  TradeText.count(row.allRays()),
+                  TradeText.number(error.value())
+                      + " ± "
+                      + TradeText.number(error.high() - error.value()),
+                  TradeText.number(row.signedError().value()),
+                  TradeText.number(row.largestError()),
+                  TradeText.number(row.flip().value())),
+              result.isDominated(row) ? "dominated" : ""));
+    }
+    html.table(
+            List.of(
+                "setting",
+                "kind",
+                "samples",
+                "time",
+                "CPU time",
+                "rays",
+                "relMSE",
+                "signed error",
+                "max error",
+                "FLIP"),
+            rows)
+        .note("Grey: another row of the same kind takes less time and has less error.");
+  }
+
+  private void method() {
+    html.element("h2", "How this was measured").raw("<table class=\"facts\">");
+    facts.forEach(
+        (name, value) ->
+            html.raw(
+                "<tr><td>"
+                    + Html.escaped(name)
+                    + "</td><td>"
+                    + Html.escaped(value)
+                    + "</td></tr>"));
+    html.raw("</table>")
+        .note(
+            "Errors are relative: the root of the mean over pixels and channels of (x - r)² / (r² +"
+                + " 0.01), r being the reference. Times are of this machine and vary with what else"
+                + " it does; rays, nodes and look-ups are the same everywhere.");
+  }
+}

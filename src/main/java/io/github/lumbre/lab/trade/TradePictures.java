@@ -1,0 +1,93 @@
+package io.github.lumbre.lab.trade;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.metrics.ErrorMap;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.LinkedHashSet;
+import java.util.List;
+
+/** The part of a study's page that shows pictures, each beside where it is wrong. */
+final class TradePictures {
+  private final TradeResult result;
+  private final ImageWriter.Options options;
+
+  /**
+   * @param options by which pictures become visible
+   */
+  TradePictures(TradeResult result, ImageWriter.Options options) {
+    this.result = result;
+    this.options = options;
+  }
+
+  /** Adds the pictures to a page. */
+  void addTo(Html html) throws IOException {
+    html.element("h2", "Pictures and where they are wrong")
+        .raw("<div class=\"pictures\"><figure>")
+        .raw(image(result.reference(), options, "reference"))
+        .raw("<figcaption>reference, " + result.referenceSamples() + " samples</figcaption>")
+        .raw("</figure></div>");
+    scale(html);
+    html.element("h3", "More samples of the usual setting");
+    pairs(html, result.usual());
+    List<TradeRow> others = new ArrayList<>();
+    for (TradeSetting setting : settings()) {
+      if (setting != result.usual().get(0).setting()) {
+        others.add(result.most(setting));
+      }
+    }
+    html.element("h3", "The other settings");
+    pairs(html, others);
+  }
+
+  private LinkedHashSet<TradeSetting> settings() {
+    LinkedHashSet<TradeSetting> settings = new LinkedHashSet<>();
+    result.rows().forEach(row -> settings.add(row.setting()));
+    return settings;
+  }
+
+  /** Adds the colours of errors, with what they stand for. */
+  private static void scale(Html html) {
+    html.raw(
+        "<div class=\"scale\" style=\"background:linear-gradient(90deg,"
+            + String.join(",", ErrorMap.webColours())
+            + ")\"></div><div class=\"marks\"><span>0.1 %</span><span>1 %</span><span>10 %</span>"
+            + "<span>100 %</span></div><p class=\"note\">Colours of the errors of pixels.</p>");
+  }
+
+  private void pairs(Html html, List<TradeRow> rows) throws IOException {
+    html.raw("<div class=\"pictures\">");
+    for (TradeRow row : rows) {
+      String name =
+          row.setting().label()
+              + ", "
+              + row.samples()
+              + (row.samples() == 1 ? " sample" : " samples");
+      String error = TradeText.rootPercent(row.errors().get(0).relativeMse());
+      Image map = ErrorMap.of(row.picture(), result.reference());
+      html.raw("<figure><div class=\"pair\">")
+          .raw(image(row.picture(), options, name))
+          .raw(image(map, ImageWriter.Options.DEFAULT, "error of " + name))
+          .raw("</div><figcaption>" + Html.escaped(name + ": " + error))
+          .raw("</figcaption></figure>");
+    }
+    html.raw("</div>");
+  }
+
+  private static String image(Image image, ImageWriter.Options how, String name)
+      throws IOException {
+    Path file = Files.createTempFile("lumbre-", ".png");
+    try {
+      ImageWriter.write(image, file, how);
+      String data = Base64.getEncoder().encodeToString(Files.readAllBytes(file));
+      return "<img width=\"%d\" height=\"%d\" alt=\"%s\" src=\"data:image/png;base64,%s\">"
+          .formatted(image.width(), image.height(), Html.escaped(name), data);
+    } finally {
+      Files.deleteIfExists(file);
+    }
+  }
+}

@@ -1,0 +1,181 @@
+package io.github.lumbre.lab.trade;
+
+import io.github.lumbre.integrator.PathOptions;
+import io.github.lumbre.integrator.PathTracer;
+import io.github.lumbre.integrator.Selection;
+import io.github.lumbre.integrator.Strategy;
+import io.github.lumbre.lab.trade.TradeSetting.Kind;
+import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+
+/** The settings that a study compares: one knob at a time is turned away from the reference. */
+public final class TradeSweep {
+  /** All knobs, in the order in which they are told. */
+  public static final List<String> KNOBS =
+      List.of(
+          "sampler",
+          "lights",
+          "strategy",
+          "roulette",
+          "split",
+          "depth",
+          "mode",
+          "filter",
+          "clamp",
+          "adaptive");
+
+  private static final String ADAPTIVE = "adaptive";
+
+  /** Twice those of the pilot after which adaptive sampling begins. */
+  private static final int ADAPTIVE_SAMPLES = 64;
+
+  private static final int[] DEPTHS = {1, 2, 3, 5, 8, 16};
+  private static final int[] ROULETTE = {0, 1, 8, 32};
+  private static final int[] SPLITS = {2, 4, 8};
+  private static final int[] CLAMPS = {1, 10, 100};
+
+  /** Roulette ends paths long before. */
+  private static final int DEEP = 1000;
+
+  private static final PathOptions USUAL = PathOptions.toDepth(DEEP);
+
+  private final TradeScene scene;
+  private final RenderSettings settings;
+  private final Set<String> knobs;
+  private final List<TradeSetting> all = new ArrayList<>();
+
+  /**
+   * @param scene as read for path tracing
+   * @param settings for path tracing, whose depth does not count
+   * @param knobs to be turned
+   */
+  public TradeSweep(TradeScene scene, RenderSettings settings, Set<String> knobs) {
+    this.scene = scene;
+    this.settings = usual(settings);
+    this.knobs = Set.copyOf(knobs);
+    all.add(paths("depth", DEEP, Kind.NOISE, "--depth " + DEEP, USUAL));
+    addWaysToTheSameLight();
+    if (knobs.contains("depth")) {
+      for (int depth : DEPTHS) {
+        String flags = "--depth " + depth;
+        all.add(paths("depth", depth, Kind.BIAS, flags, PathOptions.toDepth(depth)));
+      }
+    }
+    if (knobs.contains("clamp")) {
+      addClamps();
+    }
+    if (knobs.contains(ADAPTIVE)) {
+      addAdaptive();
+    }
+  }
+
+  /** Returns the settings for path tracing that are taken for the truth. */
+  public static RenderSettings usual(RenderSettings settings) {
+    return settings.toBuilder()
+        .maxTraceDepth(DEEP)
+        .adaptive(false)
+        .split(1)
+        .clamp(Double.POSITIVE_INFINITY)
+        .build();
+  }
+
+  private void addClamps() {
+    for (int clamp : CLAMPS) {
+      all.add(
+          TradeSetting.ofPaths(
+              "clamp",
+              String.valueOf(clamp),
+              Kind.BIAS,
+              "--clamp " + clamp + " --depth " + DEEP,
+              scene,
+              settings.toBuilder().clamp(clamp).build(),
+              USUAL));
+    }
+  }
+
+  private void addAdaptive() {
+    all.add(
+        TradeSetting.ofPaths(
+            ADAPTIVE,
+            "on",
+            Kind.BIAS,
+            "--adaptive --depth " + DEEP,
+            scene,
+            settings.toBuilder().adaptive(true).build(),
+            USUAL));
+  }
+
+  private void addWaysToTheSameLight() {
+    if (knobs.contains("sampler")) {
+      all.add(
+          new TradeSetting(
+              "sampler",
+              "independent",
+              Kind.NOISE,
+              "",
+              scene,
+              settings,
+              s -> new PathTracer(s, USUAL),
+              IndependentSampler::new));
+    }
+    if (knobs.contains("lights") && scene.scene().emitters().size() > 1) {
+      addNoise("lights", Selection.POWER, USUAL.by(Selection.POWER));
+      addNoise("lights", Selection.UNIFORM, USUAL.by(Selection.UNIFORM));
+    }
+    if (knobs.contains("strategy")) {
+      addNoise("strategy", Strategy.BALANCE, USUAL.by(Strategy.BALANCE));
+      addNoise("strategy", Strategy.LIGHT, USUAL.by(Strategy.LIGHT));
+      addNoise("strategy", Strategy.BSDF, USUAL.by(Strategy.BSDF));
+    }
+    if (knobs.contains("roulette")) {
+      for (int vertex : ROULETTE) {
+        addNoise("roulette", "from " + vertex, USUAL.rouletteFrom(vertex));
+      }
+    }
+    if (knobs.contains("split")) {
+      for (int ways : SPLITS) {
+        String flags = "--split " + ways + " --depth " + DEEP;
+        all.add(paths("split", ways, Kind.NOISE, flags, USUAL.splitInto(ways)));
+      }
+    }
+  }
+
+  private void addNoise(String knob, Object value, PathOptions options) {
+    all.add(paths(knob, value, Kind.NOISE, "", options));
+  }
+
+  private TradeSetting paths(
+      String knob, Object value, Kind kind, String flags, PathOptions options) {
+    String name = value.toString().toLowerCase(Locale.ROOT);
+    return TradeSetting.ofPaths(knob, name, kind, flags, scene, settings, options);
+  }
+
+  /** Adds ray tracing of the scene as read for it, if modes are compared. */
+  public void addRays(TradeScene read, RenderSettings ofRays) {
+    if (knobs.contains("mode")) {
+      all.add(TradeSetting.ofRays(read, ofRays));
+    }
+  }
+
+  /** Adds the scene as read with another filter of its textures, if filters are compared. */
+  public void addFilter(String name, TradeScene read) {
+    if (knobs.contains("filter")) {
+      all.add(TradeSetting.ofPaths("filter", name, Kind.BIAS, "", read, settings, USUAL));
+    }
+  }
+
+  /**
+   * Returns all settings, the reference's first.
+   *
+   * @param mostSamples per pixel; with few of them adaptive sampling does nothing
+   */
+  public List<TradeSetting> settings(int mostSamples) {
+    return all.stream()
+        .filter(setting -> mostSamples >= ADAPTIVE_SAMPLES || !setting.knob().equals(ADAPTIVE))
+        .toList();
+  }
+}

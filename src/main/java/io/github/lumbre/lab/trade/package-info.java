@@ -1,0 +1,8 @@
+/**
+ * What each setting of a render costs, and the error that it leaves.
+ *
+ * <p>{@link io.github.lumbre.lab.trade.TradeStudy} measures the settings of a {@link
+ * io.github.lumbre.lab.trade.TradeSweep}; {@link io.github.lumbre.lab.trade.TradePage} and {@link
+ * io.github.lumbre.lab.trade.SceneTables} show the result.
+ */
+package io.github.lumbre.lab.trade;

@@ -1,0 +1,37 @@
+package io.github.lumbre.cli.output;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.cli.Lumbre;
+import io.github.lumbre.render.RenderException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+
+class FailuresTest {
+  private final StringWriter err = new StringWriter();
+  private final CommandLine command =
+      new CommandLine(new Lumbre()).setErr(new PrintWriter(err, true));
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void faultsOfTheProgramAreToldAndEndItWithTheirOwnCode(boolean debug) {
+    IllegalStateException cause = new IllegalStateException("planted");
+    RenderException fault = new RenderException("rendering failed: " + cause, cause);
+
+    assertThat(Failures.report(fault, command, debug)).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(err.toString()).contains("internal error: rendering failed", "planted");
+    assertThat(err.toString().contains("\tat ")).isEqualTo(debug);
+  }
+
+  @Test
+  void lackOfMemoryIsALimit() {
+    RenderException fault = new RenderException("rendering failed", new OutOfMemoryError());
+
+    assertThat(Failures.report(fault, command, false)).isEqualTo(ExitCodes.LIMIT);
+    assertThat(err.toString()).contains("out of memory");
+  }
+}

@@ -1,0 +1,60 @@
+package io.github.lumbre.cli.output;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.RenderStatistics.RejectedSample;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+
+class SummaryTest {
+  private static final RenderSettings SETTINGS =
+      new RenderSettings.Builder().size(4, 2).samples(10).seed(5).build();
+
+  private static Summary summary(boolean complete, List<RejectedSample> rejected) {
+    RenderStatistics statistics =
+        new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0, 0, 0, 0);
+    return new Summary(SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2);
+  }
+
+  private static String lines(Consumer<Messages> print) {
+    StringWriter text = new StringWriter();
+    print.accept(new Messages(new PrintWriter(text)));
+    return text.toString();
+  }
+
+  @Test
+  void partialPicturesAreCalledThat() {
+    Summary partial = summary(false, List.of());
+    assertThat(lines(messages -> partial.print(Path.of("p.png"), messages)))
+        .startsWith("p.png: stopped early, partial picture of 4x2 pixels, 40 of 80 samples, 2.00 s")
+        .contains("20 samples/s");
+    assertThat(lines(partial::printIfDark)).isEmpty();
+  }
+
+  @Test
+  void rejectedSamplesCanBeFoundAgain() {
+    Summary summary = summary(true, List.of(new RejectedSample(3, 1, 9)));
+    Path scene = Path.of("my scene.json");
+    assertThat(lines(messages -> summary.printRejected(scene, messages)))
+        .contains("warning: 1 samples", "warning: pixel 3,1 sample 9: ")
+        .contains("lumbre pixel 'my scene.json' 3,1 --sample 9 --seed 5 --size 4x2 --mode path");
+    Summary flawless = summary(true, List.of());
+    assertThat(lines(messages -> flawless.printRejected(scene, messages))).isEmpty();
+  }
+
+  @Test
+  void ratesHaveThreeDigits() {
+    assertThat(Markdown.rate(1_234_567, 1)).isEqualTo("1.23 M");
+    assertThat(Markdown.rate(1_234_567, 10)).isEqualTo("123457");
+    assertThat(Markdown.rate(5, 0)).isEqualTo("0");
+  }
+}

@@ -1,0 +1,44 @@
+package io.github.lumbre.lab;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import io.github.lumbre.scene.RenderSettings;
+import org.junit.jupiter.api.Test;
+
+class MemoryEstimateTest {
+  private static final long MEBIBYTE = 1 << 20;
+  private static final RenderSettings LARGE =
+      new RenderSettings.Builder().size(16384, 16384).threads(16).build();
+
+  @Test
+  void picturesTooLargeForTheHeapAreRefusedWithAllFigures() {
+    MemoryEstimate estimate = new MemoryEstimate(LARGE, 100 * MEBIBYTE, 512 * MEBIBYTE);
+    TaskException thrown =
+        catchThrowableOfType(TaskException.class, () -> estimate.require());
+    assertThat(thrown.kind()).isEqualTo(TaskException.Kind.LIMIT);
+    assertThat(thrown)
+        .hasMessageContaining("16384x16384 pixels need 20489 MiB")
+        .hasMessageContaining("100 MiB of the scene")
+        .hasMessageContaining("limited to 512 MiB");
+  }
+
+  @Test
+  void onlyTheCropCounts() {
+    RenderSettings cropped =
+        LARGE.toBuilder().crop(new RenderSettings.Crop(9, 9, 100, 100)).build();
+    assertThatCode(() -> new MemoryEstimate(cropped, 0, 64 * MEBIBYTE).require())
+        .doesNotThrowAnyException();
+  }
+
+  @Test
+  void sceneAndThreadsLeaveLessForTheFilm() {
+    MemoryEstimate estimate = new MemoryEstimate(LARGE, 0, 0);
+    long heap = estimate.neededBytes();
+    assertThat(new MemoryEstimate(LARGE, 0, heap).fits()).isTrue();
+    assertThat(new MemoryEstimate(LARGE, 1, heap).fits()).isFalse();
+    RenderSettings crowded = LARGE.toBuilder().threads(17).build();
+    assertThat(new MemoryEstimate(crowded, 0, heap).fits()).isFalse();
+  }
+}

@@ -1,0 +1,36 @@
+package io.github.lumbre.lab.perf;
+
+import io.github.lumbre.lab.metrics.PictureNoise;
+import io.github.lumbre.lab.perf.BenchResult.Repetition;
+import io.github.lumbre.lab.report.BenchmarkFixture;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** Measurements that look like real ones. */
+final class BenchFixture {
+  static final BenchMachine MACHINE =
+      new BenchMachine(BenchmarkFixture.HARDWARE, List.of("-Xmx1g"), 1 << 30, List.of("GC"), .25);
+
+  static final BenchPlan PLAN =
+      new BenchPlan(Optional.empty(), 4, List.of(1, 2), 2, 3, 2, Set.of(), false, 1);
+
+  private BenchFixture() {}
+
+  /** Returns a result of 320 samples and 1000 rays with these times; CPU times are twice those. */
+  static BenchResult result(String scene, String imageHash, double... seconds) {
+    return new BenchResult(
+        scene,
+        "feed",
+        new RenderSettings.Builder().size(8, 4).samples(10).threads(2).build(),
+        .25,
+        new WarmUp(List.of(2.0, 1.0), List.of(1.0)),
+        Arrays.stream(seconds).mapToObj(s -> new Repetition(s, 2 * s, 64_000)).toList(),
+        new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0, 0),
+        imageHash,
+        new PictureNoise(List.of(.03, .05)));
+  }
+}

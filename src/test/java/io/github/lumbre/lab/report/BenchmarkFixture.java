@@ -1,0 +1,37 @@
+package io.github.lumbre.lab.report;
+
+import io.github.lumbre.lab.perf.Hardware;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings.Mode;
+import java.math.BigDecimal;
+import java.util.List;
+import java.util.OptionalInt;
+
+/** Rows, plans and results that look like real ones. */
+public final class BenchmarkFixture {
+  public static final Hardware HARDWARE = new Hardware("Fast|er", 4, "VM 17", "Linux 6 amd64");
+  public static final String HASH = "0123456789abcdef".repeat(4);
+
+  private BenchmarkFixture() {}
+
+  static ReportRow row(int samples) {
+    return new ReportRow(
+        5, "Hearts", "hearts", 8, 4, Mode.PATH, samples, 32, OptionalInt.of(5), 8, "i7", "1h", "");
+  }
+
+  static ReportRow rayRow(String note) {
+    return new ReportRow(
+        9, "Grey", "grey", 8, 4, Mode.RAY, 4, 30, OptionalInt.empty(), 8, "i5", "16s", note);
+  }
+
+  static BenchmarkPlan plan(String share) {
+    return new BenchmarkPlan(new BigDecimal(share), 2, 1, 3);
+  }
+
+  /** Returns a result of 12.5 seconds, 320 samples and 1000 rays. */
+  static BenchmarkResult result(ReportRow row, int samples) {
+    RenderStatistics statistics =
+        new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0, 0);
+    return new BenchmarkResult(row, samples, 2, .25, 12.5, statistics, "feed", HASH);
+  }
+}
