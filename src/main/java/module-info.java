@@ -1,9 +1,9 @@
 /**
  * Lumbre, a CPU path tracer, as a library.
  *
- * <p>{@link io.github.lumbre.parser} reads a scene file, {@link io.github.lumbre.render} renders it,
- * {@link io.github.lumbre.image} writes the picture. The command line and the measurements of the lab
- * are no part of the module: they are in the command-line jar.
+ * <p>{@link io.github.lumbre.parser} reads a scene file, {@link io.github.lumbre.render} renders
+ * it, {@link io.github.lumbre.image} writes the picture. The command line and the measurements of
+ * the lab are no part of the module: they are in the command-line jar.
  */
 module io.github.lumbre {
   requires com.google.gson;

@@ -73,7 +73,8 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:The JSON file cannot be written",
       "7:A fault of the program",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is measured by then is written"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is measured by then is"
+          + " written"
     })
 final class BenchCommand implements Callable<Integer> {
   private static final int DEFAULT_REPETITIONS = 5;
@@ -216,8 +217,7 @@ final class BenchCommand implements Callable<Integer> {
     try (TextOutput output = TextOutput.reserve(json);
         Interruption interruption = Interruption.listen()) {
       LabHost host =
-          new CommandLineHost(
-              interruption, false, new Messages(spec.commandLine().getErr()));
+          new CommandLineHost(interruption, false, new Messages(spec.commandLine().getErr()));
       boolean complete =
           interruption.beginRender()
               && (paired

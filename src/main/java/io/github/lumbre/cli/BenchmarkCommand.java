@@ -69,7 +69,8 @@ import picocli.CommandLine.Spec;
       "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
       "6:The CSV file or the hashes cannot be written",
       "7:A fault of the program",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is rendered by then is written"
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is rendered by then is"
+          + " written"
     })
 final class BenchmarkCommand implements Callable<Integer> {
   private static final int MAX_REPETITIONS = 1000;
@@ -162,7 +163,8 @@ final class BenchmarkCommand implements Callable<Integer> {
     checkOutputs(folder, selected);
     TableHashes stored = TableHashes.load(folder.directory());
     Messages out = new Messages(spec.commandLine().getOut());
-    BenchmarkReport report = new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out::line);
+    BenchmarkReport report =
+        new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out::line);
     try (Interruption interruption = Interruption.listen()) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
       BenchmarkRunner runner =

@@ -172,18 +172,15 @@ final class CompareCommand implements Callable<Integer> {
       for (float value : image.rgb()) {
         if (!Float.isFinite(value)) {
           throw new TaskException(
-              Kind.ASSET,
-              file + ": has values that are not finite, which no figure can judge");
+              Kind.ASSET, file + ": has values that are not finite, which no figure can judge");
         }
       }
       return image;
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      throw new TaskException(
-          tooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
+      throw new TaskException(tooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw new TaskException(Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

@@ -121,11 +121,9 @@ final class GalleryCommand implements Callable<Integer> {
     try (Interruption interruption = Interruption.listen()) {
       GalleryRenderer renderer =
           new GalleryRenderer(
-              folder,
-              seconds,
-              threads,
-              new CommandLineHost(interruption, hasDisplay, messages));
-      boolean complete = interruption.beginRender() && render(folder, selected, renderer, page, messages);
+              folder, seconds, threads, new CommandLineHost(interruption, hasDisplay, messages));
+      boolean complete =
+          interruption.beginRender() && render(folder, selected, renderer, page, messages);
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -155,8 +153,7 @@ final class GalleryCommand implements Callable<Integer> {
     return true;
   }
 
-  private static void write(
-      Path scene, Rendered rendered, PictureOutput output, Messages messages)
+  private static void write(Path scene, Rendered rendered, PictureOutput output, Messages messages)
       throws TaskException {
     RenderSettings settings = rendered.settings();
     output.write(

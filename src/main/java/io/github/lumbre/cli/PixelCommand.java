@@ -2,7 +2,6 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.FlagConverters;
-import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
@@ -11,6 +10,7 @@ import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PixelJson;
+import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.cli.output.PixelReport;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;

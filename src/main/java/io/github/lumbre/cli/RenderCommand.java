@@ -194,8 +194,7 @@ final class RenderCommand implements Callable<Integer> {
       MemoryEstimate.require(file.settings());
       picture.requireFits(file.settings());
       RunBudget budget =
-          budgets.since(
-              start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
+          budgets.since(start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
       RenderJob job = job(file, picture, keeper, monitor, budget, report);
       interruption.requireRender();
       return job.run(flags.firstSample());
@@ -278,8 +277,7 @@ final class RenderCommand implements Callable<Integer> {
 
   private PictureOutput picture(Path target) throws TaskException {
     return isStandardOutput()
-        ? PictureOutput.toStandardOutput(
-            format.orElse(ImageFormat.PNG), checkpoints.fallback())
+        ? PictureOutput.toStandardOutput(format.orElse(ImageFormat.PNG), checkpoints.fallback())
         : PictureOutput.reserve(target, checkpoints.fallback());
   }
 

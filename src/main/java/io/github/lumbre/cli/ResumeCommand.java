@@ -212,8 +212,7 @@ final class ResumeCommand implements Callable<Integer> {
     List<FilmPart> parts = header.parts();
     if (parts.size() != 1 || !parts.get(0).window().equals(header.window())) {
       throw new TaskException(
-          Kind.SCENE,
-          film + ": its samples have gaps, so it cannot be gone on with: " + parts);
+          Kind.SCENE, film + ": its samples have gaps, so it cannot be gone on with: " + parts);
     }
   }
 
@@ -243,9 +242,7 @@ final class ResumeCommand implements Callable<Integer> {
       return file;
     } catch (IOException e) {
       throw new TaskException(
-          Kind.SCENE,
-          path + ": the film's scene cannot be read: " + FileFailure.reason(e),
-          e);
+          Kind.SCENE, path + ": the film's scene cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

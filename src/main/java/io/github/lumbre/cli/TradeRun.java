@@ -66,11 +66,7 @@ final class TradeRun {
    * @param threads 0 means one for each processor
    */
   TradeRun(
-      SceneOptions options,
-      KernelFlag kernel,
-      TradeBudget budget,
-      int threads,
-      Messages messages) {
+      SceneOptions options, KernelFlag kernel, TradeBudget budget, int threads, Messages messages) {
     this.options = options;
     this.kernel = kernel;
     this.budget = budget;

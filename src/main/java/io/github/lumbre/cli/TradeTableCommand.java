@@ -108,8 +108,7 @@ final class TradeTableCommand implements Callable<Integer> {
       }
       return file.trade();
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.USAGE, study + ": cannot be read: " + FileFailure.reason(e), e);
+      throw new TaskException(Kind.USAGE, study + ": cannot be read: " + FileFailure.reason(e), e);
     } catch (JsonParseException e) {
       throw new TaskException(Kind.USAGE, study + ": expected JSON of trade", e);
     }

@@ -51,7 +51,8 @@ public record SceneFolder(Path directory) {
    *
    * @throws TaskException if the file cannot be read
    */
-  public static SceneFile load(Path path, SceneParser parser) throws SceneFormatException, TaskException {
+  public static SceneFile load(Path path, SceneParser parser)
+      throws SceneFormatException, TaskException {
     try {
       return parser.parse(path);
     } catch (IOException e) {

@@ -27,8 +27,7 @@ public final class TextFile {
     } catch (NoSuchFileException e) {
       throw new TaskException(Kind.USAGE, file + ": does not exist", e);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw new TaskException(Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

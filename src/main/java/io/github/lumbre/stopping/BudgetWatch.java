@@ -120,8 +120,7 @@ public final class BudgetWatch {
     boolean isEarly = Looks.isEarly(film.meanSamples());
     double confidence = budget.confidence();
     if (budget.targetError().isPresent()) {
-      confidence =
-          isEarly ? Looks.earlyConfidence(confidence) : Looks.confidence(confidence, look);
+      confidence = isEarly ? Looks.earlyConfidence(confidence) : Looks.confidence(confidence, look);
     }
     Optional<NoiseEstimate> noise =
         isEarly

@@ -6,11 +6,11 @@ package io.github.lumbre.stopping;
  *
  * <p>Stopping at the first check that passes favors lucky checks. The checks therefore share the
  * probability α of any of them being wrong (a spending rule: Lan &amp; DeMets 1983, with
- * Bonferroni's bound). Nine tenths of α belong to the checks from 32 samples per pixel on, of
- * which the j-th spends a share of 1 / (j (j + 1)). The three early checks, after 4, 8 and 16
- * samples, divide the remaining tenth, and use a cautious estimate ({@link
- * NoiseEstimator#ofFewSamples}): with the usual one, 47 to 82 of 100 bounds failed in a scene whose
- * light is mostly rare bright paths.
+ * Bonferroni's bound). Nine tenths of α belong to the checks from 32 samples per pixel on, of which
+ * the j-th spends a share of 1 / (j (j + 1)). The three early checks, after 4, 8 and 16 samples,
+ * divide the remaining tenth, and use a cautious estimate ({@link NoiseEstimator#ofFewSamples}):
+ * with the usual one, 47 to 82 of 100 bounds failed in a scene whose light is mostly rare bright
+ * paths.
  *
  * <p>An early check must also have enough samples to see what matters. Light that no sample has
  * found adds at most 1 to the relative squared error of a pixel, so it must cover a share of at

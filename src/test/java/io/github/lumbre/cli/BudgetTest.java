@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
-import io.github.lumbre.cli.Outcome;
-import io.github.lumbre.cli.TinyScene;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.LinearReader;
 import java.io.IOException;

@@ -46,14 +46,19 @@ class ChangedFilesTest {
 
   private static String scene(String green) {
     String texture = "{\"id\": %d, \"assetType\": \"Texture\", \"file\": \"%s\"}";
-    String textures = texture.formatted(8, "maps/wood.png") + ", " + texture.formatted(9, "stone.png");
+    String textures =
+        texture.formatted(8, "maps/wood.png") + ", " + texture.formatted(9, "stone.png");
     String material =
         ", {\"id\": 3, \"assetType\": \"Material\", \"materialType\": \"Diffuse\","
             + " \"colorTextureId\": 8}, {\"id\": 4, \"assetType\": \"Material\","
             + " \"materialType\": \"Diffuse\", \"colorTextureId\": 9}";
     return TinyScene.withAsset(textures + material)
-        .replace("\"shapeType\": \"Plane\", \"materialID\": 1", "\"shapeType\": \"Plane\", \"materialID\": 3")
-        .replace("\"shapeType\": \"Cube\", \"materialID\": 1", "\"shapeType\": \"Cube\", \"materialID\": 4")
+        .replace(
+            "\"shapeType\": \"Plane\", \"materialID\": 1",
+            "\"shapeType\": \"Plane\", \"materialID\": 3")
+        .replace(
+            "\"shapeType\": \"Cube\", \"materialID\": 1",
+            "\"shapeType\": \"Cube\", \"materialID\": 4")
         .replace("\"g\": 0.6", "\"g\": " + green);
   }
 

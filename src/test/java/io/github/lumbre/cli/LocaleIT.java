@@ -31,8 +31,7 @@ class LocaleIT {
   void writeScene() throws IOException, InterruptedException {
     String texture = "{\"id\": 9, \"assetType\": \"Texture\", \"file\": \"m\\u00e4r.png\"}";
     String scene =
-        TinyScene.withAsset(texture)
-            .replace("\"Diffuse\",", "\"Diffuse\", \"colorTextureId\": 9,");
+        TinyScene.withAsset(texture).replace("\"Diffuse\",", "\"Diffuse\", \"colorTextureId\": 9,");
     Files.writeString(directory.resolve("plain.json"), scene);
     ImageIO.write(
         new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),

@@ -42,8 +42,7 @@ final class PseudoTerminal implements AutoCloseable {
   /** Returns whether this system can make one. */
   static boolean isSupported() throws InterruptedException {
     try {
-      Process process =
-          new ProcessBuilder("script", "--version").redirectErrorStream(true).start();
+      Process process = new ProcessBuilder("script", "--version").redirectErrorStream(true).start();
       String version = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
       return process.waitFor() == 0 && version.contains("util-linux");
     } catch (IOException e) {
@@ -178,7 +177,9 @@ final class PseudoTerminal implements AutoCloseable {
     long start = System.nanoTime();
     while (!condition.test(printed())) {
       long seconds = TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start);
-      assertThat(seconds).as("seconds without %s:%n%s", what, printed()).isLessThan(PATIENCE_SECONDS);
+      assertThat(seconds)
+          .as("seconds without %s:%n%s", what, printed())
+          .isLessThan(PATIENCE_SECONDS);
       assertThat(script.isAlive() || condition.test(printed()))
           .as("ended without %s:%n%s", what, printed())
           .isTrue();

@@ -39,7 +39,9 @@ class RendersInOneJvmTest {
     return TinyScene.withAsset(MARBLE)
         .replace(
             "\"Diffuse\",",
-            "\"Diffuse\", \"colorTextureId\": 9, \"colorScale\": {\"x\": " + scale + ", \"y\": 1},");
+            "\"Diffuse\", \"colorTextureId\": 9, \"colorScale\": {\"x\": "
+                + scale
+                + ", \"y\": 1},");
   }
 
   private SceneFile parse(SceneParser parser, String json) {

@@ -35,8 +35,7 @@ class StandardStreamsIT {
 
   /** Runs a line of a shell in which LUMBRE is the program. */
   private Outcome shell(String line) throws IOException, InterruptedException {
-    String program =
-        Program.lumbre().stream().collect(Collectors.joining("' '", "'", "'"));
+    String program = Program.lumbre().stream().collect(Collectors.joining("' '", "'", "'"));
     return Program.run(directory, List.of("sh", "-c", line.replace("LUMBRE", program)));
   }
 

@@ -96,7 +96,9 @@ class TerminalIT {
       assertThat(terminal.exitCode()).isEqualTo(ExitCodes.TARGET);
       double seconds = (System.nanoTime() - start) * 1e-9;
       List<String> bars =
-          terminal.bars(0).stream().filter(bar -> !bar.startsWith("reading tiny.json ...")).toList();
+          terminal.bars(0).stream()
+              .filter(bar -> !bar.startsWith("reading tiny.json ..."))
+              .toList();
       assertThat(bars.size()).as(terminal.printed()).isGreaterThan((int) seconds);
       assertThat(bars).allMatch(bar -> BAR.matcher(bar).matches());
       assertThat(bars).anyMatch(bar -> bar.contains("noise"));

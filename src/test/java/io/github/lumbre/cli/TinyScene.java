@@ -10,20 +10,20 @@ public final class TinyScene {
   /** The scene's text. Each thing is on a line of its own, for {@link #with} to exchange. */
   public static final String JSON =
       """
-      {"mainCameraId": 1,
-       "renderOptions": {"width": 16, "height": 12, "samples": 2, "antialiasing": 1},
-       "assets": [
-        {"id": 1, "assetType": "Material", "materialType": "Diffuse", "color": {"r": 0.8, "g": 0.6, "b": 0.4}},
-        {"id": 2, "assetType": "Material", "materialType": "Reflective"}
-       ],
-       "objects": [
-        {"id": 1, "type": "Camera", "cameraType": "Pinhole", "localPosition": {"x": 0, "y": 1, "z": -4}},
-        {"id": 2, "type": "Shape", "shapeType": "Plane", "materialID": 1},
-        {"id": 3, "type": "Shape", "shapeType": "Sphere", "materialID": 2, "radius": 1, "localPosition": {"x": 0, "y": 1, "z": 0}},
-        {"id": 4, "type": "Shape", "shapeType": "Cube", "materialID": 1, "localPosition": {"x": 0, "y": 0, "z": 4}},
-        {"id": 5, "type": "Light", "lightType": "Point", "intensity": 3, "localPosition": {"x": 2, "y": 4, "z": -3}}
-       ]}
-      """;
+{"mainCameraId": 1,
+ "renderOptions": {"width": 16, "height": 12, "samples": 2, "antialiasing": 1},
+ "assets": [
+  {"id": 1, "assetType": "Material", "materialType": "Diffuse", "color": {"r": 0.8, "g": 0.6, "b": 0.4}},
+  {"id": 2, "assetType": "Material", "materialType": "Reflective"}
+ ],
+ "objects": [
+  {"id": 1, "type": "Camera", "cameraType": "Pinhole", "localPosition": {"x": 0, "y": 1, "z": -4}},
+  {"id": 2, "type": "Shape", "shapeType": "Plane", "materialID": 1},
+  {"id": 3, "type": "Shape", "shapeType": "Sphere", "materialID": 2, "radius": 1, "localPosition": {"x": 0, "y": 1, "z": 0}},
+  {"id": 4, "type": "Shape", "shapeType": "Cube", "materialID": 1, "localPosition": {"x": 0, "y": 0, "z": 4}},
+  {"id": 5, "type": "Light", "lightType": "Point", "intensity": 3, "localPosition": {"x": 2, "y": 4, "z": -3}}
+ ]}
+""";
 
   private TinyScene() {}
 

@@ -62,17 +62,17 @@ class TradeBrowserTest {
   /** Contrast by WCAG 2.1: 4.5 is what it asks of texts. What is grey on purpose is left out. */
   private static final String FAINT =
       """
-      (() => {
-        const paper = getComputedStyle(document.body).backgroundColor;
-        const luminance = colour => colour.match(/[\\d.]+/g).slice(0, 3)
-          .map(v => v / 255).map(v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4)
-          .reduce((sum, v, i) => sum + v * [.2126, .7152, .0722][i], 0);
-        const contrast = (a, b) => (Math.max(a, b) + .05) / (Math.min(a, b) + .05);
-        const colour = e => e.ownerSVGElement ? getComputedStyle(e).fill : getComputedStyle(e).color;
-        return named(document.querySelectorAll('h1,h2,h3,p,th,tr:not(.dominated) td,svg text'),
-          e => contrast(luminance(colour(e)), luminance(paper)) < 4.5);
-      })()
-      """;
+(() => {
+  const paper = getComputedStyle(document.body).backgroundColor;
+  const luminance = colour => colour.match(/[\\d.]+/g).slice(0, 3)
+    .map(v => v / 255).map(v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4)
+    .reduce((sum, v, i) => sum + v * [.2126, .7152, .0722][i], 0);
+  const contrast = (a, b) => (Math.max(a, b) + .05) / (Math.min(a, b) + .05);
+  const colour = e => e.ownerSVGElement ? getComputedStyle(e).fill : getComputedStyle(e).color;
+  return named(document.querySelectorAll('h1,h2,h3,p,th,tr:not(.dominated) td,svg text'),
+    e => contrast(luminance(colour(e)), luminance(paper)) < 4.5);
+})()
+""";
 
   private static final String EMPTY_TABLES =
       """

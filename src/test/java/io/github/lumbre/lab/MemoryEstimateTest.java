@@ -15,8 +15,7 @@ class MemoryEstimateTest {
   @Test
   void picturesTooLargeForTheHeapAreRefusedWithAllFigures() {
     MemoryEstimate estimate = new MemoryEstimate(LARGE, 100 * MEBIBYTE, 512 * MEBIBYTE);
-    TaskException thrown =
-        catchThrowableOfType(TaskException.class, () -> estimate.require());
+    TaskException thrown = catchThrowableOfType(TaskException.class, () -> estimate.require());
     assertThat(thrown.kind()).isEqualTo(TaskException.Kind.LIMIT);
     assertThat(thrown)
         .hasMessageContaining("16384x16384 pixels need 20489 MiB")

@@ -73,7 +73,6 @@ public final class DevelopFlags {
     int depth = bits.isPresent() ? bits.get() : notes.bits();
     Map<String, String> metadata = notes.metadata();
     picture.write(
-        film.film().develop(),
-        new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
+        film.film().develop(), new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
   }
 }

@@ -11,7 +11,6 @@ import io.github.lumbre.scene.SettingType;
 import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.regex.Matcher;
@@ -189,13 +188,10 @@ public final class FlagConverters {
         .orElseThrow(
             () -> {
               String names =
-                  Arrays.stream(values)
-                      .map(SettingType::nameOf)
-                      .collect(Collectors.joining(", "));
+                  Arrays.stream(values).map(SettingType::nameOf).collect(Collectors.joining(", "));
               return unexpected("one of " + names, text);
             });
   }
-
 
   private static TypeConversionException unexpected(String expected, String found) {
     return new TypeConversionException("expected " + expected + ", found '" + found + "'");

@@ -148,7 +148,8 @@ public final class RenderFlags {
    * @param adaptive whether noisy pixels get more samples
    * @param pathDepth that wins over the scene's in path mode
    */
-  public SceneParser over(SceneParser parser, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
+  public SceneParser over(
+      SceneParser parser, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
     SceneParser limited = maxPixels.map(parser::limitedTo).orElse(parser);
     return mode.map(limited::inMode)
         .orElse(limited)

@@ -97,8 +97,7 @@ public final class RunFlags {
    * @param strict whether samples that are no numbers make an error
    */
   public RenderJob.How how(int bits, boolean strict) {
-    return new RenderJob.How(
-        bits, ImageWriter.Options.DEFAULT_JPEG_QUALITY, quiet, stats, strict);
+    return new RenderJob.How(bits, ImageWriter.Options.DEFAULT_JPEG_QUALITY, quiet, stats, strict);
   }
 
   /** Runs what a command does and returns its exit code, after a summary if one was asked for. */

@@ -96,8 +96,8 @@ public final class SceneOptions {
   /**
    * Reads the scene and prints its warnings.
    *
-   * @throws TaskException if there are warnings under {@code --strict}, or if the scene cannot
-   *     be read
+   * @throws TaskException if there are warnings under {@code --strict}, or if the scene cannot be
+   *     read
    */
   public SceneFile load(SceneParser parser, Messages messages)
       throws SceneFormatException, TaskException {
@@ -124,8 +124,7 @@ public final class SceneOptions {
     try {
       return parser.parse(scene);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
+      throw new TaskException(Kind.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 }

@@ -138,8 +138,7 @@ public final class SettingFlags {
     if (!setting.type().accepts(value)) {
       String range = "expected " + setting.type().expected();
       String found = ", found " + setting.type().format(value);
-      throw new ParameterException(
-          command.commandLine(), setting.flag() + ": " + range + found);
+      throw new ParameterException(command.commandLine(), setting.flag() + ": " + range + found);
     }
   }
 

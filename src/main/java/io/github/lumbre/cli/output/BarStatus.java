@@ -27,8 +27,8 @@ record BarStatus(
   private static final int LEAST_CELLS = 8;
 
   /**
-   * Returns {@code 42 % [=====> ] 0:00:12 left, 1.5 M samples/s, noise 3.1 % (target 2.0 %)}, without
-   * the last parts if they do not fit.
+   * Returns {@code 42 % [=====> ] 0:00:12 left, 1.5 M samples/s, noise 3.1 % (target 2.0 %)},
+   * without the last parts if they do not fit.
    *
    * @param columns that the line may take
    */

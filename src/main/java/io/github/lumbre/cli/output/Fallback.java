@@ -11,7 +11,8 @@ import java.nio.file.Path;
  */
 public record Fallback(Path directory) {
   /** Java's directory for temporary files. */
-  public static final Fallback TEMPORARY = new Fallback(Path.of(System.getProperty("java.io.tmpdir")));
+  public static final Fallback TEMPORARY =
+      new Fallback(Path.of(System.getProperty("java.io.tmpdir")));
 
   /** Makes an empty file whose name ends in that of a file which could not be written. */
   public Path newFile(Path wanted) throws IOException {

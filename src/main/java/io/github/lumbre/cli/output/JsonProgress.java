@@ -84,18 +84,14 @@ public final class JsonProgress implements ProgressDisplay {
   }
 
   /**
-   * Returns {@code {"done":250,"total":1000,"seconds":50.0,"rate":5.0,"seconds_left":150.0}}; total,
-   * time left and {@code relative_error} only if they are known.
+   * Returns {@code {"done":250,"total":1000,"seconds":50.0,"rate":5.0,"seconds_left":150.0}};
+   * total, time left and {@code relative_error} only if they are known.
    *
    * @param total 0 if it is not known
    * @param limit in seconds from now; empty without one
    */
   static String line(
-      long done,
-      long total,
-      double seconds,
-      OptionalDouble limit,
-      OptionalDouble relativeError) {
+      long done, long total, double seconds, OptionalDouble limit, OptionalDouble relativeError) {
     JsonObject line = new JsonObject();
     line.addProperty("done", done);
     if (total > 0) {

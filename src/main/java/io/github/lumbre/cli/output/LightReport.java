@@ -22,7 +22,8 @@ public record LightReport(Optional<DepthCut> cut, double clamp, long clamped, do
   private static final double LARGEST_COST = .01;
 
   /** Returns what is to be told of a film that is done, rendered in one run. */
-  public static LightReport of(SceneFile file, Film film, RenderStatistics statistics, boolean isQuiet)
+  public static LightReport of(
+      SceneFile file, Film film, RenderStatistics statistics, boolean isQuiet)
       throws InterruptedException {
     boolean isCheap = film.totalSamples() * LARGEST_COST > DepthCut.COST_IN_SAMPLES;
     Optional<DepthCut> cut =

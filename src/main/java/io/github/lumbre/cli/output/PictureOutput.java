@@ -103,8 +103,7 @@ public final class PictureOutput implements AutoCloseable {
       Path collected = fallback.newFile(Path.of("picture" + format.ending()));
       return new PictureOutput(STANDARD, OutputFile.open(collected), fallback);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT, directory + ": cannot be written: " + e.getMessage(), e);
+      throw new TaskException(Kind.OUTPUT, directory + ": cannot be written: " + e.getMessage(), e);
     }
   }
 

@@ -118,8 +118,7 @@ public final class ProgressBar implements ProgressDisplay {
   public static void vanish() {
     Optional<ProgressBar> shown = SHOWN.get();
     try {
-      if (shown.isPresent()
-          && shown.get().lock.tryLock(VANISH_MILLIS, TimeUnit.MILLISECONDS)) {
+      if (shown.isPresent() && shown.get().lock.tryLock(VANISH_MILLIS, TimeUnit.MILLISECONDS)) {
         shown.get().erase();
         shown.get().closed = true;
         shown.get().lock.unlock();

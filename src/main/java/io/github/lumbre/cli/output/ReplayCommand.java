@@ -32,7 +32,7 @@ final class ReplayCommand {
   private static String depth(RenderSettings settings) {
     return switch (settings.mode()) {
       case PATH -> " --depth " + settings.maxTraceDepth();
-      // Two depths that differ can only come from the scene, which the command reads again.
+        // Two depths that differ can only come from the scene, which the command reads again.
       case RAY ->
           settings.reflectionTraceDepth() == settings.refractionTraceDepth()
               ? " --depth " + settings.reflectionTraceDepth()

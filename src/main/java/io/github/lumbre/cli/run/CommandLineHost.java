@@ -18,8 +18,7 @@ import java.nio.file.Path;
 public record CommandLineHost(Interruption interruption, boolean hasDisplay, Messages messages)
     implements LabHost {
   @Override
-  public SceneFile read(Path scene, SceneParser parser)
-      throws SceneFormatException, TaskException {
+  public SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, TaskException {
     try (RenderMonitor monitor = new RenderMonitor(interruption, hasDisplay)) {
       SceneFile file = monitor.reading(scene, () -> SceneFolder.load(scene, parser));
       messages.warnings(file.warnings());

@@ -41,8 +41,7 @@ public final class FilmInput {
     } catch (FilmFormatException e) {
       throw new TaskException(Kind.SCENE, path + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

@@ -132,8 +132,7 @@ public final class Interruption implements AutoCloseable {
    *
    * @throws TaskException also if that happened
    */
-  <T> T reading(Deadline deadline, Reading<T> action)
-      throws TaskException, SceneFormatException {
+  <T> T reading(Deadline deadline, Reading<T> action) throws TaskException, SceneFormatException {
     Optional<Thread> alarm = beginWaiting(deadline);
     try {
       return action.read();

@@ -74,8 +74,7 @@ public record RenderJob(
     return run(renderer, begun.film(), begun.header().faults());
   }
 
-  private int run(FilmRenderer renderer, Film film, RenderStatistics faults)
-      throws TaskException {
+  private int run(FilmRenderer renderer, Film film, RenderStatistics faults) throws TaskException {
     long start = System.nanoTime();
     Schedule schedule = renderer.schedule();
     RenderStatistics statistics;

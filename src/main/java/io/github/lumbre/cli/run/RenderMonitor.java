@@ -73,8 +73,7 @@ public final class RenderMonitor implements LabHost.Display {
   void limited(RunBudget budget) {
     display
         .get()
-        .limited(
-            () -> earlier(deadline.secondsLeft(), budget.secondsLeft()), budget.targetError());
+        .limited(() -> earlier(deadline.secondsLeft(), budget.secondsLeft()), budget.targetError());
   }
 
   private static OptionalDouble earlier(OptionalDouble one, OptionalDouble other) {

@@ -44,7 +44,8 @@ public final class GalleryRenderer {
    *
    * @param seconds that rendering took
    */
-  public record Rendered(SceneFile file, RenderSettings settings, RenderResult result, double seconds) {}
+  public record Rendered(
+      SceneFile file, RenderSettings settings, RenderResult result, double seconds) {}
 
   /** Renders a scene; returns nothing if that was stopped. */
   public Optional<Rendered> render(String scene)

@@ -61,9 +61,7 @@ public record Interval(double value, double low, double high) {
     double[] sorted = values.clone();
     Arrays.sort(sorted);
     int half = sorted.length / 2;
-    return sorted.length == 0
-        ? Double.NaN
-        : .5 * (sorted[half] + sorted[sorted.length - 1 - half]);
+    return sorted.length == 0 ? Double.NaN : .5 * (sorted[half] + sorted[sorted.length - 1 - half]);
   }
 
   /** Returns the geometric mean of independent positive values, at least one. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.lab.metrics;
 
+import io.github.lumbre.math.Elementary;
 import java.util.List;
 
 /**
@@ -43,7 +44,7 @@ public record RatioInterval(double ratio, double low, double high) {
       if (count < 2) {
         throw new IllegalArgumentException("repetitions: expected at least 2, found " + count);
       }
-      double[] logs = values.stream().mapToDouble(Math::log).toArray();
+      double[] logs = values.stream().mapToDouble(Elementary::log).toArray();
       double mean = 0;
       for (double log : logs) {
         mean += log / count;
@@ -79,7 +80,9 @@ public record RatioInterval(double ratio, double low, double high) {
       half = StudentT.critical(CONFIDENCE, degrees) * Math.sqrt(squaredError);
     }
     return new RatioInterval(
-        Math.exp(difference), Math.exp(difference - half), Math.exp(difference + half));
+        Elementary.exp(difference),
+        Elementary.exp(difference - half),
+        Elementary.exp(difference + half));
   }
 
   /** Returns what can be said with confidence. */

@@ -42,15 +42,14 @@ public final class BenchRunner {
   /**
    * Returns what a scene took, a result for each number of threads; nothing if it was stopped.
    *
-   * @throws TaskException if the scene cannot be read, if the picture does not fit into memory,
-   *     or if two renders of the scene differ
+   * @throws TaskException if the scene cannot be read, if the picture does not fit into memory, or
+   *     if two renders of the scene differ
    */
   public Optional<List<BenchResult>> run(Path scene)
       throws SceneFormatException, TaskException, InterruptedException {
     long start = System.nanoTime();
     SceneParser parser = new SceneParser().overriding(plan::over);
-    SceneFile file =
-        plan.over(host.read(scene, parser));
+    SceneFile file = plan.over(host.read(scene, parser));
     double loadSeconds = (System.nanoTime() - start) * 1e-9;
     MemoryEstimate.require(file.settings());
     try {

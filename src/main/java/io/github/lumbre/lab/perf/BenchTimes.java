@@ -42,8 +42,8 @@ public record BenchTimes(String caption, List<Series> series) {
   /**
    * Reads a file.
    *
-   * @throws TaskException with the exit code of a wrong command line, if it cannot be read or is
-   *     no measurement
+   * @throws TaskException with the exit code of a wrong command line, if it cannot be read or is no
+   *     measurement
    */
   public static BenchTimes load(Path file) throws TaskException {
     String text = String.join("\n", TextFile.lines(file));

@@ -44,8 +44,7 @@ public final class PairedBench {
     }
 
     /** Renders and keeps what it took; returns false if that was stopped. */
-    private boolean render(int number, int threads, LabHost host)
-        throws InterruptedException {
+    private boolean render(int number, int threads, LabHost host) throws InterruptedException {
       RenderSettings own =
           settings.toBuilder().threads(threads).seed(settings.seed() + number).build();
       TimedRender render;

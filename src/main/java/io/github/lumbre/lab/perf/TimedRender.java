@@ -16,7 +16,8 @@ import java.lang.management.ManagementFactory;
  *     meanwhile count
  * @param allocatedBytes by the threads that rendered
  */
-public record TimedRender(RenderResult result, double seconds, double cpuSeconds, long allocatedBytes) {
+public record TimedRender(
+    RenderResult result, double seconds, double cpuSeconds, long allocatedBytes) {
   private static final OperatingSystemMXBean PROCESS =
       ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 

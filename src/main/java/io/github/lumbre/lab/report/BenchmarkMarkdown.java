@@ -7,7 +7,6 @@ import io.github.lumbre.lab.perf.RasterHash;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.nio.charset.Charset;
 import java.util.List;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The report's table with this machine's times, in Markdown, in parts as they become known. */

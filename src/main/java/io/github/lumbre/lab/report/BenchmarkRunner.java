@@ -15,7 +15,6 @@ import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -34,11 +33,7 @@ public final class BenchmarkRunner {
    * @param parser of the scenes
    * @param host reads the scenes and shows every render
    */
-  public BenchmarkRunner(
-      SceneFolder scenes,
-      BenchmarkPlan plan,
-      SceneParser parser,
-      LabHost host) {
+  public BenchmarkRunner(SceneFolder scenes, BenchmarkPlan plan, SceneParser parser, LabHost host) {
     this.scenes = scenes;
     this.parser = parser;
     this.plan = plan;
@@ -52,8 +47,8 @@ public final class BenchmarkRunner {
   /**
    * Returns what a row took; nothing if it was stopped.
    *
-   * @throws TaskException if the scene cannot be read, if the picture does not fit into memory,
-   *     or if two renders of the row differ
+   * @throws TaskException if the scene cannot be read, if the picture does not fit into memory, or
+   *     if two renders of the row differ
    */
   public Optional<BenchmarkResult> run(ReportRow row)
       throws SceneFormatException, TaskException, InterruptedException {

@@ -39,8 +39,7 @@ public final class ReportTable {
       try {
         rows.add(row(lines.get(i)));
       } catch (IllegalArgumentException e) {
-        throw new TaskException(
-            Kind.USAGE, file + ": line " + (i + 1) + ": " + e.getMessage(), e);
+        throw new TaskException(Kind.USAGE, file + ": line " + (i + 1) + ": " + e.getMessage(), e);
       }
     }
     return rows;

@@ -77,8 +77,7 @@ public final class TableHashes {
               Integer.parseInt(values.get(3)));
       hashes.put(key, values.get(4));
     } catch (IllegalArgumentException e) {
-      throw new TaskException(
-          Kind.USAGE, file + ": line " + number + ": " + e.getMessage(), e);
+      throw new TaskException(Kind.USAGE, file + ": line " + number + ": " + e.getMessage(), e);
     }
   }
 

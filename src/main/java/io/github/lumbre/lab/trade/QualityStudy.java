@@ -28,7 +28,6 @@ public final class QualityStudy {
   /** Roulette ends paths long before. */
   private static final int DEEP = 1000;
 
-
   private static final int FEWEST_SAMPLES = 64;
 
   private final Scene scene;
@@ -79,7 +78,8 @@ public final class QualityStudy {
   /** Renders until an error, or a moment; returns whether the error was reached. */
   private static boolean render(FilmRenderer renderer, Film film, double error, double deadline)
       throws InterruptedException {
-    Budget budget = new Budget(RenderSettings.MAX_SAMPLES, OptionalDouble.of(error), Budget.CONFIDENCE);
+    Budget budget =
+        new Budget(RenderSettings.MAX_SAMPLES, OptionalDouble.of(error), Budget.CONFIDENCE);
     Progress until = Progress.NONE.cancelledAlsoIf(() -> TradeClimb.clock() > deadline);
     return new BudgetRenderer(renderer, budget).render(film, until).reachedTarget();
   }

@@ -25,7 +25,6 @@ public final class TradeStudy {
   /** Differs from all seeds of the study in every bit that matters. */
   private static final long REFERENCE_SEED = 0x5eed_0f_7e_fe_7e_9ceL;
 
-
   private static final int FRAME_FOR_COUNTERS = 20_000;
 
   /** The share of the time after which a reference is taken as it is. */

@@ -18,8 +18,7 @@ class BarStatusTest {
         .isEqualTo(" 25 % [==========>                             ] 0:02:30 left, 5 samples/s");
     assertThat(samples(0, 1000, 0).line(60))
         .isEqualTo("  0 % [>                                      ] 0 samples/s");
-    assertThat(samples(1000, 1000, 50).line(40))
-        .isEqualTo("100 % 0:00:00 left, 20 samples/s");
+    assertThat(samples(1000, 1000, 50).line(40)).isEqualTo("100 % 0:00:00 left, 20 samples/s");
   }
 
   @Test

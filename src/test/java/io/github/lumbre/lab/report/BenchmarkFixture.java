@@ -30,8 +30,7 @@ public final class BenchmarkFixture {
 
   /** Returns a result of 12.5 seconds, 320 samples and 1000 rays. */
   static BenchmarkResult result(ReportRow row, int samples) {
-    RenderStatistics statistics =
-        new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0, 0);
+    RenderStatistics statistics = new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0, 0);
     return new BenchmarkResult(row, samples, 2, .25, 12.5, statistics, "feed", HASH);
   }
 }

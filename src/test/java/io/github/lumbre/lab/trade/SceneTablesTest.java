@@ -79,7 +79,8 @@ class SceneTablesTest {
             row("depth", "1000", true, 256, .0005, NONE),
             row("lights", "power", true, 16, .02, NONE));
     SceneTrade scene = new SceneTrade("a", 100, 50, 3, 1024, 0, Map.of(), rows);
-    assertThat(scene.gainByRays(scene.of("light selection: power")).value()).isCloseTo(.5, within(1e-9));
+    assertThat(scene.gainByRays(scene.of("light selection: power")).value())
+        .isCloseTo(.5, within(1e-9));
   }
 
   @Test
