@@ -18,6 +18,10 @@ import java.lang.reflect.Constructor;
 import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
@@ -44,11 +48,9 @@ import picocli.CommandLine.Spec;
       AuditCommand.class,
       PixelCommand.class,
       BenchmarkCommand.class,
-      BenchCommand.class,
+      PerfCommand.class,
       CompareCommand.class,
       TradeCommand.class,
-      TradeTableCommand.class,
-      TradeQualityCommand.class,
       GalleryCommand.class,
       SelfTestCommand.class,
       CompletionCommand.class,
@@ -64,13 +66,20 @@ import picocli.CommandLine.Spec;
       "  lumbre audit scene.json",
       "  lumbre pixel scene.json 120,80",
       "  lumbre benchmark --rows 1,5,14",
-      "  lumbre bench scenes/cornell-box.json",
+      "  lumbre perf scenes/cornell-box.json",
       "  lumbre compare draft.exr reference.exr",
       "  lumbre help render"
     })
 public final class Lumbre implements Runnable {
   /** What Java makes of bytes that the locale's encoding does not know. */
   private static final char GARBLED = '\ufffd';
+
+  /** Commands by the names that they had before 0.2, which will go with 0.3. */
+  private static final Map<String, List<String>> RENAMED =
+      Map.of(
+          "bench", List.of("perf"),
+          "trade-table", List.of("trade", "table"),
+          "trade-quality", List.of("trade", "quality"));
 
   @Spec private CommandSpec spec;
 
@@ -116,9 +125,26 @@ public final class Lumbre implements Runnable {
     }
   }
 
+  /** Returns the program with all of its commands. */
+  static CommandLine commandLine() {
+    CommandLine command = new CommandLine(new Lumbre());
+    HelpLayout.applyToProgram(command);
+    return command;
+  }
+
+  /** Returns arguments with the command's present name, if they name it by an earlier one. */
+  private static String[] renamed(String[] args, Messages messages) {
+    List<String> present = args.length == 0 ? null : RENAMED.get(args[0]);
+    if (present == null) {
+      return args;
+    }
+    messages.warning("'lumbre " + args[0] + "' is now 'lumbre " + String.join(" ", present) + "'");
+    return Stream.concat(present.stream(), Arrays.stream(args).skip(1)).toArray(String[]::new);
+  }
+
   /** Runs the command that the arguments name and returns its exit code. */
   static int run(String[] args, PrintWriter out, PrintWriter err) {
-    CommandLine command = new CommandLine(new Lumbre());
+    CommandLine command = commandLine();
     Failures failures = new Failures();
     command.setOut(out).setErr(err);
     FlagConverters.registerNumbers(command);
@@ -138,7 +164,7 @@ public final class Lumbre implements Runnable {
       }
     }
     try {
-      return command.execute(args);
+      return command.execute(renamed(args, new Messages(err)));
     } catch (Error e) {
       ParseResult parsed = command.getParseResult();
       return Failures.report(e, command, parsed != null && Failures.isDebug(parsed));

@@ -27,8 +27,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.IModelTransformer;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
@@ -36,6 +38,8 @@ import picocli.CommandLine.Spec;
 /** {@code lumbre trade}: measures what each setting costs and how wrong it is, for one scene. */
 @Command(
     name = "trade",
+    modelTransformer = TradeCommand.SceneUnlessSubcommand.class,
+    subcommands = {TradeTableCommand.class, TradeQualityCommand.class},
     header = "Measure what settings cost and how wrong they are, for one scene.",
     description =
         "Renders a reference of its own, then turns one knob at a time (random numbers, choice of"
@@ -140,8 +144,19 @@ final class TradeCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
+  /** Lets a subcommand stand where the scene would: the scene is demanded by {@link #call}. */
+  static final class SceneUnlessSubcommand implements IModelTransformer {
+    @Override
+    public CommandSpec transform(CommandSpec command) {
+      PositionalParamSpec scene = command.positionalParameters().get(0);
+      command.remove(scene);
+      return command.addPositional(scene.toBuilder().required(false).arity("0..1").build());
+    }
+  }
+
   @Override
   public Integer call() throws SceneFormatException, TaskException {
+    require(options.scene() != null, "expected a SCENE, or table or quality");
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));

@@ -29,9 +29,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre trade-quality}: measures the error that each quality of a render has. */
+/** {@code lumbre trade quality}: measures the error that each quality of a render has. */
 @Command(
-    name = "trade-quality",
+    name = "quality",
     header = "Measure how wrong each --quality of render is.",
     description =
         "Renders a reference of each scene, then the scene in each quality with several seeds, and"
@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
     versionProvider = Version.class,
     usageHelpWidth = 100,
     sortOptions = false,
-    footer = {"", "Example:", "  lumbre trade-quality scenes/cornell-box.json --time 5m"},
+    footer = {"", "Example:", "  lumbre trade quality scenes/cornell-box.json --time 5m"},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",

@@ -8,7 +8,7 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.lab.perf.BenchMachine;
+import io.github.lumbre.lab.perf.PerfMachine;
 import io.github.lumbre.lab.perf.Hardware;
 import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.lab.trade.TradeBudget;
@@ -155,7 +155,7 @@ final class TradeRun {
     facts.put("seeds", result.seeds() + " for each setting, numbered from 1");
     facts.put("machine", Hardware.here().line());
     facts.put("threads", threads == 0 ? "one per processor" : String.valueOf(threads));
-    facts.put("load", String.format(Locale.ROOT, "%.1f", BenchMachine.here().load()));
+    facts.put("load", String.format(Locale.ROOT, "%.1f", PerfMachine.here().load()));
     facts.put("version", Release.number());
     facts.put("took", Math.round(spent()) + " s");
   }

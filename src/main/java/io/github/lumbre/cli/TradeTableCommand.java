@@ -30,9 +30,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre trade-table}: puts studies of several scenes side by side. */
+/** {@code lumbre trade table}: puts studies of several scenes side by side. */
 @Command(
-    name = "trade-table",
+    name = "table",
     header = "Put what trade has measured of several scenes side by side.",
     description =
         "Writes tables in Markdown, and beside them two charts: the same name with -noise.svg and"
@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
     versionProvider = Version.class,
     usageHelpWidth = 100,
     sortOptions = false,
-    footer = {"", "Example:", "  lumbre trade-table a-trade.json b-trade.json -o trade.md"},
+    footer = {"", "Example:", "  lumbre trade table a-trade.json b-trade.json -o trade.md"},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",

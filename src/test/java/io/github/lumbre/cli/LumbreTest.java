@@ -3,10 +3,14 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.OptionSpec;
 
 class LumbreTest {
   @ParameterizedTest
@@ -89,5 +93,38 @@ class LumbreTest {
     assertThat(outcome.out())
         .startsWith("#!/usr/bin/env bash")
         .contains("render", "check", "--tonemap", "complete -F");
+  }
+
+  @Test
+  void everyCommandHasOneHeading() {
+    assertThat(HelpLayout.COMMANDS.values().stream().flatMap(List::stream))
+        .containsExactlyInAnyOrderElementsOf(Lumbre.commandLine().getSubcommands().keySet());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"render", "resume"})
+  void everyFlagHasAHeading(String name) {
+    CommandLine command = Lumbre.commandLine().getSubcommands().get(name);
+    Map<String, List<OptionSpec>> divided = HelpLayout.divided(command.getCommandSpec());
+    assertThat(divided.get("Help"))
+        .extracting(OptionSpec::longestName)
+        .containsOnly("--help", "--version");
+    assertThat(divided.values().stream().flatMap(List::stream))
+        .containsExactlyInAnyOrderElementsOf(command.getCommandSpec().options());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "bench, lumbre perf",
+    "trade-table, lumbre trade table",
+    "trade-quality, lumbre trade quality"
+  })
+  void earlierNamesOfCommandsAnswerWithTheNewOnes(String former, String present) {
+    Outcome outcome = Outcome.of(former, "--nonsense");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
+    assertThat(outcome.err())
+        .startsWith("warning: 'lumbre " + former + "' is now '" + present + "'\n")
+        .contains("'" + present + " --help'");
+    assertThat(Outcome.of("--help").out()).doesNotContain(former + " ");
   }
 }

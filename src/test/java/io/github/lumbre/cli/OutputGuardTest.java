@@ -42,13 +42,13 @@ class OutputGuardTest {
           "audit SCENE",
           "pixel SCENE",
           "benchmark --scenes",
-          "bench SCENE",
-          "bench --compare",
+          "perf SCENE",
+          "perf --compare",
           "compare PICTURE",
           "compare REFERENCE",
           "trade SCENE",
-          "trade-table STUDY.json",
-          "trade-quality SCENE",
+          "trade table STUDY.json",
+          "trade quality SCENE",
           "gallery --scenes");
 
   /** A command line for each path that commands write; OUT is the output. */
@@ -61,10 +61,10 @@ class OutputGuardTest {
           Map.entry("merge --output", "merge T/a.film -o OUT.png"),
           Map.entry("develop --output", "develop T/a.film -o OUT.png"),
           Map.entry("benchmark --csv", "benchmark --scenes T --rows 3 --csv OUT"),
-          Map.entry("bench --json", "bench T/wood.json --json OUT"),
+          Map.entry("perf --json", "perf T/wood.json --json OUT"),
           Map.entry("compare --error-map", "compare T/a.png T/a.png --error-map OUT.png"),
           Map.entry("trade --output", "trade T/wood.json -o OUT.html"),
-          Map.entry("trade-table --output", "trade-table T/study.json -o OUT"),
+          Map.entry("trade table --output", "trade table T/study.json -o OUT"),
           Map.entry("gallery --out", "gallery wood --scenes T --out OUT"));
 
   @TempDir private Path directory;
@@ -109,16 +109,22 @@ class OutputGuardTest {
   @Test
   void everyPathOnTheCommandLineIsKnownAsInputOrOutput() {
     Set<String> found = new TreeSet<>();
-    new CommandLine(new Lumbre())
-        .getSubcommands()
-        .forEach(
-            (name, command) ->
-                command.getCommandSpec().args().stream()
-                    .filter(OutputGuardTest::isPath)
-                    .forEach(arg -> found.add(name + " " + label(arg))));
+    addPaths("", Lumbre.commandLine(), found);
     Set<String> known = new TreeSet<>(INPUTS);
     known.addAll(OUTPUTS.keySet());
     assertThat(found).isEqualTo(known);
+  }
+
+  private static void addPaths(String prefix, CommandLine parent, Set<String> found) {
+    parent
+        .getSubcommands()
+        .forEach(
+            (name, command) -> {
+              command.getCommandSpec().args().stream()
+                  .filter(OutputGuardTest::isPath)
+                  .forEach(arg -> found.add(prefix + name + " " + label(arg)));
+              addPaths(prefix + name + " ", command, found);
+            });
   }
 
   private static boolean isPath(ArgSpec arg) {
@@ -161,15 +167,15 @@ class OutputGuardTest {
     "merge T/a.film -o T/a.film, is a film",
     "compare T/a.png T/wood.png --error-map T/wood.png, is the reference",
     "trade T/wood.json -o T/wood.html, is the scene",
-    "trade-table T/a.png -o T/a.png, is a study",
-    "trade-table T/x-noise.svg -o T/x.md, is a study",
+    "trade table T/a.png -o T/a.png, is a study",
+    "trade table T/x-noise.svg -o T/x.md, is a study",
     "gallery wood --scenes T --out T, a file of the scene",
     "benchmark --scenes T --rows 3 --csv T/table.csv, is the table",
     "benchmark --scenes T --rows 3 --csv T/tiny.json, is the scene",
     "benchmark --scenes T --rows 3 --csv T/table-hashes.csv, is the file of hashes",
     "benchmark --scenes T --rows 3 --store --csv T/table-hashes.csv, is written twice",
-    "bench T/wood.json --json T/wood.json, is the scene",
-    "bench T/wood.json --json T/mesh.obj, a file of the scene"
+    "perf T/wood.json --json T/wood.json, is the scene",
+    "perf T/wood.json --json T/mesh.obj, a file of the scene"
   })
   void inputsAreNeverOverwritten(String line, String reason) throws IOException {
     Files.writeString(directory.resolve("x-noise.svg"), "");
@@ -190,7 +196,7 @@ class OutputGuardTest {
     "a.film, develop T/a.film -o LINK.png",
     "a.png, compare T/wood.png T/a.png --error-map LINK.png",
     "wood.json, trade T/wood.json -o LINK.html",
-    "wood.json, bench T/wood.json --json LINK.json",
+    "wood.json, perf T/wood.json --json LINK.json",
     "table.csv, benchmark --scenes T --rows 3 --csv LINK.csv"
   })
   void linksToInputsAreFollowed(String victim, String line) throws IOException {
@@ -258,11 +264,11 @@ class OutputGuardTest {
   void commandsReplaceWhatTheyHaveWritten() throws IOException {
     Stream.of(
             "merge T/a.film -o T/b.film",
-            "bench T/wood.json -s 1 --size 8x8 --warmup 0 --repeat 1 --pairs 1 --threads 1"
+            "perf T/wood.json -s 1 --size 8x8 --warmup 0 --repeat 1 --pairs 1 --threads 1"
                 + " --json T/bench.json",
             "benchmark --scenes T --rows 3 --warmup 0 --scale 0.1 --store --csv T/new.csv",
             "trade T/wood.json -s 1 --seeds 3 --size 8x8 --knobs sampler -o T/study.html",
-            "trade-table T/study.json -o T/tables.md")
+            "trade table T/study.json -o T/tables.md")
         .forEach(
             line -> {
               Outcome first = run(line);

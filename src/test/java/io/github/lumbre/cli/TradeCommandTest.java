@@ -99,7 +99,7 @@ class TradeCommandTest {
 
     Path table = directory.resolve("table.md");
     String study = directory.resolve("out.json").toString();
-    assertThat(Outcome.of("trade-table", study, "-o", table.toString()).exitCode()).isZero();
+    assertThat(Outcome.of("trade", "table", study, "-o", table.toString()).exitCode()).isZero();
     assertThat(Files.readString(table))
         .contains("| tiny | 16x12 | 3 | 256: ", "independent samples");
     assertThat(directory.resolve("table-noise.svg")).exists();
@@ -150,9 +150,9 @@ class TradeCommandTest {
         .contains(" -s 4 --target-error 6% ");
 
     Path table = directory.resolve("table.md");
-    Outcome.of("trade-table", directory.resolve("out.json").toString(), "-o", table.toString());
+    Outcome.of("trade", "table", directory.resolve("out.json").toString(), "-o", table.toString());
     assertThat(Files.readString(table))
-        .contains("```sh\nlumbre trade ", "lumbre trade-table ", "## Runs")
+        .contains("```sh\nlumbre trade ", "lumbre trade table ", "## Runs")
         .containsPattern("\\| tiny \\| 16x12 \\| 4 \\|.*\\) \\| [0-9]+ \\| .*\\* \\|\n");
   }
 
@@ -181,7 +181,7 @@ class TradeCommandTest {
   @Test
   void qualitiesHaveTheirErrors() throws IOException {
     String scene = TinyScene.write(directory, TinyScene.JSON).toString();
-    Outcome outcome = Outcome.of("trade-quality", scene, "--seeds", "3", "--time", "20s");
+    Outcome outcome = Outcome.of("trade", "quality", scene, "--seeds", "3", "--time", "20s");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     List<String> rows = outcome.out().lines().filter(line -> line.startsWith("| tiny")).toList();
     assertThat(rows).hasSize(4);
@@ -192,9 +192,9 @@ class TradeCommandTest {
           .as(rows.get(i))
           .isBetween(.02 * limits.get(i), 1.3 * limits.get(i));
     }
-    Outcome hurried = Outcome.of("trade-quality", scene, "--seeds", "3", "--time", "0.001s");
+    Outcome hurried = Outcome.of("trade", "quality", scene, "--seeds", "3", "--time", "0.001s");
     assertThat(hurried.out().lines().skip(2)).hasSize(4).allMatch(l -> l.contains("| no time |"));
-    Outcome.of("trade-quality", scene, "--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds");
+    Outcome.of("trade", "quality", scene, "--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds");
   }
 
   private static String text(JsonObject object, String key) {
@@ -205,9 +205,9 @@ class TradeCommandTest {
   void whatIsNoStudyIsRefused() throws IOException {
     Path other = Files.writeString(directory.resolve("other.json"), "{\"format\": \"else\"}");
     String table = directory.resolve("table.md").toString();
-    Outcome.of("trade-table", other.toString(), "-o", table)
+    Outcome.of("trade", "table", other.toString(), "-o", table)
         .assertFailed(ExitCodes.USAGE, "other.json: expected a study of trade");
-    Outcome.of("trade-table", directory + "/none.json", "-o", table)
+    Outcome.of("trade", "table", directory + "/none.json", "-o", table)
         .assertFailed(ExitCodes.USAGE, "none.json: cannot be read");
     assertThat(directory.resolve("table.md")).doesNotExist();
   }

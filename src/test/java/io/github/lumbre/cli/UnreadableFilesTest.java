@@ -33,8 +33,8 @@ class UnreadableFilesTest {
         Arguments.of("develop FILE -o OUT", ExitCodes.SCENE),
         Arguments.of("merge FILE FILE -o OUT", ExitCodes.SCENE),
         Arguments.of("compare FILE FILE", ExitCodes.USAGE),
-        Arguments.of("trade-table FILE -o TABLE", ExitCodes.USAGE),
-        Arguments.of("bench --compare FILE FILE", ExitCodes.USAGE));
+        Arguments.of("trade table FILE -o TABLE", ExitCodes.USAGE),
+        Arguments.of("perf --compare FILE FILE", ExitCodes.USAGE));
   }
 
   private Outcome run(String command, Path file) {
@@ -65,9 +65,9 @@ class UnreadableFilesTest {
   @Test
   void textsThatAreNot() throws IOException {
     Path file = Files.write(directory.resolve("a.json"), "ä".getBytes(StandardCharsets.ISO_8859_1));
-    run("trade-table FILE -o TABLE", file)
+    run("trade table FILE -o TABLE", file)
         .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not a text in UTF-8");
-    run("bench --compare FILE FILE", file)
+    run("perf --compare FILE FILE", file)
         .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not a text in UTF-8");
   }
 }

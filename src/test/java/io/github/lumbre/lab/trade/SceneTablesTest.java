@@ -41,13 +41,13 @@ class SceneTablesTest {
   void tablesHaveALineForEachScene() {
     String text =
         new SceneTables(List.of(scene("a", false), scene("b", true)))
-            .markdown("lumbre trade-table");
+            .markdown("lumbre trade table");
     assertThat(text)
         // Reached with 16; a tenth of the error takes ten times as many, the reference's own
         // squared error of 2.5e-5 taken off.
         .contains("| a | 100x50 | 3 | 1024: 0.50 % | 16: 10 % | -1.00 | 16 (16 to 16) | 96 | ")
         .contains(" | 160 (160 to 160) * | 958 * | ")
-        .contains("```sh\nlumbre trade a.json\nlumbre trade b.json\nlumbre trade-table\n```")
+        .contains("```sh\nlumbre trade a.json\nlumbre trade b.json\nlumbre trade table\n```")
         .contains("| b |  |  | 0.1 |  |  |")
         .contains("| scene | depth 2 | depth 5 |", "| b | 20 % | < 1.0 % |")
         .contains("| scene | light selection: power |", "| a |  |", "| b | 0.50 (0.50 to 0.50) |")

@@ -19,7 +19,7 @@ import java.util.function.Consumer;
  * too. Time and memory are those of the thread that reads, which is not the one that builds
  * hierarchies where there are several processors.
  */
-public final class LoadBench {
+public final class PairedLoads {
   /** So that medians have an interval. */
   public static final int FEWEST_PAIRS = 6;
 
@@ -35,7 +35,7 @@ public final class LoadBench {
    * @param repeat how many pairs count, at least {@link #FEWEST_PAIRS}
    * @param warnings hears those of the scenes
    */
-  public LoadBench(int repeat, Consumer<String> warnings) {
+  public PairedLoads(int repeat, Consumer<String> warnings) {
     this.warnings = warnings;
     this.repeat = repeat;
   }

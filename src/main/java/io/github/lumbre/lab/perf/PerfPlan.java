@@ -24,7 +24,7 @@ import java.util.stream.Collectors;
  * @param adaptive whether noisy pixels get more of the samples
  * @param split how many ways paths go on, at least 1
  */
-public record BenchPlan(
+public record PerfPlan(
     Optional<Size> size,
     int samples,
     List<Integer> threads,
@@ -40,7 +40,7 @@ public record BenchPlan(
   /** How many renders of one sample per pixel come after the timed ones, if any came before. */
   static final int WARM_RENDERS = 5;
 
-  public BenchPlan {
+  public PerfPlan {
     threads = List.copyOf(threads);
     without = Set.copyOf(without);
   }
@@ -54,8 +54,8 @@ public record BenchPlan(
   }
 
   /** Returns the same plan with all shortcuts, even samples and paths that are not split. */
-  BenchPlan plain() {
-    return new BenchPlan(size, samples, threads, warmup, repeat, pairs, Set.of(), false, 1);
+  PerfPlan plain() {
+    return new PerfPlan(size, samples, threads, warmup, repeat, pairs, Set.of(), false, 1);
   }
 
   /** Returns a scene that takes no shortcut which the plan does without. */

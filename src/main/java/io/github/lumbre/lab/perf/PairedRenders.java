@@ -25,11 +25,11 @@ import java.util.Optional;
  * <p>The ratios are medians, whose intervals hold for whatever distribution; an error comes from
  * two renders each, so there are half as many ratios of errors.
  */
-public final class PairedBench {
+public final class PairedRenders {
   /** So that errors have an interval. */
   public static final int FEWEST_PAIRS = 12;
 
-  private final BenchPlan plan;
+  private final PerfPlan plan;
   private final LabHost host;
 
   /** What one of the ways took and gave, a render after the other. */
@@ -60,7 +60,7 @@ public final class PairedBench {
     }
   }
 
-  public PairedBench(BenchPlan plan, LabHost host) {
+  public PairedRenders(PerfPlan plan, LabHost host) {
     this.plan = plan;
     this.host = host;
   }

@@ -7,7 +7,7 @@ import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.metrics.PictureNoise;
-import io.github.lumbre.lab.perf.BenchResult.Repetition;
+import io.github.lumbre.lab.perf.PerfResult.Repetition;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -18,8 +18,8 @@ import java.util.List;
 import java.util.Optional;
 
 /** Renders scenes as a plan has it, and measures what they take. */
-public final class BenchRunner {
-  private final BenchPlan plan;
+public final class PerfRunner {
+  private final PerfPlan plan;
   private final LabHost host;
 
   /** Ends a benchmark that was cancelled, from wherever it is. */
@@ -34,7 +34,7 @@ public final class BenchRunner {
   /**
    * @param host reads the scenes and shows every render
    */
-  public BenchRunner(BenchPlan plan, LabHost host) {
+  public PerfRunner(PerfPlan plan, LabHost host) {
     this.plan = plan;
     this.host = host;
   }
@@ -45,7 +45,7 @@ public final class BenchRunner {
    * @throws TaskException if the scene cannot be read, if the picture does not fit into memory, or
    *     if two renders of the scene differ
    */
-  public Optional<List<BenchResult>> run(Path scene)
+  public Optional<List<PerfResult>> run(Path scene)
       throws SceneFormatException, TaskException, InterruptedException {
     long start = System.nanoTime();
     SceneParser parser = new SceneParser().overriding(plan::over);
@@ -59,7 +59,7 @@ public final class BenchRunner {
     }
   }
 
-  private List<BenchResult> run(String scene, SceneFile file, double loadSeconds)
+  private List<PerfResult> run(String scene, SceneFile file, double loadSeconds)
       throws TaskException, InterruptedException, Stopped {
     List<Timed> all = new ArrayList<>();
     for (int threads : plan.threads()) {
@@ -75,7 +75,7 @@ public final class BenchRunner {
     return all.stream()
         .map(
             timed ->
-                new BenchResult(
+                new PerfResult(
                     scene,
                     file.hash(),
                     timed.settings,
@@ -100,7 +100,7 @@ public final class BenchRunner {
       requireSame(scene, hash, render);
       repetitions.add(repetition(render));
     }
-    int warmRenders = cold.isEmpty() ? 0 : BenchPlan.WARM_RENDERS;
+    int warmRenders = cold.isEmpty() ? 0 : PerfPlan.WARM_RENDERS;
     WarmUp warmUp = new WarmUp(cold, shortRenders(file, settings, warmRenders));
     return new Timed(settings, warmUp, repetitions, first);
   }

@@ -5,8 +5,8 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.metrics.RatioInterval;
 import io.github.lumbre.lab.metrics.RatioInterval.Verdict;
-import io.github.lumbre.lab.perf.BenchTimes.Series;
-import io.github.lumbre.lab.perf.BenchTimes.Work;
+import io.github.lumbre.lab.perf.PerfTimes.Series;
+import io.github.lumbre.lab.perf.PerfTimes.Work;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,9 +18,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Two measurements of the same work, side by side. */
-public final class BenchComparison {
-  private final BenchTimes first;
-  private final BenchTimes second;
+public final class PerfComparison {
+  private final PerfTimes first;
+  private final PerfTimes second;
   private final Clock clock;
   private final List<Row> rows;
 
@@ -65,7 +65,7 @@ public final class BenchComparison {
     }
   }
 
-  private BenchComparison(BenchTimes first, BenchTimes second, Clock clock, List<Row> rows) {
+  private PerfComparison(PerfTimes first, PerfTimes second, Clock clock, List<Row> rows) {
     this.first = first;
     this.second = second;
     this.clock = clock;
@@ -78,7 +78,7 @@ public final class BenchComparison {
    * @throws TaskException with the exit code of a wrong command line, if the two have no work in
    *     common or too few repetitions of it
    */
-  public static BenchComparison of(BenchTimes first, BenchTimes second, Clock clock)
+  public static PerfComparison of(PerfTimes first, PerfTimes second, Clock clock)
       throws TaskException {
     Map<Work, Series> others = byWork(second);
     List<Row> rows = new ArrayList<>();
@@ -96,10 +96,10 @@ public final class BenchComparison {
           Kind.USAGE,
           "expected measurements of the same scenes, sizes, samples and threads, found none");
     }
-    return new BenchComparison(first, second, clock, rows);
+    return new PerfComparison(first, second, clock, rows);
   }
 
-  private static Map<Work, Series> byWork(BenchTimes times) {
+  private static Map<Work, Series> byWork(PerfTimes times) {
     Map<Work, Series> byWork = new LinkedHashMap<>();
     times.series().forEach(series -> byWork.put(series.work(), series));
     return byWork;
@@ -145,7 +145,7 @@ public final class BenchComparison {
     cells.addAll(List.of(work.scene(), work.size()));
     cells.addAll(List.of(String.valueOf(work.samples()), String.valueOf(work.threads())));
     cells.addAll(cells(row.time));
-    cells.addAll(row.cpuTime.map(BenchComparison::cells).orElse(List.of("-", "-")));
+    cells.addAll(row.cpuTime.map(PerfComparison::cells).orElse(List.of("-", "-")));
     cells.add(row.verdict(clock).toString());
     cells.add(pictures(row));
     return Markdown.row(cells);
@@ -165,7 +165,7 @@ public final class BenchComparison {
     return sameScene ? "differ" : "differ, and so do the scenes";
   }
 
-  private Stream<String> unmatched(String name, BenchTimes times) {
+  private Stream<String> unmatched(String name, PerfTimes times) {
     Map<Work, Series> known =
         rows.stream().collect(Collectors.toMap(r -> r.first.work(), r -> r.first));
     return times.series().stream()

@@ -13,13 +13,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The times of a measurement, read from what {@link BenchJson} writes.
+ * The times of a measurement, read from what {@link PerfJson} writes.
  *
  * @param caption which program measured on which machine
  * @param series one for each scene and number of threads
  */
-public record BenchTimes(String caption, List<Series> series) {
-  public BenchTimes {
+public record PerfTimes(String caption, List<Series> series) {
+  public PerfTimes {
     series = List.copyOf(series);
   }
 
@@ -45,23 +45,23 @@ public record BenchTimes(String caption, List<Series> series) {
    * @throws TaskException with the exit code of a wrong command line, if it cannot be read or is no
    *     measurement
    */
-  public static BenchTimes load(Path file) throws TaskException {
+  public static PerfTimes load(Path file) throws TaskException {
     String text = String.join("\n", TextFile.lines(file));
     try {
       return of(object(JsonParser.parseString(text), "a measurement"));
     } catch (JsonParseException | IllegalArgumentException e) {
       throw new TaskException(
           Kind.USAGE,
-          file + ": expected a file that lumbre bench --json wrote: " + e.getMessage(),
+          file + ": expected a file that lumbre perf --json wrote: " + e.getMessage(),
           e);
     }
   }
 
-  private static BenchTimes of(JsonObject root) {
+  private static PerfTimes of(JsonObject root) {
     String format = text(root, "format");
-    if (!format.equals(BenchJson.FORMAT)) {
+    if (!format.equals(PerfJson.FORMAT)) {
       throw new IllegalArgumentException(
-          "format: expected " + BenchJson.FORMAT + ", found " + format);
+          "format: expected " + PerfJson.FORMAT + ", found " + format);
     }
     JsonObject machine = object(root.get("machine"), "machine");
     String caption =
@@ -70,7 +70,7 @@ public record BenchTimes(String caption, List<Series> series) {
     for (JsonElement result : array(root, "results")) {
       series.add(series(object(result, "results")));
     }
-    return new BenchTimes(caption, series);
+    return new PerfTimes(caption, series);
   }
 
   private static Series series(JsonObject result) {

@@ -11,16 +11,16 @@ import java.util.List;
 import java.util.Map;
 
 /** What scenes took, with every repetition, for programs to read. */
-public final class BenchJson {
+public final class PerfJson {
   /** What tells such a file from others; it changes when older readers would misunderstand. */
   static final String FORMAT = "lumbre-bench-1";
 
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
 
-  private BenchJson() {}
+  private PerfJson() {}
 
   /** Returns the file's text. */
-  public static String text(BenchMachine machine, BenchPlan plan, List<BenchResult> results) {
+  public static String text(PerfMachine machine, PerfPlan plan, List<PerfResult> results) {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("format", FORMAT);
     values.put("version", Release.number());
@@ -28,11 +28,11 @@ public final class BenchJson {
     values.put("warmup", plan.warmup());
     values.put("repeat", plan.repeat());
     values.put("pairs", plan.pairs());
-    values.put("results", results.stream().map(BenchJson::result).toList());
+    values.put("results", results.stream().map(PerfJson::result).toList());
     return GSON.toJson(values) + "\n";
   }
 
-  private static Map<String, Object> machine(BenchMachine machine) {
+  private static Map<String, Object> machine(PerfMachine machine) {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("cpu", machine.hardware().cpu());
     values.put("cores", machine.hardware().cores());
@@ -45,20 +45,20 @@ public final class BenchJson {
     return values;
   }
 
-  private static Map<String, Object> result(BenchResult result) {
+  private static Map<String, Object> result(PerfResult result) {
     Map<String, Object> values = new LinkedHashMap<>();
     putWork(result, values);
     values.put("load_seconds", result.loadSeconds());
     values.put("warmup_seconds", result.warmUp().seconds());
     values.put("warm_seconds", result.warmUp().warmSeconds());
-    values.put("repetitions", result.repetitions().stream().map(BenchJson::repetition).toList());
+    values.put("repetitions", result.repetitions().stream().map(PerfJson::repetition).toList());
     values.put("relative_mse", result.noise().relativeMses());
     values.put("seconds_to_relative_mse_0.01", result.secondsToTarget());
     values.put("image_sha256", result.imageHash());
     return values;
   }
 
-  private static void putWork(BenchResult result, Map<String, Object> values) {
+  private static void putWork(PerfResult result, Map<String, Object> values) {
     RenderSettings settings = result.settings();
     RenderStatistics statistics = result.statistics();
     values.put("scene", result.scene());
@@ -75,7 +75,7 @@ public final class BenchJson {
     values.put("rejected", statistics.rejected());
   }
 
-  private static Map<String, Object> repetition(BenchResult.Repetition repetition) {
+  private static Map<String, Object> repetition(PerfResult.Repetition repetition) {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("seconds", repetition.seconds());
     values.put("cpu_seconds", repetition.cpuSeconds());

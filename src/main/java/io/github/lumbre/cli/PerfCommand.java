@@ -14,17 +14,17 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.perf.BenchComparison;
-import io.github.lumbre.lab.perf.BenchComparison.Clock;
-import io.github.lumbre.lab.perf.BenchJson;
-import io.github.lumbre.lab.perf.BenchMachine;
-import io.github.lumbre.lab.perf.BenchMarkdown;
-import io.github.lumbre.lab.perf.BenchPlan;
-import io.github.lumbre.lab.perf.BenchResult;
-import io.github.lumbre.lab.perf.BenchRunner;
-import io.github.lumbre.lab.perf.BenchTimes;
-import io.github.lumbre.lab.perf.LoadBench;
-import io.github.lumbre.lab.perf.PairedBench;
+import io.github.lumbre.lab.perf.PerfComparison;
+import io.github.lumbre.lab.perf.PerfComparison.Clock;
+import io.github.lumbre.lab.perf.PerfJson;
+import io.github.lumbre.lab.perf.PerfMachine;
+import io.github.lumbre.lab.perf.PerfMarkdown;
+import io.github.lumbre.lab.perf.PerfPlan;
+import io.github.lumbre.lab.perf.PerfResult;
+import io.github.lumbre.lab.perf.PerfRunner;
+import io.github.lumbre.lab.perf.PerfTimes;
+import io.github.lumbre.lab.perf.PairedLoads;
+import io.github.lumbre.lab.perf.PairedRenders;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
@@ -44,9 +44,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre bench}: measures what scenes take, and compares two such measurements. */
+/** {@code lumbre perf}: measures what scenes take, and compares two such measurements. */
 @Command(
-    name = "bench",
+    name = "perf",
     header = "Measure how fast scenes render, or compare two measurements.",
     description =
         "Prints a table in Markdown: rates, CPU time, memory allocated, warm-up and noise of each"
@@ -60,10 +60,10 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Examples:",
-      "  lumbre bench scenes/cornell-box.json",
-      "  lumbre bench scenes/cornell-box.json scenes/torus-knot.json -s 4 --json before.json",
-      "  lumbre bench scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16",
-      "  lumbre bench --compare before.json after.json"
+      "  lumbre perf scenes/cornell-box.json",
+      "  lumbre perf scenes/cornell-box.json scenes/torus-knot.json -s 4 --json before.json",
+      "  lumbre perf scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16",
+      "  lumbre perf --compare before.json after.json"
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
@@ -76,7 +76,7 @@ import picocli.CommandLine.Spec;
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is measured by then is"
           + " written"
     })
-final class BenchCommand implements Callable<Integer> {
+final class PerfCommand implements Callable<Integer> {
   private static final int DEFAULT_REPETITIONS = 5;
   private static final int MAX_REPETITIONS = 1000;
 
@@ -199,13 +199,13 @@ final class BenchCommand implements Callable<Integer> {
         scenes.isEmpty() != compared.isEmpty(), "expected scenes, or --compare and two files");
     Messages out = new Messages(spec.commandLine().getOut());
     if (!compared.isEmpty()) {
-      BenchComparison comparison =
-          BenchComparison.of(
-              BenchTimes.load(compared.get(0)), BenchTimes.load(compared.get(1)), clock);
+      PerfComparison comparison =
+          PerfComparison.of(
+              PerfTimes.load(compared.get(0)), PerfTimes.load(compared.get(1)), clock);
       comparison.lines().forEach(out::line);
       return comparison.isWorse() ? ExitCodes.DIFFERENT : ExitCodes.OK;
     }
-    BenchPlan plan = plan(checks);
+    PerfPlan plan = plan(checks);
     requireDistinctFiles(checks);
     OutputGuard guard = overwrite.guard();
     scenes.forEach(guard::readsScene);
@@ -221,13 +221,13 @@ final class BenchCommand implements Callable<Integer> {
       boolean complete =
           interruption.beginRender()
               && (paired
-                  ? runPairs(new PairedBench(plan, host), out)
-                  : run(new BenchRunner(plan, host), plan, out, output));
+                  ? runPairs(new PairedRenders(plan, host), out)
+                  : run(new PerfRunner(plan, host), plan, out, output));
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
     }
   }
 
-  private BenchPlan plan(FlagChecks checks) {
+  private PerfPlan plan(FlagChecks checks) {
     checks.requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, samples);
     size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
@@ -244,7 +244,7 @@ final class BenchCommand implements Callable<Integer> {
         "--paired: expected --without, --adaptive or --split");
     int processors = Runtime.getRuntime().availableProcessors();
     List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
-    return new BenchPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive, split);
+    return new PerfPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive, split);
   }
 
   private int repeat() {
@@ -253,9 +253,9 @@ final class BenchCommand implements Callable<Integer> {
 
   private int fewestRepetitions() {
     if (paired) {
-      return PairedBench.FEWEST_PAIRS;
+      return PairedRenders.FEWEST_PAIRS;
     }
-    return loading ? LoadBench.FEWEST_PAIRS : 1;
+    return loading ? PairedLoads.FEWEST_PAIRS : 1;
   }
 
   /** Results bear their scene's name, so no two may have the same. */
@@ -270,7 +270,7 @@ final class BenchCommand implements Callable<Integer> {
 
   private int readPairs(Messages out) throws SceneFormatException, TaskException {
     Messages errors = new Messages(spec.commandLine().getErr());
-    LoadBench bench = new LoadBench(repeat(), errors::warning);
+    PairedLoads bench = new PairedLoads(repeat(), errors::warning);
     bench.head().forEach(out::line);
     for (Path scene : scenes) {
       out.line(bench.row(scene));
@@ -279,7 +279,7 @@ final class BenchCommand implements Callable<Integer> {
   }
 
   /** Measures scenes in two ways and prints the ratios; returns false if that was stopped. */
-  private boolean runPairs(PairedBench bench, Messages out)
+  private boolean runPairs(PairedRenders bench, Messages out)
       throws SceneFormatException, TaskException {
     bench.head().forEach(out::line);
     try {
@@ -298,15 +298,15 @@ final class BenchCommand implements Callable<Integer> {
   }
 
   /** Measures and prints the scenes; returns false if that was stopped. */
-  private boolean run(BenchRunner runner, BenchPlan plan, Messages out, TextOutput output)
+  private boolean run(PerfRunner runner, PerfPlan plan, Messages out, TextOutput output)
       throws SceneFormatException, TaskException {
-    BenchMachine machine = BenchMachine.here();
-    BenchMarkdown table = new BenchMarkdown(machine, plan);
-    List<BenchResult> results = new ArrayList<>();
+    PerfMachine machine = PerfMachine.here();
+    PerfMarkdown table = new PerfMarkdown(machine, plan);
+    List<PerfResult> results = new ArrayList<>();
     table.head().forEach(out::line);
     try {
       for (Path scene : scenes) {
-        Optional<List<BenchResult>> measured = runner.run(scene);
+        Optional<List<PerfResult>> measured = runner.run(scene);
         if (measured.isEmpty()) {
           return false;
         }
@@ -319,7 +319,7 @@ final class BenchCommand implements Callable<Integer> {
       return false;
     } finally {
       // Keep what is known already, however the others ended.
-      output.write(BenchJson.text(machine, plan, results));
+      output.write(PerfJson.text(machine, plan, results));
     }
   }
 }

@@ -20,7 +20,7 @@ import java.util.function.ToDoubleFunction;
  * @param imageHash see {@link RasterHash}
  * @param noise of the picture, the same for any number of threads
  */
-public record BenchResult(
+public record PerfResult(
     String scene,
     String sceneHash,
     RenderSettings settings,
@@ -33,7 +33,7 @@ public record BenchResult(
   /** The relative mean squared error that times are extrapolated to. */
   static final double TARGET = .01;
 
-  public BenchResult {
+  public PerfResult {
     repetitions = List.copyOf(repetitions);
   }
 

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.perf;
 
 import io.github.lumbre.lab.metrics.PictureNoise;
-import io.github.lumbre.lab.perf.BenchResult.Repetition;
+import io.github.lumbre.lab.perf.PerfResult.Repetition;
 import io.github.lumbre.lab.report.BenchmarkFixture;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
@@ -11,18 +11,18 @@ import java.util.Optional;
 import java.util.Set;
 
 /** Measurements that look like real ones. */
-final class BenchFixture {
-  static final BenchMachine MACHINE =
-      new BenchMachine(BenchmarkFixture.HARDWARE, List.of("-Xmx1g"), 1 << 30, List.of("GC"), .25);
+final class PerfFixture {
+  static final PerfMachine MACHINE =
+      new PerfMachine(BenchmarkFixture.HARDWARE, List.of("-Xmx1g"), 1 << 30, List.of("GC"), .25);
 
-  static final BenchPlan PLAN =
-      new BenchPlan(Optional.empty(), 4, List.of(1, 2), 2, 3, 2, Set.of(), false, 1);
+  static final PerfPlan PLAN =
+      new PerfPlan(Optional.empty(), 4, List.of(1, 2), 2, 3, 2, Set.of(), false, 1);
 
-  private BenchFixture() {}
+  private PerfFixture() {}
 
   /** Returns a result of 320 samples and 1000 rays with these times; CPU times are twice those. */
-  static BenchResult result(String scene, String imageHash, double... seconds) {
-    return new BenchResult(
+  static PerfResult result(String scene, String imageHash, double... seconds) {
+    return new PerfResult(
         scene,
         "feed",
         new RenderSettings.Builder().size(8, 4).samples(10).threads(2).build(),

@@ -13,28 +13,28 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class BenchComparisonTest {
-  private static final BenchResult BEFORE = BenchFixture.result("tiny", "aa", 1, 1.01, 1.02);
+class PerfComparisonTest {
+  private static final PerfResult BEFORE = PerfFixture.result("tiny", "aa", 1, 1.01, 1.02);
 
   @TempDir private Path directory;
 
-  private Path file(String name, BenchResult... results) throws IOException {
+  private Path file(String name, PerfResult... results) throws IOException {
     return Files.writeString(
         directory.resolve(name),
-        BenchJson.text(BenchFixture.MACHINE, BenchFixture.PLAN, List.of(results)));
+        PerfJson.text(PerfFixture.MACHINE, PerfFixture.PLAN, List.of(results)));
   }
 
   private static Outcome compare(Path first, Path second, String... flags) {
     String[] args = new String[flags.length + 4];
     System.arraycopy(flags, 0, args, 4, flags.length);
-    args[0] = "bench";
+    args[0] = "perf";
     args[1] = "--compare";
     args[2] = first.toString();
     args[3] = second.toString();
     return Outcome.of(args);
   }
 
-  private Outcome compare(BenchResult first, BenchResult second) throws IOException {
+  private Outcome compare(PerfResult first, PerfResult second) throws IOException {
     return compare(file("a.json", first), file("b.json", second));
   }
 
@@ -48,7 +48,7 @@ class BenchComparisonTest {
 
   @Test
   void fasterIsDoneAndSlowerIsNot() throws IOException {
-    BenchResult half = BenchFixture.result("tiny", "aa", .5, .51, .52);
+    PerfResult half = PerfFixture.result("tiny", "aa", .5, .51, .52);
     assertThat(compare(BEFORE, half).out()).contains("| 2 | 0.505 | 0.", "| faster | same |");
     assertThat(compare(BEFORE, half).exitCode()).isZero();
     assertThat(compare(half, BEFORE).out()).contains("| slower | same |");
@@ -57,7 +57,7 @@ class BenchComparisonTest {
 
   @Test
   void otherPicturesAreToldWithTheirReason() throws IOException {
-    BenchResult other = BenchFixture.result("tiny", "bb", 1, 1.01, 1.02);
+    PerfResult other = PerfFixture.result("tiny", "bb", 1, 1.01, 1.02);
     assertThat(compare(BEFORE, other).out()).contains("| no difference | differ |");
     assertThat(compare(BEFORE, other).exitCode()).isEqualTo(ExitCodes.DIFFERENT);
     Path changed = file("b.json", other);
@@ -69,7 +69,7 @@ class BenchComparisonTest {
   @Test
   void clockDecides() throws IOException {
     Path a = file("a.json", BEFORE);
-    Path b = file("b.json", BenchFixture.result("tiny", "aa", 2, 2.02, 2.04));
+    Path b = file("b.json", PerfFixture.result("tiny", "aa", 2, 2.02, 2.04));
     // The same CPU time, twice the time on the wall.
     String text = Files.readString(b).replace("\"cpu_seconds\": 4.0,", "\"cpu_seconds\": 2.0,");
     text = text.replace("\"cpu_seconds\": 4.04,", "\"cpu_seconds\": 2.02,");
@@ -82,7 +82,7 @@ class BenchComparisonTest {
   @Test
   void uncountedCpuTimeIsLeftOut() throws IOException {
     Path a = file("a.json", BEFORE);
-    Path b = file("b.json", BenchFixture.result("tiny", "aa", 2, 2.02, 2.04));
+    Path b = file("b.json", PerfFixture.result("tiny", "aa", 2, 2.02, 2.04));
     Files.writeString(
         a, Files.readString(a).replace("\"cpu_seconds\": 2.0,", "\"cpu_seconds\": 0,"));
     assertThat(compare(a, b).out()).contains("| - | - | slower |");
@@ -90,8 +90,8 @@ class BenchComparisonTest {
 
   @Test
   void workOfOneMeasurementAloneIsNamed() throws IOException {
-    Path a = file("a.json", BEFORE, BenchFixture.result("old", "aa", 1, 1));
-    Path b = file("b.json", BEFORE, BenchFixture.result("new", "aa", 1, 1));
+    Path a = file("a.json", BEFORE, PerfFixture.result("old", "aa", 1, 1));
+    Path b = file("b.json", BEFORE, PerfFixture.result("new", "aa", 1, 1));
     assertThat(compare(a, b).out())
         .endsWith(
             "Only in A: old, 8x4, path, 10 samples, 2 threads\n"
@@ -101,9 +101,9 @@ class BenchComparisonTest {
   @Test
   void nothingInCommonIsAnError() throws IOException {
     Path a = file("a.json", BEFORE);
-    compare(a, file("b.json", BenchFixture.result("new", "aa", 1, 1)))
+    compare(a, file("b.json", PerfFixture.result("new", "aa", 1, 1)))
         .assertFailed(ExitCodes.USAGE, "found none");
-    compare(a, file("c.json", BenchFixture.result("tiny", "aa", 1)))
+    compare(a, file("c.json", PerfFixture.result("tiny", "aa", 1)))
         .assertFailed(ExitCodes.USAGE, "repetitions: expected at least 2, found 1");
     compare(a, directory.resolve("no.json")).assertFailed(ExitCodes.USAGE, "no.json: does not");
   }
@@ -124,7 +124,7 @@ class BenchComparisonTest {
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
     assertThat(outcome.err())
         .hasLineCount(1)
-        .contains("expected a file that lumbre bench --json wrote: ", message);
+        .contains("expected a file that lumbre perf --json wrote: ", message);
   }
 
   @Test

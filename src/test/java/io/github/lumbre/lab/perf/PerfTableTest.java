@@ -10,9 +10,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** The two forms in which a measurement tells its results. */
-class BenchTableTest {
-  private static final BenchResult RESULT =
-      BenchFixture.result("tiny", BenchmarkFixture.HASH, 9, 2, 2.5);
+class PerfTableTest {
+  private static final PerfResult RESULT =
+      PerfFixture.result("tiny", BenchmarkFixture.HASH, 9, 2, 2.5);
 
   @Test
   void resultsFollowFromMedians() {
@@ -25,7 +25,7 @@ class BenchTableTest {
 
   @Test
   void rowsHaveACellForEachColumn() {
-    BenchMarkdown table = new BenchMarkdown(BenchFixture.MACHINE, BenchFixture.PLAN);
+    PerfMarkdown table = new PerfMarkdown(PerfFixture.MACHINE, PerfFixture.PLAN);
     List<String> head = table.head();
     String line = table.row(RESULT);
     assertThat(line)
@@ -44,7 +44,7 @@ class BenchTableTest {
 
   @Test
   void fileForProgramsHoldsEveryRepetition() {
-    String text = BenchJson.text(BenchFixture.MACHINE, BenchFixture.PLAN, List.of(RESULT));
+    String text = PerfJson.text(PerfFixture.MACHINE, PerfFixture.PLAN, List.of(RESULT));
     JsonObject root = JsonParser.parseString(text).getAsJsonObject();
     assertThat(root.get("format").getAsString()).isEqualTo("lumbre-bench-1");
     assertThat(root.getAsJsonObject("machine").keySet())

@@ -13,20 +13,20 @@ import java.util.List;
  * @param load how many threads of all programs were running or waiting to run, on average over the
  *     last minute; negative where the system does not tell
  */
-public record BenchMachine(
+public record PerfMachine(
     Hardware hardware,
     List<String> options,
     long maxHeapBytes,
     List<String> collectors,
     double load) {
-  public BenchMachine {
+  public PerfMachine {
     options = List.copyOf(options);
     collectors = List.copyOf(collectors);
   }
 
   /** Returns this machine as it is now. */
-  public static BenchMachine here() {
-    return new BenchMachine(
+  public static PerfMachine here() {
+    return new PerfMachine(
         Hardware.here(),
         ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
             .filter(option -> option.startsWith("-X"))

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Locale;
 
 /** What scenes took, as a table in Markdown, in parts as they become known. */
-public final class BenchMarkdown {
-  private final BenchMachine machine;
-  private final BenchPlan plan;
+public final class PerfMarkdown {
+  private final PerfMachine machine;
+  private final PerfPlan plan;
 
-  public BenchMarkdown(BenchMachine machine, BenchPlan plan) {
+  public PerfMarkdown(PerfMachine machine, PerfPlan plan) {
     this.machine = machine;
     this.plan = plan;
   }
@@ -50,7 +50,7 @@ public final class BenchMarkdown {
   }
 
   /** Returns the line of one result. */
-  public String row(BenchResult result) {
+  public String row(PerfResult result) {
     return Markdown.row(
         List.of(
             result.scene(),

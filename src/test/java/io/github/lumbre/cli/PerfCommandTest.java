@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class BenchCommandTest {
+class PerfCommandTest {
   @TempDir private Path directory;
 
   private Path scene;
@@ -28,7 +28,7 @@ class BenchCommandTest {
   }
 
   private Outcome bench(String... flags) {
-    Stream<String> first = Stream.of("bench", scene.toString());
+    Stream<String> first = Stream.of("perf", scene.toString());
     return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
   }
 
@@ -101,7 +101,7 @@ class BenchCommandTest {
   void measurementCanBeComparedWithItself() {
     String file = directory.resolve("out.json").toString();
     bench("--threads", "1,2", "-s", "1", "--warmup", "0", "--json", file);
-    Outcome outcome = Outcome.of("bench", "--compare", file, file);
+    Outcome outcome = Outcome.of("perf", "--compare", file, file);
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     assertThat(rows(outcome)).hasSize(2).allMatch(row -> row.endsWith("| no difference | same |"));
   }
@@ -144,7 +144,7 @@ class BenchCommandTest {
 
   @Test
   void nothingToMeasureIsAnError() {
-    Outcome.of("bench").assertFailed(ExitCodes.USAGE, "expected scenes, or --compare");
+    Outcome.of("perf").assertFailed(ExitCodes.USAGE, "expected scenes, or --compare");
   }
 
   @Test
@@ -191,7 +191,7 @@ class BenchCommandTest {
     Files.writeString(directory.resolve("large.obj"), obj);
     String mesh = "{\"id\": 9, \"assetType\": \"Mesh\", \"file\": \"large.obj\"}";
     Path unused = TinyScene.write(directory, TinyScene.withAsset(mesh));
-    Outcome outcome = Outcome.of("bench", unused.toString(), "--loading");
+    Outcome outcome = Outcome.of("perf", unused.toString(), "--loading");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     String[] cells = rows(outcome).get(0).split("\\|");
     assertThat(cells[2].strip()).isEqualTo("1");

@@ -1,0 +1,140 @@
+package io.github.lumbre.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import picocli.CommandLine;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
+
+/** The order of help texts: commands by purpose, and the flags of long lists by subject. */
+final class HelpLayout {
+  /** The commands under each heading. */
+  static final Map<String, List<String>> COMMANDS = new LinkedHashMap<>();
+
+  /** The flags under each heading, by their long names. */
+  static final Map<String, List<String>> FLAGS = new LinkedHashMap<>();
+
+  /** Lists of more flags than this are divided. */
+  private static final int LONG = 18;
+
+  private static final String REST = "Help";
+
+  static {
+    COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop"));
+    COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel"));
+    COMMANDS.put("Measure", List.of("compare", "trade", "perf", "selftest"));
+    COMMANDS.put("The 2016 report", List.of("benchmark", "gallery"));
+    COMMANDS.put(REST, List.of("completion", "help"));
+
+    FLAGS.put("Scene", List.of("--scene", "--strict", "--lenient", "--max-pixels"));
+    FLAGS.put("Frame", List.of("--size", "--crop", "--filter", "--transparent"));
+    FLAGS.put("Light transport", List.of("--mode", "--depth", "--split", "--clamp", "--seed"));
+    FLAGS.put(
+        "When to stop",
+        List.of(
+            "--samples",
+            "--quality",
+            "--target-error",
+            "--confidence",
+            "--time",
+            "--timeout",
+            "--adaptive",
+            "--samples-from",
+            "--samples-to"));
+    FLAGS.put(
+        "Picture file",
+        List.of(
+            "--output",
+            "--format",
+            "--exposure",
+            "--tonemap",
+            "--bits",
+            "--jpeg-quality",
+            "--overwrite",
+            "--fallback-dir"));
+    FLAGS.put("Checkpoints", List.of("--checkpoint", "--checkpoint-interval"));
+    FLAGS.put("Execution", List.of("--threads", "--bucket", "--kernel", "--dry-run"));
+    FLAGS.put("Reports", List.of("--progress", "--json", "--stats", "--quiet", "--debug"));
+  }
+
+  private HelpLayout() {}
+
+  /** Divides the help texts of a command and of its subcommands. */
+  static void apply(CommandLine command) {
+    command.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, HelpLayout::options);
+    command.getSubcommands().values().forEach(HelpLayout::apply);
+  }
+
+  /** Divides the list of commands of the program. */
+  static void applyToProgram(CommandLine program) {
+    apply(program);
+    program.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST_HEADING, help -> "");
+    program
+        .getHelpSectionMap()
+        .put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST, HelpLayout::commands);
+  }
+
+  private static String commands(Help help) {
+    Map<String, Help> all = help.subcommands();
+    StringBuilder text = new StringBuilder();
+    COMMANDS.forEach(
+        (heading, names) -> {
+          text.append(String.format("%n%s:%n", heading));
+          for (String name : names) {
+            String line = all.get(name).commandSpec().usageMessage().header()[0];
+            text.append(String.format("  %-12s%s%n", name, line));
+          }
+        });
+    return text.toString();
+  }
+
+  private static String options(Help help) {
+    List<OptionSpec> all = visible(help.commandSpec());
+    if (all.size() <= LONG) {
+      return help.optionList();
+    }
+    StringBuilder text = new StringBuilder();
+    divided(help.commandSpec())
+        .forEach(
+            (heading, flags) -> {
+              // All flags set the width of the columns, so that every part has the same.
+              Help.Layout layout = help.createDefaultLayout(all, List.of(), help.colorScheme());
+              layout.addOptions(flags, help.parameterLabelRenderer());
+              text.append(String.format("%n%s:%n%s", heading, layout));
+            });
+    return text.toString();
+  }
+
+  private static List<OptionSpec> visible(CommandSpec command) {
+    return command.options().stream().filter(option -> !option.hidden()).toList();
+  }
+
+  /** Returns the flags of a command under their headings, in order; none twice. */
+  static Map<String, List<OptionSpec>> divided(CommandSpec command) {
+    Set<OptionSpec> left = new LinkedHashSet<>(visible(command));
+    Map<String, List<OptionSpec>> divided = new LinkedHashMap<>();
+    FLAGS.forEach(
+        (heading, names) -> {
+          List<OptionSpec> found = new ArrayList<>();
+          for (String name : names) {
+            OptionSpec option = command.findOption(name);
+            if (option != null && left.remove(option)) {
+              found.add(option);
+            }
+          }
+          if (!found.isEmpty()) {
+            divided.put(heading, found);
+          }
+        });
+    if (!left.isEmpty()) {
+      divided.put(REST, List.copyOf(left));
+    }
+    return divided;
+  }
+}
