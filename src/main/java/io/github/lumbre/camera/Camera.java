@@ -36,7 +36,7 @@ public abstract sealed class Camera
    * Returns the ray of unit direction that lights a film point, or empty where nothing is imaged:
    * outside the circle of a fisheye.
    *
-   * @param film in [0,1)², v down
+   * @param film in [0,1)², v down; points outside continue the projection, see {@link #aim}
    * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
    *     lens and by no other
    */
@@ -49,8 +49,12 @@ public abstract sealed class Camera
    * Aims the ray of unit direction that lights a film point; returns false where nothing is imaged:
    * outside the circle of a fisheye.
    *
-   * @param u of the film, in [0,1)
-   * @param v of the film, in [0,1), down
+   * <p>Pixel filters reach beyond the film's sides. There the projection continues: panoramas wrap
+   * around to the left and right, a spherical one passes over its poles as well, and a perspective
+   * shows what lies beside the picture.
+   *
+   * @param u of the film, finite; in [0,1) on the film
+   * @param v of the film, finite, down; in [0,1) on the film
    * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
    *     lens and by no other
    * @param ray takes the result; as it was where nothing is imaged

@@ -3,6 +3,7 @@ package io.github.lumbre.scene;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.sampling.PixelFilter;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -140,6 +141,11 @@ public final class RenderSettings {
   /** Returns {@link Setting#ADAPTIVE}. */
   public boolean adaptive() {
     return get(Setting.ADAPTIVE);
+  }
+
+  /** Returns {@link Setting#FILTER}. */
+  public PixelFilter filter() {
+    return get(Setting.FILTER);
   }
 
   /** Returns {@link Setting#SPLIT}. */
@@ -353,6 +359,11 @@ public final class RenderSettings {
     /** Sets {@link Setting#ADAPTIVE}. */
     public Builder adaptive(boolean value) {
       return set(Setting.ADAPTIVE, value);
+    }
+
+    /** Sets {@link Setting#FILTER}. */
+    public Builder filter(PixelFilter value) {
+      return set(Setting.FILTER, value);
     }
 
     /** Sets {@link Setting#SPLIT}. */

@@ -2,6 +2,7 @@ package io.github.lumbre.scene;
 
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.sampling.PixelFilter;
 import io.github.lumbre.scene.SettingType.ChoiceType;
 import io.github.lumbre.scene.SettingType.ExposureType;
 import io.github.lumbre.scene.SettingType.FlagType;
@@ -135,6 +136,18 @@ public final class Setting<T> {
           new FlagType(),
           false,
           "Whether noisy pixels receive more of the samples.");
+
+  /** The density by which a pixel's samples are spread around its center. */
+  public static final Setting<PixelFilter> FILTER =
+      new Setting<>(
+              "filter",
+              Group.SAMPLING,
+              new ChoiceType<>(PixelFilter.class),
+              PixelFilter.BOX,
+              "Pixel reconstruction filter: box, tent, gaussian or blackman-harris.")
+          .inScenes()
+          .withFlag("--filter", "NAME")
+          .changingSamples();
 
   /** Seed of all random numbers. */
   public static final Setting<Long> SEED =

@@ -163,6 +163,33 @@ class CameraTest {
     }
   }
 
+  /** Where the filter of a pixel reaches beyond the film. */
+  @Test
+  void panoramasContinueBeyondTheirSides() {
+    Camera spherical = new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2);
+    Camera cylindrical = new CylindricalCamera(Vec3.ZERO, Frame.WORLD, 2, 1);
+    for (double t = 0; t < .5; t += .01) {
+      for (Camera camera : new Camera[] {spherical, cylindrical}) {
+        assertThat(
+                ray(camera, -t, .3).direction().minus(ray(camera, 1 - t, .3).direction()).length())
+            .isLessThan(8 * EPS);
+        assertThat(
+                ray(camera, 1 + t, .3).direction().minus(ray(camera, t, .3).direction()).length())
+            .isLessThan(8 * EPS);
+      }
+      // Over a pole the other side of the sphere follows.
+      assertThat(
+              ray(spherical, .2, -t).direction().minus(ray(spherical, .7, t).direction()).length())
+          .isLessThan(8 * EPS);
+      assertThat(
+              ray(spherical, .2, 1 + t)
+                  .direction()
+                  .minus(ray(spherical, .7, 1 - t).direction())
+                  .length())
+          .isLessThan(8 * EPS);
+    }
+  }
+
   @Test
   void sphericalRaysFollowTheirAngles() {
     Camera camera = new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2);

@@ -1,0 +1,91 @@
+package io.github.lumbre.sampling;
+
+import io.github.lumbre.math.Elementary;
+import java.util.function.DoubleUnaryOperator;
+
+/**
+ * A pixel reconstruction filter: the density by which a pixel's samples are spread around its
+ * center. Each filter is the product of the same function of x and of y.
+ *
+ * <p>Samples are drawn from the filter instead of weighted by it (filter importance sampling; PBRT,
+ * 4th edition, section 8.8), so that every sample belongs to one pixel with weight 1 and a pixel is
+ * the mean of its samples.
+ */
+public enum PixelFilter {
+  /** The square of the pixel itself: radius 0.5. */
+  BOX(.5, null),
+
+  /** A tent of radius 1. */
+  TENT(1, null),
+
+  /** A Gaussian of standard deviation 0.5, lowered to reach 0 at radius 1.5. */
+  GAUSSIAN(1.5, PixelFilter::gaussian),
+
+  /** The Blackman-Harris window (Harris 1978), of radius 1.5. */
+  BLACKMAN_HARRIS(1.5, PixelFilter::blackmanHarris);
+
+  private final double radius;
+  private final Distribution1d table;
+
+  PixelFilter(double radius, DoubleUnaryOperator density) {
+    this.radius = radius;
+    table = density == null ? null : tabulated(density);
+  }
+
+  /** Returns a density that is constant in each of many cells, with its value at their centers. */
+  private static Distribution1d tabulated(DoubleUnaryOperator density) {
+    double[] weights = new double[2048];
+    for (int i = 0; i < weights.length; i++) {
+      weights[i] = density.applyAsDouble((2 * i + 1.) / weights.length - 1);
+    }
+    return new Distribution1d(weights);
+  }
+
+  /**
+   * Returns the Gaussian's density up to a factor.
+   *
+   * @param t from the center, in radii, in [-1,1]
+   */
+  private static double gaussian(double t) {
+    double deviations = 3 * t;
+    return Elementary.exp(-.5 * deviations * deviations) - Elementary.exp(-4.5);
+  }
+
+  /**
+   * Returns the density of the four-term window of the lowest side lobes (Harris 1978, table 1), up
+   * to a factor.
+   *
+   * @param t from the center, in radii, in [-1,1]
+   */
+  private static double blackmanHarris(double t) {
+    return .35875
+        + .48829 * Elementary.cosTurns(t / 2)
+        + .14128 * Elementary.cosTurns(t)
+        + .01168 * Elementary.cosTurns(3 * t / 2);
+  }
+
+  /** Returns how far from the pixel's center samples may lie along x and along y, in pixels. */
+  public double radius() {
+    return radius;
+  }
+
+  /**
+   * Samples a coordinate of a point of the film.
+   *
+   * @param u uniform in [0,1)
+   * @return relative to the pixel's left or top edge, in pixels: the center is at 0.5, and values
+   *     are in [0.5 - radius, 0.5 + radius]; monotonic in u
+   */
+  public double sample(double u) {
+    return switch (this) {
+      case BOX -> u;
+      case TENT -> u < .5 ? Math.sqrt(2 * u) - .5 : 1.5 - Math.sqrt(2 * (1 - u));
+      case GAUSSIAN, BLACKMAN_HARRIS -> .5 + radius * tabulated(u);
+    };
+  }
+
+  private double tabulated(double u) {
+    int cell = table.choose(u);
+    return 2 * (cell + table.remainder(cell, u)) / table.size() - 1;
+  }
+}
