@@ -14,6 +14,8 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.perf.PairedLoads;
+import io.github.lumbre.lab.perf.PairedRenders;
 import io.github.lumbre.lab.perf.PerfComparison;
 import io.github.lumbre.lab.perf.PerfComparison.Clock;
 import io.github.lumbre.lab.perf.PerfJson;
@@ -23,12 +25,10 @@ import io.github.lumbre.lab.perf.PerfPlan;
 import io.github.lumbre.lab.perf.PerfResult;
 import io.github.lumbre.lab.perf.PerfRunner;
 import io.github.lumbre.lab.perf.PerfTimes;
-import io.github.lumbre.lab.perf.PairedLoads;
-import io.github.lumbre.lab.perf.PairedRenders;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
-import io.github.lumbre.scene.Shortcut;
+import io.github.lumbre.scene.Specialization;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -149,7 +149,7 @@ final class PerfCommand implements Callable<Integer> {
         "Do the work that a scene does not require: ${COMPLETION-CANDIDATES}.",
         "With --paired, tells what a shortcut saves."
       })
-  private Set<Shortcut> without = Set.of();
+  private Set<Specialization> without = Set.of();
 
   @Option(
       names = "--adaptive",

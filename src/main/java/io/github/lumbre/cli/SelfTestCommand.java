@@ -3,8 +3,8 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.lab.checks.Law;
-import io.github.lumbre.lab.checks.Laws;
+import io.github.lumbre.lab.checks.Invariant;
+import io.github.lumbre.lab.checks.Invariants;
 import io.github.lumbre.lab.checks.StabilityPage;
 import io.github.lumbre.lab.checks.Tries;
 import java.util.ArrayList;
@@ -54,30 +54,30 @@ final class SelfTestCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    return run(Laws.all(), markdown, new Messages(spec.commandLine().getOut()));
+    return run(Invariants.all(), markdown, new Messages(spec.commandLine().getOut()));
   }
 
   /** Measures laws and prints a line for each as it is known. */
-  static int run(List<Law> laws, boolean markdown, Messages out) {
-    List<Law.Outcome> outcomes = new ArrayList<>();
+  static int run(List<Invariant> laws, boolean markdown, Messages out) {
+    List<Invariant.Outcome> outcomes = new ArrayList<>();
     if (markdown) {
       StabilityPage.HEAD.lines().forEach(out::line);
     }
-    for (Law law : laws) {
-      Law.Outcome outcome = law.measure(TRIES);
+    for (Invariant law : laws) {
+      Invariant.Outcome outcome = law.measure(TRIES);
       outcomes.add(outcome);
       out.line(markdown ? StabilityPage.row(outcome) : line(outcome));
     }
-    boolean allHold = outcomes.stream().allMatch(Law.Outcome::holds);
+    boolean allHold = outcomes.stream().allMatch(Invariant.Outcome::holds);
     if (!markdown) {
-      long held = outcomes.stream().filter(Law.Outcome::holds).count();
+      long held = outcomes.stream().filter(Invariant.Outcome::holds).count();
       out.line(held + " of " + outcomes.size() + " laws hold");
     }
     return allHold ? ExitCodes.OK : ExitCodes.DIFFERENT;
   }
 
-  private static String line(Law.Outcome outcome) {
-    Law law = outcome.law();
+  private static String line(Invariant.Outcome outcome) {
+    Invariant law = outcome.law();
     return String.format(
         Locale.ROOT,
         "%-6s %-22s %s (limit %s): %s; %s",

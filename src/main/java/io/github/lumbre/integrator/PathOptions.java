@@ -15,13 +15,17 @@ import java.util.Objects;
  *     glass, at least 1; each counts for its share (PBRT 4e, sec. 2.2.5)
  */
 public record PathOptions(
-    int maxDepth, Strategy strategy, Selection selection, int firstRoulette, int split) {
+    int maxDepth,
+    MisHeuristic heuristic,
+    LightSamplerKind lightSampler,
+    int firstRoulette,
+    int split) {
   /** The first vertex at which a path may end, unless another is asked for. */
   public static final int FIRST_ROULETTE = 3;
 
   public PathOptions {
-    Objects.requireNonNull(strategy, "strategy");
-    Objects.requireNonNull(selection, "selection");
+    Objects.requireNonNull(heuristic, "heuristic");
+    Objects.requireNonNull(lightSampler, "lightSampler");
     if (maxDepth < 0 || firstRoulette < 0) {
       throw new IllegalArgumentException(
           "maxDepth, firstRoulette: expected at least 0, found " + maxDepth + ", " + firstRoulette);
@@ -33,7 +37,7 @@ public record PathOptions(
 
   /** Returns the options that renders use, for paths of so many scattering vertices at most. */
   public static PathOptions toDepth(int maxDepth) {
-    return new PathOptions(maxDepth, Strategy.BOTH, Selection.PLACE, FIRST_ROULETTE, 1);
+    return new PathOptions(maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1);
   }
 
   /** Returns the options by which a render of such settings follows paths. */
@@ -41,23 +45,23 @@ public record PathOptions(
     return toDepth(settings.maxTraceDepth()).splitInto(settings.split());
   }
 
-  /** Returns the same with another strategy. */
-  public PathOptions by(Strategy newStrategy) {
-    return new PathOptions(maxDepth, newStrategy, selection, firstRoulette, split);
+  /** Returns the same with another heuristic. */
+  public PathOptions by(MisHeuristic newHeuristic) {
+    return new PathOptions(maxDepth, newHeuristic, lightSampler, firstRoulette, split);
   }
 
   /** Returns the same with another choice of emitters. */
-  public PathOptions by(Selection newSelection) {
-    return new PathOptions(maxDepth, strategy, newSelection, firstRoulette, split);
+  public PathOptions by(LightSamplerKind newSampler) {
+    return new PathOptions(maxDepth, heuristic, newSampler, firstRoulette, split);
   }
 
   /** Returns the same with another first vertex at which a path may end at random. */
   public PathOptions rouletteFrom(int vertex) {
-    return new PathOptions(maxDepth, strategy, selection, vertex, split);
+    return new PathOptions(maxDepth, heuristic, lightSampler, vertex, split);
   }
 
   /** Returns the same with paths that go on in another number of ways. */
   public PathOptions splitInto(int ways) {
-    return new PathOptions(maxDepth, strategy, selection, firstRoulette, ways);
+    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, ways);
   }
 }

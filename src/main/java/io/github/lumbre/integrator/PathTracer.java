@@ -11,7 +11,7 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
-import io.github.lumbre.light.LightSelector;
+import io.github.lumbre.light.LightSampler;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Elementary;
@@ -21,7 +21,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Shortcut;
+import io.github.lumbre.scene.Specialization;
 import java.util.Objects;
 
 /**
@@ -38,8 +38,8 @@ public final class PathTracer implements Integrator {
   private final int maxDepth;
   private final Light[] emitters;
   private final EnvironmentLight[] environments;
-  private final LightSelector selector;
-  private final Strategy strategy;
+  private final LightSampler selector;
+  private final MisHeuristic heuristic;
   private final int firstRoulette;
   private final int split;
 
@@ -61,20 +61,20 @@ public final class PathTracer implements Integrator {
 
   /** Makes a path tracer with options that change its noise and speed, but not its mean. */
   public PathTracer(Scene scene, PathOptions options) {
-    this(scene, options, options.selection().over(scene));
+    this(scene, options, options.lightSampler().over(scene));
   }
 
-  PathTracer(Scene scene, PathOptions options, LightSelector selector) {
+  PathTracer(Scene scene, PathOptions options, LightSampler selector) {
     this.scene = Objects.requireNonNull(scene, "scene");
     maxDepth = options.maxDepth();
-    strategy = options.strategy();
+    heuristic = options.heuristic();
     firstRoulette = options.firstRoulette();
     split = options.split();
     emitters = scene.emitters().toArray(Light[]::new);
     environments = scene.environments().toArray(EnvironmentLight[]::new);
     this.selector = Objects.requireNonNull(selector, "selector");
-    selects = !scene.takes(Shortcut.ONE_EMITTER);
-    samplesLights = strategy.samplesLights(scene.emitters());
+    selects = !scene.takes(Specialization.ONE_EMITTER);
+    samplesLights = heuristic.samplesLights(scene.emitters());
     hasAmbient = !scene.ambient().isBlack();
   }
 
@@ -223,8 +223,7 @@ public final class PathTracer implements Integrator {
         vertex.receiveFrom(context.choice);
       }
       Point2 uDirection = sampler.get2d(Sampler.vertex(depth) + Sampler.DIRECTION);
-      boolean continues =
-          scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, context);
+      boolean continues = scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, context);
       while (continues) {
         depth++;
         continues = extend(depth, sampler, context);
@@ -261,11 +260,10 @@ public final class PathTracer implements Integrator {
     double misWeight = 1;
     if (!light.isDelta()) {
       lightPdf *= light.pdf();
-      misWeight = strategy.lightWeight(lightPdf, value.pdf());
+      misWeight = heuristic.lightWeight(lightPdf, value.pdf());
     }
     if (context.isRecorded) {
-      context.listener.lightSampled(
-          choice.emitter(), light, value, lightPdf, misWeight, isBlocked);
+      context.listener.lightSampled(choice.emitter(), light, value, lightPdf, misWeight, isBlocked);
     }
     if (!isBlack && !isBlocked) {
       double weight = misWeight / lightPdf;
@@ -283,7 +281,7 @@ public final class PathTracer implements Integrator {
     if (emitter >= 0 && isWeighted(bsdfPdf)) {
       double pdf = emitters[emitter].pdf(context.choice.point(), surface);
       lightPdf = lightPdf(emitter, pdf, context);
-      weight = strategy.bsdfWeight(bsdfPdf, lightPdf);
+      weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
     }
     if (context.isRecorded) {
       context.listener.lightFound(
@@ -310,7 +308,7 @@ public final class PathTracer implements Integrator {
       double weight = 1;
       if (isWeighted(bsdfPdf)) {
         lightPdf = lightPdf(scene.emitterOfEnvironment(i), environments[i].pdf(direction), context);
-        weight = strategy.bsdfWeight(bsdfPdf, lightPdf);
+        weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
       }
       Rgb light = environments[i].from(direction);
       r += light.r() * weight;
@@ -335,8 +333,7 @@ public final class PathTracer implements Integrator {
   private void addAmbient(Vertex vertex, RenderContext context) {
     Rgb light = scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
     if (context.isRecorded) {
-      context.listener.lightFound(
-          Source.AMBIENT, -1, light.r(), light.g(), light.b(), 0, 0, 1);
+      context.listener.lightFound(Source.AMBIENT, -1, light.r(), light.g(), light.b(), 0, 0, 1);
     }
     add(light.r(), light.g(), light.b(), context);
   }

@@ -3,7 +3,7 @@ package io.github.lumbre.light;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A point that asks for light, and the emitter that a {@link LightSelector} chose for it at random.
+ * A point that asks for light, and the emitter that a {@link LightSampler} chose for it at random.
  * Mutable: each thread moves one and the same from point to point.
  */
 public final class LightChoice {
@@ -62,7 +62,7 @@ public final class LightChoice {
   }
 
   /**
-   * Returns the probability of this choice: what {@link LightSelector#probability} tells, for no
+   * Returns the probability of this choice: what {@link LightSampler#probability} tells, for no
    * more work.
    */
   public double probability() {

@@ -13,7 +13,7 @@ sealed interface NearLights permits FewLights, LightTree {
    */
   double irradiance(LightChoice asked);
 
-  /** Chooses an emitter; see {@link LightSelector#choose}. */
+  /** Chooses an emitter; see {@link LightSampler#choose}. */
   void choose(double u, LightChoice choice);
 
   /** Returns the probability with which {@link #choose} finds an emitter. */

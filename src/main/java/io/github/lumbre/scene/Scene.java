@@ -45,7 +45,7 @@ public final class Scene {
   /** The index among the emitters of each primitive that is one. */
   private final int[] emitterOfPrimitive;
 
-  private final Set<Shortcut> shortcuts;
+  private final Set<Specialization> shortcuts;
 
   Scene(SceneBuilder built) {
     camera = built.camera;
@@ -75,7 +75,7 @@ public final class Scene {
     primitiveOfShape = primitivesOfShapes();
   }
 
-  private Scene(Scene other, Bvh bvh, Set<Shortcut> shortcuts) {
+  private Scene(Scene other, Bvh bvh, Set<Specialization> shortcuts) {
     camera = other.camera;
     primitives = other.primitives;
     this.bvh = bvh;
@@ -103,25 +103,25 @@ public final class Scene {
     return indices;
   }
 
-  private Set<Shortcut> shortcuts() {
-    Set<Shortcut> all = EnumSet.noneOf(Shortcut.class);
+  private Set<Specialization> shortcuts() {
+    Set<Specialization> all = EnumSet.noneOf(Specialization.class);
     if (primitives.stream().anyMatch(primitive -> primitive.material().isUniform())) {
-      all.add(Shortcut.UNIFORM_MATERIALS);
+      all.add(Specialization.UNIFORM_MATERIALS);
     }
     if (emitters.size() == 1) {
-      all.add(Shortcut.ONE_EMITTER);
+      all.add(Specialization.ONE_EMITTER);
     }
     return Set.copyOf(all);
   }
 
   private Primitive[] primitivesOfShapes() {
-    return takes(Shortcut.UNIFORM_MATERIALS)
+    return takes(Specialization.UNIFORM_MATERIALS)
         ? primitives.stream().map(Primitive::simplified).toArray(Primitive[]::new)
         : primitives.toArray(Primitive[]::new);
   }
 
   /** Returns the same scene, of which a render does all the work that a shortcut leaves out. */
-  public Scene without(Shortcut shortcut) {
+  public Scene without(Specialization shortcut) {
     return new Scene(
         this,
         bvh,
@@ -152,7 +152,7 @@ public final class Scene {
   }
 
   /** Tells whether the scene does not require some work. */
-  public boolean takes(Shortcut shortcut) {
+  public boolean takes(Specialization shortcut) {
     return shortcuts.contains(shortcut);
   }
 

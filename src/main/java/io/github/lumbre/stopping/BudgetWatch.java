@@ -10,8 +10,8 @@ import java.util.Optional;
  * Mutable, for one render.
  *
  * <p>It checks the error after 32 samples per pixel, 48, 64, 96, ..., and in frames of enough
- * pixels after 4, 8 and 16 too (see {@link Looks}). This depends on nothing but the scene: the same
- * seed stops at the same number of samples on every machine.
+ * pixels after 4, 8 and 16 too (see {@link StoppingSchedule}). This depends on nothing but the
+ * scene: the same seed stops at the same number of samples on every machine.
  */
 public final class BudgetWatch {
   /**
@@ -42,8 +42,8 @@ public final class BudgetWatch {
   public boolean isReachedAgainBy(Film film) {
     int fewest = film.fewestSamples();
     for (int end = Passes.next(0, fewest); end < fewest; end = Passes.next(end, fewest)) {
-      int due = Looks.due(end);
-      looks += due == lastDue || Looks.isEarly(end) ? 0 : 1;
+      int due = StoppingSchedule.due(end);
+      looks += due == lastDue || StoppingSchedule.isEarly(end) ? 0 : 1;
       lastDue = due;
     }
     return fewest == film.mostSamples() && isReachedBy(film);
@@ -57,19 +57,19 @@ public final class BudgetWatch {
    */
   public boolean isReachedBy(Film film) {
     double samples = film.meanSamples();
-    int due = Looks.due(samples);
+    int due = StoppingSchedule.due(samples);
     if (budget.targetError().isEmpty() || due == lastDue) {
       return false;
     }
     lastDue = due;
     double target = budget.targetError().getAsDouble();
-    if (!Looks.isEarlyEnough(samples, pixels(film), target)) {
+    if (!StoppingSchedule.isEarlyEnough(samples, pixels(film), target)) {
       return false;
     }
     samplesAtLook = film.totalSamples();
-    looks += Looks.isEarly(samples) ? 0 : 1;
+    looks += StoppingSchedule.isEarly(samples) ? 0 : 1;
     Optional<NoiseEstimate> noise = estimate(film, looks);
-    if (Looks.isEarly(samples)) {
+    if (StoppingSchedule.isEarly(samples)) {
       return noise.filter(n -> budget.isReachedBy(n) && !n.hasHeavyTail()).isPresent();
     }
     forecast =
@@ -117,10 +117,13 @@ public final class BudgetWatch {
 
   /** Estimates the noise; without a target this is the only check. */
   private Optional<NoiseEstimate> estimate(Film film, int look) {
-    boolean isEarly = Looks.isEarly(film.meanSamples());
+    boolean isEarly = StoppingSchedule.isEarly(film.meanSamples());
     double confidence = budget.confidence();
     if (budget.targetError().isPresent()) {
-      confidence = isEarly ? Looks.earlyConfidence(confidence) : Looks.confidence(confidence, look);
+      confidence =
+          isEarly
+              ? StoppingSchedule.earlyConfidence(confidence)
+              : StoppingSchedule.confidence(confidence, look);
     }
     Optional<NoiseEstimate> noise =
         isEarly

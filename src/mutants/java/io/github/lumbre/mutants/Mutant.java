@@ -11,7 +11,7 @@ import java.util.List;
  *
  * <pre>
  * What is wrong, in a sentence or more.
- * tests: integrator.LightTransportTest#coincidentLightsAddUp, light.LightSelectorTest
+ * tests: integrator.LightTransportTest#coincidentLightsAddUp, light.LightSamplerTest
  *
  * file: material/Lambertian.java
  *   context, which stays

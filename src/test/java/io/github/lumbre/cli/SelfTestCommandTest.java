@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.lab.checks.Law;
-import io.github.lumbre.lab.checks.Laws;
+import io.github.lumbre.lab.checks.Invariant;
+import io.github.lumbre.lab.checks.Invariants;
 import io.github.lumbre.lab.checks.StabilityPage;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -16,10 +16,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class SelfTestCommandTest {
-  private static final Law HOLDING = new Law("one", "share", "everywhere", 1e-3, tries -> 2e-4);
-  private static final Law BROKEN = new Law("two", "leaks", "1 to 2", 0, tries -> 3);
+  private static final Invariant HOLDING =
+      new Invariant("one", "share", "everywhere", 1e-3, tries -> 2e-4);
+  private static final Invariant BROKEN = new Invariant("two", "leaks", "1 to 2", 0, tries -> 3);
 
-  private static Outcome run(boolean markdown, Law... laws) {
+  private static Outcome run(boolean markdown, Invariant... laws) {
     StringWriter out = new StringWriter();
     int code =
         SelfTestCommand.run(List.of(laws), markdown, new Messages(new PrintWriter(out, true)));
@@ -45,9 +46,9 @@ class SelfTestCommandTest {
     String head = StabilityPage.HEAD.stripTrailing();
     assertThat(String.join("\n", page)).startsWith(head);
     List<String> rows = page.subList((int) head.lines().count(), page.size());
-    assertThat(rows).hasSameSizeAs(Laws.all());
+    assertThat(rows).hasSameSizeAs(Invariants.all());
     for (int i = 0; i < rows.size(); i++) {
-      Law law = Laws.all().get(i);
+      Invariant law = Invariants.all().get(i);
       assertThat(rows.get(i))
           .startsWith("| " + law.name() + " | " + law.statement() + " | ")
           .endsWith(" | " + StabilityPage.figure(law.limit()) + " |");

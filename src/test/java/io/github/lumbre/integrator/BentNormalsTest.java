@@ -120,8 +120,8 @@ class BentNormalsTest {
             .add(floor(), new NormalMapped(material, wild()))
             .addLamp(sphere(.5, 2, .3, 1), glow(1))
             .build();
-    PathTracer lights = new PathTracer(scene, PathOptions.toDepth(1).by(Strategy.BOTH));
-    PathTracer rays = new PathTracer(scene, PathOptions.toDepth(1).by(Strategy.BSDF));
+    PathTracer lights = new PathTracer(scene, PathOptions.toDepth(1).by(MisHeuristic.BOTH));
+    PathTracer rays = new PathTracer(scene, PathOptions.toDepth(1).by(MisHeuristic.BSDF));
     for (int i = 0; i < 3; i++) {
       Ray ray = lookingDownAt(.9 * i - 1);
       Estimate both = Estimate.of(lights, ray, 32, i);

@@ -76,7 +76,7 @@ class LightTransportTest {
   void rectanglesOfAnySizeLightByTheirSolidAngle(double side, double irradiance) {
     Scene scene =
         empty().add(floor(), matte(ALBEDO)).addLamp(ceilingLamp(side, side, 1), glow(1)).build();
-    PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(Strategy.LIGHT));
+    PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(MisHeuristic.LIGHT));
     Sampler sampler = new SobolSampler(Effort.seed(1));
     RenderContext scratch = new RenderContext();
     int samples = 1 << Effort.count(16, 22);
@@ -356,8 +356,8 @@ class LightTransportTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Strategy.class)
-  void everyStrategyHasTheSameMean(Strategy strategy) {
+  @EnumSource(MisHeuristic.class)
+  void everyStrategyHasTheSameMean(MisHeuristic strategy) {
     // A large near lamp, a small one, a dome and a glowing box; part of each is hidden.
     Shape box = new Box(at(-1, .3, .4).times(turned(10, 20, 30)), .3, .2, .4);
     Scene scene =

@@ -14,7 +14,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
-import io.github.lumbre.light.LightSelector;
+import io.github.lumbre.light.LightSampler;
 import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
@@ -65,8 +65,8 @@ class ManyLightsTest {
     return scene;
   }
 
-  private static LightSelector even(Scene scene) {
-    return LightSelector.byPower(new double[scene.emitters().size()]);
+  private static LightSampler even(Scene scene) {
+    return LightSampler.byPower(new double[scene.emitters().size()]);
   }
 
   /** Classic ray tracing asks every light, and so knows nothing of choices and probabilities. */
@@ -102,8 +102,8 @@ class ManyLightsTest {
 
   /** Glossy surfaces meet lamps by scattering about as often as by asking for them. */
   @ParameterizedTest
-  @EnumSource(Strategy.class)
-  void everyStrategyHasTheMeanOfEvenChoices(Strategy strategy) {
+  @EnumSource(MisHeuristic.class)
+  void everyStrategyHasTheMeanOfEvenChoices(MisHeuristic strategy) {
     CookTorrance glossy =
         new CookTorrance(
             GREY,
@@ -137,8 +137,8 @@ class ManyLightsTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Selection.class)
-  void everySelectionHasTheSameMean(Selection selection) {
+  @EnumSource(LightSamplerKind.class)
+  void everySelectionHasTheSameMean(LightSamplerKind selection) {
     Scene scene = lights(empty().add(floor(), matte(.5)), 40).build();
     Ray ray = lookingDownAt(-.2);
     Estimate chosen = Estimate.of(new PathTracer(scene, 2), ray, 256, 3);

@@ -32,7 +32,9 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A recorded path explains its sample completely, and is the path of a render that records none. */
+/**
+ * A recorded path explains its sample completely, and is the path of a render that records none.
+ */
 class PathRecorderTest {
   private static final int SAMPLES = 200;
 
@@ -51,7 +53,7 @@ class PathRecorderTest {
   }
 
   static Stream<Arguments> options() {
-    return Stream.of(Strategy.values())
+    return Stream.of(MisHeuristic.values())
         .flatMap(
             strategy ->
                 Stream.of(1, 3)
@@ -128,8 +130,8 @@ class PathRecorderTest {
 
   /** The two densities of a light and of the ray that hit it explain its weight. */
   @ParameterizedTest
-  @EnumSource(Strategy.class)
-  void recordedWeightsAreThoseOfTheHeuristic(Strategy strategy) {
+  @EnumSource(MisHeuristic.class)
+  void recordedWeightsAreThoseOfTheHeuristic(MisHeuristic strategy) {
     PathTracer tracer = new PathTracer(scene(), PathOptions.toDepth(8).by(strategy));
     PathRecorder recorder = new PathRecorder();
     RenderContext context = RenderContext.recordedBy(recorder);

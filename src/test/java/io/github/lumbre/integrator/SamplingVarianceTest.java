@@ -29,7 +29,7 @@ class SamplingVarianceTest {
   /** From irradiance to the radiance of the floor. */
   private static final double SCALE = ALBEDO / Math.PI;
 
-  private static Moments moments(Scene scene, Strategy strategy, int samples) {
+  private static Moments moments(Scene scene, MisHeuristic strategy, int samples) {
     PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(strategy));
     Sampler sampler = new SobolSampler(Effort.seed(1));
     RenderContext scratch = new RenderContext();
@@ -46,7 +46,8 @@ class SamplingVarianceTest {
     return empty().add(floor(), matte(ALBEDO)).addLamp(ceilingLamp(1, 1, height), glow(1)).build();
   }
 
-  private static void assertVariance(Scene scene, Strategy strategy, int samples, double expected) {
+  private static void assertVariance(
+      Scene scene, MisHeuristic strategy, int samples, double expected) {
     double variance = moments(scene, strategy, samples).variance();
 
     assertThat(variance).isCloseTo(expected, within(.05 * expected));
@@ -54,7 +55,7 @@ class SamplingVarianceTest {
 
   @Test
   void nearRectangleIsSampledBySolidAngle() {
-    assertVariance(under(1), Strategy.LIGHT, Effort.count(100_000, 1_000_000), .00106004);
+    assertVariance(under(1), MisHeuristic.LIGHT, Effort.count(100_000, 1_000_000), .00106004);
   }
 
   /** By area: E[(cos² / d²)²] − E², integrated over the lamp by midpoints. */
@@ -74,12 +75,12 @@ class SamplingVarianceTest {
     }
 
     double expected = squares - sum * sum;
-    assertVariance(under(height), Strategy.LIGHT, Effort.count(100_000, 1_000_000), expected);
+    assertVariance(under(height), MisHeuristic.LIGHT, Effort.count(100_000, 1_000_000), expected);
   }
 
   @Test
   void diffuseSurfaceScattersByTheCosine() {
-    assertVariance(under(1), Strategy.BSDF, Effort.count(200_000, 1_000_000), 1.79742);
+    assertVariance(under(1), MisHeuristic.BSDF, Effort.count(200_000, 1_000_000), 1.79742);
   }
 
   /** Where all light comes from a small part of the dome, every sample goes there. */
@@ -92,7 +93,7 @@ class SamplingVarianceTest {
             100,
             100);
     Scene scene = empty().add(floor(), matte(ALBEDO)).add(dome).build();
-    Moments moments = moments(scene, Strategy.LIGHT, Effort.count(20_000, 500_000));
+    Moments moments = moments(scene, MisHeuristic.LIGHT, Effort.count(20_000, 500_000));
 
     // Rows of the table narrow by a tenth towards the zenith, which makes a deviation of a tenth
     // over √12; even samples would meet the part once in ten thousand.

@@ -131,12 +131,12 @@ class StrategiesTest {
   @MethodSource("scenes")
   void everyWayToFindALightHasTheSameMean(String name, Scene scene) {
     int samples = Effort.count(32, 2048);
-    List<Strategy> strategies = new ArrayList<>(List.of(Strategy.values()));
+    List<MisHeuristic> strategies = new ArrayList<>(List.of(MisHeuristic.values()));
     if (name.startsWith(NARROWEST) || name.startsWith(GROUND)) {
-      strategies.remove(Strategy.LIGHT);
+      strategies.remove(MisHeuristic.LIGHT);
     }
     List<Estimate> estimates = new ArrayList<>();
-    for (Strategy strategy : strategies) {
+    for (MisHeuristic strategy : strategies) {
       PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(3).by(strategy));
       long seed = Effort.seed(strategy.ordinal());
       estimates.add(Estimate.of(tracer, lookingDownAt(0), samples, seed));

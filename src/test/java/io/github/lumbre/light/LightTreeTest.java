@@ -73,7 +73,7 @@ class LightTreeTest {
   @ValueSource(ints = {0, 1, 2, 3, 4, 7, 8, 100, 1000})
   void probabilitiesSumToOne(int count) {
     List<Light> lights = lights(count, 1);
-    LightSelector selector = LightSelector.over(lights);
+    LightSampler selector = LightSampler.over(lights);
     SplittableRandom random = new SplittableRandom(2);
     for (int i = 0; i < 30; i++) {
       Vec3 from = point(random, i % 3 == 0 ? 1000 : SCENE);
@@ -90,7 +90,7 @@ class LightTreeTest {
   @ValueSource(ints = {6, 60})
   void choicesHaveTheirProbability(int count) {
     List<Light> lights = lights(count, 3);
-    LightSelector selector = LightSelector.over(lights);
+    LightSampler selector = LightSampler.over(lights);
     SplittableRandom random = new SplittableRandom(4);
     int compared = 0;
     for (int i = 0; i < 30; i++) {
@@ -121,7 +121,7 @@ class LightTreeTest {
   @Test
   void whatCanLightAPointCanBeChosen() {
     List<Light> lights = lights(500, 5);
-    LightSelector selector = LightSelector.over(lights);
+    LightSampler selector = LightSampler.over(lights);
     SplittableRandom random = new SplittableRandom(6);
     int lit = 0;
     int left = 0;
@@ -158,7 +158,7 @@ class LightTreeTest {
       Vec3 from = bulb.position().plus(random.nextDouble(.1, 9), along);
       assertThat(lights.get(4).sample(from, new Point2(0, 0))).isPresent();
 
-      LightSelector selector = LightSelector.over(lights);
+      LightSampler selector = LightSampler.over(lights);
 
       assertThat(probability(selector, from, Vec3.ZERO, 4)).isGreaterThan(1e-3);
     }
@@ -176,7 +176,7 @@ class LightTreeTest {
         lights.add(new AreaLight(new Rectangle(place, 1, 1, false), glow));
       }
     }
-    LightSelector selector = LightSelector.over(lights);
+    LightSampler selector = LightSampler.over(lights);
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 3)).isEqualTo(1);
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y.negated(), 0)).isEqualTo(1);
@@ -190,7 +190,7 @@ class LightTreeTest {
         List.of(
             new PointLight(new Vec3(0, 1, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE),
             new PointLight(new Vec3(0, 3, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE));
-    LightSelector selector = LightSelector.over(lights);
+    LightSampler selector = LightSampler.over(lights);
 
     // An eighth of the choices is even.
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
@@ -205,7 +205,7 @@ class LightTreeTest {
             new DirectionalLight(Vec3.Y.negated(), Rgb.grey(3)),
             new PointLight(new Vec3(0, 1, 0), Rgb.grey(8), Falloff.INVERSE_SQUARE),
             new PointLight(new Vec3(0, 1, 0), Rgb.grey(1), Falloff.INVERSE_SQUARE));
-    LightSelector selector = LightSelector.over(lights);
+    LightSampler selector = LightSampler.over(lights);
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
         .isCloseTo(.125 + .625 * 3 / (3 + 9), within(1e-12));
@@ -220,7 +220,7 @@ class LightTreeTest {
     EnvironmentLight sky =
         EnvironmentLight.image(Frame.WORLD, (u, v) -> v > .5 ? Rgb.WHITE : Rgb.BLACK, 16, 8);
     Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(2 * Math.PI), Falloff.INVERSE_SQUARE);
-    LightSelector selector = LightSelector.over(List.of(sky, bulb));
+    LightSampler selector = LightSampler.over(List.of(sky, bulb));
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 1))
         .isCloseTo(.25 + .625 / 2, within(1e-12));
@@ -232,7 +232,7 @@ class LightTreeTest {
   @Test
   void evenDomesAreChosenSeldomByALamp() {
     Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(Math.PI), Falloff.INVERSE_SQUARE);
-    LightSelector selector = LightSelector.over(List.of(EnvironmentLight.uniform(Rgb.WHITE), bulb));
+    LightSampler selector = LightSampler.over(List.of(EnvironmentLight.uniform(Rgb.WHITE), bulb));
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
         .isCloseTo(.75 * .25 / (.25 + 1), within(1e-12));
@@ -251,7 +251,7 @@ class LightTreeTest {
       Emission glow = new Emission(Texture.constant(Rgb.grey(1 / size)), false);
       lights.add(new AreaLight(new Sphere(Transform.translation(position), size), glow));
     }
-    LightSelector selector = LightSelector.over(lights);
+    LightSampler selector = LightSampler.over(lights);
     for (double distance : new double[] {0, 1e-300, 1, 1e150, 1e300}) {
       Vec3 from = new Vec3(distance, distance, 0);
       double sum = 0;
@@ -264,14 +264,14 @@ class LightTreeTest {
     }
   }
 
-  private static LightChoice choose(LightSelector selector, Vec3 point, Vec3 normal, double u) {
+  private static LightChoice choose(LightSampler selector, Vec3 point, Vec3 normal, double u) {
     LightChoice choice = new LightChoice();
     choice.moveTo(point, normal);
     selector.choose(u, choice);
     return choice;
   }
 
-  private static double probability(LightSelector selector, Vec3 point, Vec3 normal, int emitter) {
+  private static double probability(LightSampler selector, Vec3 point, Vec3 normal, int emitter) {
     LightChoice asked = new LightChoice();
     asked.moveTo(point, normal);
     return selector.probability(asked, emitter);

@@ -102,25 +102,27 @@ class NoiseEstimatorTest {
 
   @Test
   void looksSpendNoMoreThanTheyMay() {
-    double spent = 3 * (1 - Looks.earlyConfidence(.95));
+    double spent = 3 * (1 - StoppingSchedule.earlyConfidence(.95));
     assertThat(spent).isCloseTo(.005, within(1e-12));
     for (int look = 1; look < 1000; look++) {
-      spent += 1 - Looks.confidence(.95, look);
+      spent += 1 - StoppingSchedule.confidence(.95, look);
     }
     assertThat(spent).isBetween(.0499, .05);
-    assertThat(IntStream.range(1, 200).filter(n -> Looks.due(n) > Looks.due(n - 1)))
+    assertThat(
+            IntStream.range(1, 200)
+                .filter(n -> StoppingSchedule.due(n) > StoppingSchedule.due(n - 1)))
         .containsExactly(4, 8, 16, 32, 48, 64, 96, 128, 192);
   }
 
   /** 256 samples in the part of the picture, a share ε², that could hide an error of ε. */
   @Test
   void earlyLooksNeedEnoughSamplesToFindWhatMatters() {
-    assertThat(Looks.isEarlyEnough(4, 640 * 480, .2)).isTrue();
-    assertThat(Looks.isEarlyEnough(4, 1600, .2)).isTrue();
-    assertThat(Looks.isEarlyEnough(4, 1599, .2)).isFalse();
-    assertThat(Looks.isEarlyEnough(16, 400, .2)).isTrue();
-    assertThat(Looks.isEarlyEnough(16, 399, .2)).isFalse();
-    assertThat(Looks.isEarlyEnough(16, 640 * 480, .001)).isFalse();
-    assertThat(Looks.isEarlyEnough(32, 64, .001)).isTrue();
+    assertThat(StoppingSchedule.isEarlyEnough(4, 640 * 480, .2)).isTrue();
+    assertThat(StoppingSchedule.isEarlyEnough(4, 1600, .2)).isTrue();
+    assertThat(StoppingSchedule.isEarlyEnough(4, 1599, .2)).isFalse();
+    assertThat(StoppingSchedule.isEarlyEnough(16, 400, .2)).isTrue();
+    assertThat(StoppingSchedule.isEarlyEnough(16, 399, .2)).isFalse();
+    assertThat(StoppingSchedule.isEarlyEnough(16, 640 * 480, .001)).isFalse();
+    assertThat(StoppingSchedule.isEarlyEnough(32, 64, .001)).isTrue();
   }
 }

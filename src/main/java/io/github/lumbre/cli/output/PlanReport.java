@@ -8,7 +8,7 @@ import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.Shape;
-import io.github.lumbre.light.LightSelector;
+import io.github.lumbre.light.LightSampler;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;
@@ -16,7 +16,7 @@ import io.github.lumbre.parser.SceneOrigins;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Shortcut;
+import io.github.lumbre.scene.Specialization;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -100,10 +100,10 @@ public final class PlanReport {
     if (count == 0) {
       return "left out, nothing shines";
     }
-    if (scene.takes(Shortcut.ONE_EMITTER)) {
+    if (scene.takes(Specialization.ONE_EMITTER)) {
       return "left out, there is one";
     }
-    return switch (LightSelector.over(scene.emitters()).method()) {
+    return switch (LightSampler.over(scene.emitters()).method()) {
       case FIXED -> "of " + count + " with the same probabilities everywhere";
       case ONE_BY_ONE -> "of " + count + ", each asked what it may send to the point";
       case HIERARCHY -> "of " + count + " by a hierarchy, which asks about 2 log2 of them";

@@ -23,8 +23,8 @@ Absolute size does not matter. `lumbre audit` warns of scenes beyond that.
   private StabilityPage() {}
 
   /** Returns a law's row. */
-  public static String row(Law.Outcome outcome) {
-    Law law = outcome.law();
+  public static String row(Invariant.Outcome outcome) {
+    Invariant law = outcome.law();
     return "| "
         + String.join(
             " | ",

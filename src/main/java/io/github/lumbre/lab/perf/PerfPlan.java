@@ -4,7 +4,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Shortcut;
+import io.github.lumbre.scene.Specialization;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -31,7 +31,7 @@ public record PerfPlan(
     int warmup,
     int repeat,
     int pairs,
-    Set<Shortcut> without,
+    Set<Specialization> without,
     boolean adaptive,
     int split) {
   /** The longer side, in pixels, that frames are shrunk to. */
@@ -61,7 +61,7 @@ public record PerfPlan(
   /** Returns a scene that takes no shortcut which the plan does without. */
   SceneFile over(SceneFile file) {
     Scene scene = file.scene();
-    for (Shortcut shortcut : without) {
+    for (Specialization shortcut : without) {
       scene = scene.without(shortcut);
     }
     return file.with(scene);

@@ -1,9 +1,9 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.integrator.LightSamplerKind;
+import io.github.lumbre.integrator.MisHeuristic;
 import io.github.lumbre.integrator.PathOptions;
 import io.github.lumbre.integrator.PathTracer;
-import io.github.lumbre.integrator.Selection;
-import io.github.lumbre.integrator.Strategy;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import io.github.lumbre.sampling.IndependentSampler;
 import io.github.lumbre.scene.RenderSettings;
@@ -123,13 +123,13 @@ public final class TradeSweep {
               IndependentSampler::new));
     }
     if (knobs.contains("lights") && scene.scene().emitters().size() > 1) {
-      addNoise("lights", Selection.POWER, USUAL.by(Selection.POWER));
-      addNoise("lights", Selection.UNIFORM, USUAL.by(Selection.UNIFORM));
+      addNoise("lights", LightSamplerKind.POWER, USUAL.by(LightSamplerKind.POWER));
+      addNoise("lights", LightSamplerKind.UNIFORM, USUAL.by(LightSamplerKind.UNIFORM));
     }
     if (knobs.contains("strategy")) {
-      addNoise("strategy", Strategy.BALANCE, USUAL.by(Strategy.BALANCE));
-      addNoise("strategy", Strategy.LIGHT, USUAL.by(Strategy.LIGHT));
-      addNoise("strategy", Strategy.BSDF, USUAL.by(Strategy.BSDF));
+      addNoise("strategy", MisHeuristic.BALANCE, USUAL.by(MisHeuristic.BALANCE));
+      addNoise("strategy", MisHeuristic.LIGHT, USUAL.by(MisHeuristic.LIGHT));
+      addNoise("strategy", MisHeuristic.BSDF, USUAL.by(MisHeuristic.BSDF));
     }
     if (knobs.contains("roulette")) {
       for (int vertex : ROULETTE) {

@@ -8,7 +8,7 @@ import java.util.List;
  * Which of two ways to find an emitter counts how much: asking it for light, or meeting it with a
  * scattered ray. All have the same mean and differ in variance (Veach 1997, ch. 9).
  */
-public enum Strategy {
+public enum MisHeuristic {
   /** Both, by the power heuristic of multiple importance sampling. */
   BOTH {
     @Override

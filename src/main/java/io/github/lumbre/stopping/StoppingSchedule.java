@@ -17,7 +17,7 @@ package io.github.lumbre.stopping;
  * least ε² of the pixels to hide an error ε. {@link #isEarlyEnough} requires 256 samples in that
  * share.
  */
-final class Looks {
+final class StoppingSchedule {
   /** From this number of samples per pixel on, checks take place in frames of any size. */
   static final int ANY_FRAME = 32;
 
@@ -28,7 +28,7 @@ final class Looks {
   /** Samples in the smallest part of the picture that could hide an error of the target's size. */
   private static final double FEWEST_IN_PART = 256;
 
-  private Looks() {}
+  private StoppingSchedule() {}
 
   /**
    * Returns a number that grows whenever a check is due: after 4, 8, 16, 32, 48, 64, 96, 128, ...

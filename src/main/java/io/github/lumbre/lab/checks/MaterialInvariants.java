@@ -22,7 +22,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** How surfaces scatter: every material, from smooth to rough, from above to grazing. */
-final class MaterialLaws {
+final class MaterialInvariants {
   private static final int SAMPLES = 1 << 12;
   private static final int PAIRS = 20_000;
   private static final int ROWS = 512;
@@ -46,38 +46,38 @@ final class MaterialLaws {
     {1e6, .999996000008, .999995000017, .999988135295}
   };
 
-  private MaterialLaws() {}
+  private MaterialInvariants() {}
 
-  static List<Law> all() {
+  static List<Invariant> all() {
     String range =
         "matte, Phong with exponents 0 to 1e9, Cook-Torrance (Beckmann, GGX) and glass of roughness"
             + " 1e-3 to 1, mirror; cosines .01 to .95";
     return List.of(
-        new Law(
+        new Invariant(
             "furnace",
             "light scattered in a white furnace beyond what arrives, as a share",
             range,
             2e-3,
             tries -> excess()),
-        new Law(
+        new Invariant(
             "weights",
             "relative difference of drawn weights from f·cos/pdf",
             range,
             1e-12,
-            MaterialLaws::weights),
-        new Law(
+            MaterialInvariants::weights),
+        new Invariant(
             "reciprocity",
             "relative difference of f with its directions exchanged",
             "all that reflects, from roughness .05 and to exponent 1000",
             1e-12,
-            MaterialLaws::reciprocity),
-        new Law(
+            MaterialInvariants::reciprocity),
+        new Invariant(
             "pdf-integral",
             "integral of the density over all directions beyond 1",
             "lobes wide enough for a quadrature: exponents to 52, roughness from .3",
             2e-3,
             tries -> integrals()),
-        new Law(
+        new Invariant(
             "fresnel",
             "relative difference from the Fresnel equations",
             "indices 1.1 to 1e6, at 0°, 60° and 80°",

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
  * of them against all that shine everywhere alike; among these the probabilities are the same at
  * all points.
  */
-public final class LightSelector {
+public final class LightSampler {
   /**
    * The share of fixed choices that all emitters have alike. What is near and weak can matter more
    * than what is far and strong; so no emitter is chosen less than half as often as by pure chance.
@@ -55,7 +55,7 @@ public final class LightSelector {
   private final double leastFar;
 
   /** A selector with the same probabilities at all points. */
-  private LightSelector(double[] weights, int[] alone, int[] places) {
+  private LightSampler(double[] weights, int[] alone, int[] places) {
     distribution = halfEven(weights);
     this.alone = alone;
     this.places = places;
@@ -70,7 +70,7 @@ public final class LightSelector {
    * @param far indices of emitters of unlimited reach
    * @param items all the others, at least one
    */
-  private LightSelector(List<Light> emitters, int[] far, List<LightTreeBuilder.Item> items) {
+  private LightSampler(List<Light> emitters, int[] far, List<LightTreeBuilder.Item> items) {
     double[] weights =
         IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).toArray();
     distribution = halfEven(weights.length == 0 ? new double[1] : weights);
@@ -96,9 +96,9 @@ public final class LightSelector {
    *
    * @param powers at least one; each at least 0; if any is infinite, all choices are even
    */
-  public static LightSelector byPower(double... powers) {
+  public static LightSampler byPower(double... powers) {
     int[] all = IntStream.range(0, powers.length).toArray();
-    return new LightSelector(powers, all, all);
+    return new LightSampler(powers, all, all);
   }
 
   /**
@@ -106,7 +106,7 @@ public final class LightSelector {
    *
    * @param emitters may be empty; then nothing can be chosen
    */
-  public static LightSelector over(List<Light> emitters) {
+  public static LightSampler over(List<Light> emitters) {
     List<LightTreeBuilder.Item> items = new ArrayList<>();
     for (int i = 0; i < emitters.size(); i++) {
       int emitter = i;
@@ -125,7 +125,7 @@ public final class LightSelector {
         IntStream.range(0, emitters.size())
             .filter(i -> emitters.get(i).bounds().isEmpty())
             .toArray();
-    return new LightSelector(emitters, far, items);
+    return new LightSampler(emitters, far, items);
   }
 
   private static NearLights near(List<LightTreeBuilder.Item> items, int count) {

@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** What lights send to a point, against closed forms. */
-final class LightLaws {
+final class LightInvariants {
   private static final int SAMPLES = 1 << 16;
 
   /** Width, depth and height above the point. */
@@ -43,29 +43,29 @@ final class LightLaws {
     {1, 2, 0}, {1, 2, 30}, {1, 2, 60}, {.5, 3, 30}, {1, 1.000001, 0}, {1e-3, 1, 0}, {1e-6, 1, 60}
   };
 
-  private LightLaws() {}
+  private LightInvariants() {}
 
-  static List<Law> all() {
+  static List<Invariant> all() {
     return List.of(
-        new Law(
+        new Invariant(
             "rectangle-light",
             "relative difference of the irradiance from the closed form",
             "sides 1e-6 to 1e6 of the height, over the middle",
             1e-6,
             tries -> rectangles()),
-        new Law(
+        new Invariant(
             "sphere-light",
             "relative difference of the irradiance from π (R/d)² cos θ",
             "radii 1e-6 to .999999 of the distance",
             1e-6,
             tries -> spheres()),
-        new Law(
+        new Invariant(
             "point-light",
             "relative difference of the irradiance from I cos θ / d², in 2^-52",
             "distances 1e-3 to 1e3, angles to 89.9°",
             16,
             tries -> points()),
-        new Law(
+        new Invariant(
             "dome-light",
             "relative difference of the irradiance from π",
             "uniform dome over a plane",
@@ -134,7 +134,7 @@ final class LightLaws {
         LightSample sample = light.sample(Vec3.ZERO, new SobolSampler(0).get2d(0)).orElseThrow();
         double found = sample.radiance().g() * sample.wi().y();
         double expected = Elementary.cosDegrees(angle) / (distance * distance);
-        worst = Math.max(worst, Math.abs(found / expected - 1) / Laws.EPSILON);
+        worst = Math.max(worst, Math.abs(found / expected - 1) / Invariants.EPSILON);
       }
     }
     return worst;

@@ -22,44 +22,44 @@ import java.util.List;
 import java.util.Optional;
 
 /** Transforms, cameras, random numbers and texture coordinates. */
-final class NumberLaws {
+final class NumberInvariants {
   private static final int TRIES = 100_000;
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
-  private NumberLaws() {}
+  private NumberInvariants() {}
 
-  static List<Law> all() {
+  static List<Invariant> all() {
     return List.of(
-        new Law(
+        new Invariant(
             "transform-inverse",
             "distance of M⁻¹ M p from p, in 2^-52 times the condition and the size of p",
             "products of moves, turns and scales from 1e-4 to 1e4",
             64,
-            NumberLaws::inverses),
-        new Law(
+            NumberInvariants::inverses),
+        new Invariant(
             "camera-rays",
             "deviation of directions from unit length, in 2^-52; infinite if one is no direction",
             "five cameras, angles of view 1e-12° to 179.999999°, heights to 1e9, corners and rims",
             4,
-            NumberLaws::cameraRays),
-        new Law(
+            NumberInvariants::cameraRays),
+        new Invariant(
             "fisheye-rim",
             "deviation of the share of samples with a ray from π/4, in standard errors",
             "100 000 points of the film",
             4.8916,
-            NumberLaws::fishEyeRim),
-        new Law(
+            NumberInvariants::fishEyeRim),
+        new Invariant(
             "sampler-uniform",
             "χ² of first samples in bins, as normal deviate",
             "255 and 1023 degrees of freedom; pixels, dimensions and seeds",
             4.7534,
             tries -> uniformity()),
-        new Law(
+        new Invariant(
             "texture-wrap",
             "points read more than one texel from where they belong",
             "1000 x 999 texels, coordinates to ±1e9",
             0,
-            NumberLaws::wraps));
+            NumberInvariants::wraps));
   }
 
   private static double inverses(Tries tries) {
@@ -84,7 +84,7 @@ final class NumberLaws {
       Vec3 p = draws.direction();
       double condition = most / least * (1 + offset.length() / most);
       double error = transform.inversePoint(transform.point(p)).minus(p).length();
-      worst = Math.max(worst, error / (Laws.EPSILON * condition));
+      worst = Math.max(worst, error / (Invariants.EPSILON * condition));
     }
     return worst;
   }
@@ -124,7 +124,7 @@ final class NumberLaws {
     if (!ray.direction().isFinite() || !ray.origin().isFinite()) {
       return Double.POSITIVE_INFINITY;
     }
-    return Math.abs(ray.direction().length() - 1) / Laws.EPSILON;
+    return Math.abs(ray.direction().length() - 1) / Invariants.EPSILON;
   }
 
   private static double fishEyeRim(Tries tries) {

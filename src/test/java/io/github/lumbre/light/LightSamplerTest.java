@@ -14,7 +14,7 @@ import io.github.lumbre.texture.Texture;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
-class LightSelectorTest {
+class LightSamplerTest {
   private static final Rgb TWO = new Rgb(1, 2, .5);
 
   @Test
@@ -22,7 +22,7 @@ class LightSelectorTest {
     for (int n : new int[] {1, 2, 3, 10, 10_000}) {
       double[] powers = new double[n];
       Arrays.fill(powers, 7);
-      LightSelector selector = LightSelector.byPower(powers);
+      LightSampler selector = LightSampler.byPower(powers);
       double sum = 0;
       for (int i = 0; i < n; i++) {
         assertThat(choose(selector, Vec3.ZERO, Vec3.Z, (i + .5) / n).emitter()).isEqualTo(i);
@@ -36,7 +36,7 @@ class LightSelectorTest {
 
   @Test
   void choicesAreHalfByPowerAndHalfEven() {
-    LightSelector selector = LightSelector.byPower(1, 0, 3);
+    LightSampler selector = LightSampler.byPower(1, 0, 3);
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Z, 0))
         .isCloseTo(.5 / 3 + .5 / 4, within(1e-15));
@@ -50,7 +50,7 @@ class LightSelectorTest {
     double[] powers = new double[10_000];
     Arrays.fill(powers, 1e-9);
     powers[1234] = 1;
-    LightSelector selector = LightSelector.byPower(powers);
+    LightSampler selector = LightSampler.byPower(powers);
 
     // The variance of one sample is 1/p − 1 times its square: 1, where even choice has 9999.
     assertThat(1 / probability(selector, Vec3.ZERO, Vec3.Z, 1234) - 1).isCloseTo(1, within(2e-4));
@@ -58,9 +58,8 @@ class LightSelectorTest {
 
   @Test
   void powersThatCannotBeComparedMakeEvenChoices() {
-    assertThat(probability(LightSelector.byPower(0, 0), Vec3.ZERO, Vec3.Z, 0)).isEqualTo(.5);
-    assertThat(
-            probability(LightSelector.byPower(Double.POSITIVE_INFINITY, 1), Vec3.ZERO, Vec3.Z, 1))
+    assertThat(probability(LightSampler.byPower(0, 0), Vec3.ZERO, Vec3.Z, 0)).isEqualTo(.5);
+    assertThat(probability(LightSampler.byPower(Double.POSITIVE_INFINITY, 1), Vec3.ZERO, Vec3.Z, 1))
         .isEqualTo(.5);
   }
 
@@ -94,14 +93,14 @@ class LightSelectorTest {
     assertThat(half.power(3)).isCloseTo(9 * Math.PI * Math.PI, within(1e-9));
   }
 
-  private static LightChoice choose(LightSelector selector, Vec3 point, Vec3 normal, double u) {
+  private static LightChoice choose(LightSampler selector, Vec3 point, Vec3 normal, double u) {
     LightChoice choice = new LightChoice();
     choice.moveTo(point, normal);
     selector.choose(u, choice);
     return choice;
   }
 
-  private static double probability(LightSelector selector, Vec3 point, Vec3 normal, int emitter) {
+  private static double probability(LightSampler selector, Vec3 point, Vec3 normal, int emitter) {
     LightChoice asked = new LightChoice();
     asked.moveTo(point, normal);
     return selector.probability(asked, emitter);

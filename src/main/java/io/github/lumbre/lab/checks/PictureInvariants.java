@@ -32,7 +32,7 @@ import io.github.lumbre.texture.Texture;
 import java.util.List;
 
 /** Light transport and whole pictures. */
-final class PictureLaws {
+final class PictureInvariants {
   private static final int WIDTH = 32;
   private static final int HEIGHT = 24;
   private static final int SAMPLES = 8;
@@ -42,29 +42,29 @@ final class PictureLaws {
   /** Where a standard error is 0 but for rounding. */
   private static final double ROUNDING = 1e-11;
 
-  private PictureLaws() {}
+  private PictureInvariants() {}
 
-  static List<Law> all() {
+  static List<Invariant> all() {
     return List.of(
-        new Law(
+        new Invariant(
             "enclosure-series",
             "deviation of light in an enclosure from ρ (1 - ρ^N) / (1 - ρ), in standard errors",
             "reflectances .2 to .95, depths 1 to 100, roulette included",
             4.8916,
             tries -> enclosures()),
-        new Law(
+        new Invariant(
             "scale-invariance",
             "pixels that change when the scene is scaled by a power of two",
             "scales 2^-30 to 2^30; matte, glossy, glass, lamp, sun and background",
             0,
             tries -> scaledDifferences()),
-        new Law(
+        new Invariant(
             "schedule-independence",
             "pixels that change with threads, buckets or crop",
             "1 to 5 threads, buckets of 1 to 100 pixels, windows of the frame",
             0,
             tries -> scheduleDifferences()),
-        new Law(
+        new Invariant(
             "film-exact",
             "pixels that change when samples come in several passes, or from films that are added"
                 + " up",

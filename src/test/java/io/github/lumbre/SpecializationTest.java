@@ -7,7 +7,7 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Shortcut;
+import io.github.lumbre.scene.Specialization;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,7 +18,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** The renderer leaves out work that a scene does not require, and nobody can see that. */
-class ShortcutTest {
+class SpecializationTest {
   private static List<Path> scenes() throws IOException {
     try (Stream<Path> files = Files.list(Path.of("scenes"))) {
       return files.filter(file -> file.toString().endsWith(".json")).sorted().toList();
@@ -31,12 +31,12 @@ class ShortcutTest {
 
   @Test
   void picturesAreTheSameWithoutShortcuts() throws Exception {
-    Set<Shortcut> taken = EnumSet.noneOf(Shortcut.class);
+    Set<Specialization> taken = EnumSet.noneOf(Specialization.class);
     for (Path scene : scenes()) {
-      SceneFile file = new SceneParser().overriding(ShortcutTest::tiny).parse(scene);
+      SceneFile file = new SceneParser().overriding(SpecializationTest::tiny).parse(scene);
       BucketRenderer renderer = new BucketRenderer(file.settings());
       Scene general = file.scene();
-      for (Shortcut shortcut : Shortcut.values()) {
+      for (Specialization shortcut : Specialization.values()) {
         if (general.takes(shortcut)) {
           taken.add(shortcut);
         }
@@ -48,6 +48,6 @@ class ShortcutTest {
           .usingRecursiveComparison()
           .isEqualTo(renderer.render(file.scene()));
     }
-    assertThat(taken).containsExactlyInAnyOrder(Shortcut.values());
+    assertThat(taken).containsExactlyInAnyOrder(Specialization.values());
   }
 }

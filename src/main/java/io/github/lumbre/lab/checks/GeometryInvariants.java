@@ -15,7 +15,7 @@ import io.github.lumbre.math.Vec3;
 import java.util.List;
 
 /** Rays and surfaces. */
-final class GeometryLaws {
+final class GeometryInvariants {
   private static final int RAYS = 60_000;
   private static final int HITS = 4_000;
   private static final int SPAWNED = 8;
@@ -26,42 +26,42 @@ final class GeometryLaws {
     {1e-9, 0}, {1e-6, 1e2}, {1e-3, 0}, {1, 0}, {1, 1e4}, {1, 1e8}, {1e3, 1e8}, {1e6, 0}, {1e9, 0}
   };
 
-  private GeometryLaws() {}
+  private GeometryInvariants() {}
 
-  static List<Law> all() {
+  static List<Invariant> all() {
     return List.of(
-        new Law(
+        new Invariant(
             "watertight",
             "rays per million that leak through a closed mesh at edges and vertices",
             "scales 1e-9 to 1e9, distances from the origin to 1e8, both kernels",
             0,
-            GeometryLaws::leaks),
-        new Law(
+            GeometryInvariants::leaks),
+        new Invariant(
             "no-rehit",
             "rays per million that meet the convex surface again which they leave",
             "spheres, boxes, rectangles, meshes; scales 1e-9 to 1e9, distances to 1e8",
             0,
-            GeometryLaws::rehits),
-        new Law(
+            GeometryInvariants::rehits),
+        new Invariant(
             "sphere-outline",
             "rays per million that miss a sphere inside its outline or hit it outside",
             "from 10 to 1e12 radii away, .999 and 1.001 radii off the centre",
             0,
-            GeometryLaws::outlines),
-        new Law(
+            GeometryInvariants::outlines),
+        new Invariant(
             "sphere-residual",
             "distance of hits from the sphere, in 2^-52 (distance + radius)",
             "from 10 to 1e12 radii away",
             8,
-            GeometryLaws::residuals),
-        new Law(
+            GeometryInvariants::residuals),
+        new Invariant(
             "kernels-agree",
             "rays per million of which vector and scalar kernel tell another hit",
             Kernel.vectorObstacle().isEmpty()
                 ? "8064 triangles, rays from inside and outside"
                 : "not tried: " + Kernel.vectorObstacle().get(),
             0,
-            GeometryLaws::kernelDifferences));
+            GeometryInvariants::kernelDifferences));
   }
 
   private static Kernel[] kernels() {
@@ -199,7 +199,7 @@ final class GeometryLaws {
       for (int i = 0; i < tries.times() * (RAYS / 4); i++) {
         Ray ray = passing(draws, distance, offset(.999 * draws.unit(), distance));
         if (bvh.intersect(ray, hit)) {
-          double unit = Laws.EPSILON * (distance + 1);
+          double unit = Invariants.EPSILON * (distance + 1);
           double searched = Math.abs(ray.at(hit.t()).length() - 1);
           double stored = Math.abs(sphere.surfaceAt(hit).position().length() - 1);
           worst = Math.max(worst, Math.max(searched, stored) / unit);

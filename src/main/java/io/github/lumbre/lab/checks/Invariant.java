@@ -12,19 +12,19 @@ import java.util.function.ToDoubleFunction;
  * @param limit that the worst case may reach
  * @param measurement finds the worst case; NaN or infinite if something is badly wrong
  */
-public record Law(
+public record Invariant(
     String name,
     String statement,
     String range,
     double limit,
     ToDoubleFunction<Tries> measurement) {
-  public Law {
+  public Invariant {
     Objects.requireNonNull(name, "name");
     Objects.requireNonNull(measurement, "measurement");
   }
 
   /** What was found of a law. */
-  public record Outcome(Law law, double worst) {
+  public record Outcome(Invariant law, double worst) {
     /** Tells whether the law holds. */
     public boolean holds() {
       return worst <= law.limit;

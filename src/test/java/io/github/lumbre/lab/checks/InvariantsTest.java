@@ -10,22 +10,22 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What {@code lumbre selftest} measures on the user's machine holds on this one. */
-class LawsTest {
+class InvariantsTest {
   private static final Tries TRIES = new Tries(Effort.count(1, 10), Effort.seed(0));
 
-  static Stream<Law> laws() {
-    return Laws.all().stream();
+  static Stream<Invariant> laws() {
+    return Invariants.all().stream();
   }
 
   @ParameterizedTest
   @MethodSource("laws")
-  void lawHolds(Law law) {
+  void lawHolds(Invariant law) {
     assertThat(law.measure(TRIES).worst()).as(law.name()).isBetween(0.0, law.limit());
   }
 
   @Test
   void namesAreDistinct() {
-    List<String> names = laws().map(Law::name).toList();
+    List<String> names = laws().map(Invariant::name).toList();
     assertThat(names).doesNotHaveDuplicates().allMatch(name -> name.matches("[a-z0-9-]+"));
   }
 
@@ -37,7 +37,7 @@ class LawsTest {
     assertThat(law(Double.POSITIVE_INFINITY).measure(TRIES).holds()).isFalse();
   }
 
-  private static Law law(double worst) {
-    return new Law("some", "what", "where", 1, tries -> worst);
+  private static Invariant law(double worst) {
+    return new Invariant("some", "what", "where", 1, tries -> worst);
   }
 }

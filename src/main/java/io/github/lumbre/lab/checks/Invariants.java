@@ -4,20 +4,20 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /** All laws. */
-public final class Laws {
+public final class Invariants {
   /** The rounding unit of doubles, in which some laws count. */
   static final double EPSILON = 0x1p-52;
 
-  private Laws() {}
+  private Invariants() {}
 
   /** Returns all laws, in the order in which they are told. */
-  public static List<Law> all() {
+  public static List<Invariant> all() {
     return Stream.of(
-            GeometryLaws.all(),
-            NumberLaws.all(),
-            MaterialLaws.all(),
-            LightLaws.all(),
-            PictureLaws.all())
+            GeometryInvariants.all(),
+            NumberInvariants.all(),
+            MaterialInvariants.all(),
+            LightInvariants.all(),
+            PictureInvariants.all())
         .flatMap(List::stream)
         .toList();
   }
