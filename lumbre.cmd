@@ -78,20 +78,11 @@ findstr /c:"jdk.incubator.vector" "%LUMBRE_BIN%..\release" >nul 2>nul && set "LU
 rem Whether Java starts at all is tried only with options of the user's, and not with agents and recorders.
 if not defined LUMBRE_JAVA_OPTS goto parts
 set LUMBRE_JAVA_OPTS | findstr /c:"-agent" /c:"-javaagent" /c:"-Xrun" /c:"FlightRecord" >nul && goto parts
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_JAVA_OPTS% -version >nul 2>nul && goto parts
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_JAVA_OPTS% -version 1>&2
+"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version >nul 2>nul && goto parts
+"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version 1>&2
 echo lumbre: LUMBRE_JAVA_OPTS: Java does not start with "%LUMBRE_JAVA_OPTS%">&2
 exit /b 2
 
 :parts
-rem A bounce is more than the compiler takes in at once, so it gets it in parts.
-set "LUMBRE_PARTS=-XX:CompileCommand=quiet"
-set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.scene.Scene::surfaceAt"
-set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.integrator.Vertex::moveTo"
-set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.integrator.PathTracer::direct"
-set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::sample"
-set "LUMBRE_PARTS=%LUMBRE_PARTS% -XX:CompileCommand=dontinline,io.github.lumbre.material.Mixture::evaluate"
-
-rem The options of the virtual machine, all of them.
-"%LUMBRE_JAVA%" -Djava.awt.headless=true -XX:+UseParallelGC -Xshare:auto %LUMBRE_PARTS% %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
 exit /b %ERRORLEVEL%

@@ -109,20 +109,9 @@ def java_version(java):
     return text.split('"')[1].split(".")[0]
 
 
-# What ./lumbre lets the compiler take in by itself.
-PARTS = [
-    "scene.Scene::surfaceAt",
-    "integrator.Vertex::moveTo",
-    "integrator.PathTracer::direct",
-    "material.Mixture::sample",
-    "material.Mixture::evaluate",
-]
-
-
 def java_command(java, jar, source, *options):
     """Runs a file of Java source against the jar, with the options that ./lumbre gives."""
     folder = os.path.dirname(os.path.abspath(__file__))
-    vector = ["--add-modules", "jdk.incubator.vector", "-XX:CompileCommand=quiet"]
-    parts = [f"-XX:CompileCommand=dontinline,io.github.lumbre.{part}" for part in PARTS]
-    fixed = [java, *vector, *parts, "-Djava.awt.headless=true", "-XX:+UseParallelGC", *options]
+    jvm = os.path.join(folder, "..", "main", "jvm", "options")
+    fixed = [java, "@" + jvm, "--add-modules", "jdk.incubator.vector", *options]
     return [*fixed, "-cp", jar, os.path.join(folder, source)]

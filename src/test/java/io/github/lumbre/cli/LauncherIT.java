@@ -31,6 +31,7 @@ class LauncherIT {
   void makeProject() throws IOException {
     home = Files.createDirectories(directory.resolve("home of lumbre"));
     Files.createDirectories(home.resolve("src/main/java"));
+    Program.copyOptions(home);
     Files.writeString(home.resolve("pom.xml"), "");
     Files.writeString(home.resolve("src/main/java/A.java"), "");
     script(home.resolve("lumbre"), Files.readString(Path.of("lumbre")));

@@ -30,6 +30,13 @@ final class Program {
     return Path.of(System.getProperty("java.home"), "bin", name).toString();
   }
 
+  /** Copies the options of the virtual machine to a copy of the project. */
+  static void copyOptions(Path home) throws IOException {
+    Path options = Path.of("src", "main", "jvm", "options");
+    Files.createDirectories(home.resolve(options).getParent());
+    Files.copy(options, home.resolve(options));
+  }
+
   /** Starts a program in a directory, which takes what it prints. */
   static Process start(Path directory, List<String> command) throws IOException {
     return new ProcessBuilder(interruptible(command))

@@ -44,7 +44,7 @@ class TerminalIT {
     assumeTrue(
         isNeeded || PseudoTerminal.isSupported(),
         "TerminalIT is skipped: this system has no 'script' of util-linux to make a terminal with");
-    Files.createDirectories(home.resolve("src/main"));
+    Program.copyOptions(home);
     Files.createDirectories(home.resolve("target"));
     Files.writeString(home.resolve("pom.xml"), "");
     Files.copy(Path.of("lumbre"), home.resolve("lumbre"));

@@ -1,0 +1,43 @@
+package io.github.lumbre;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.lang.reflect.Method;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** The file of options that both launchers hand to the virtual machine. */
+class JvmOptionsTest {
+  private static final Path FILE = Path.of("src", "main", "jvm", "options");
+  private static final Pattern HINT =
+      Pattern.compile("(?m)^-XX:CompileCommand=dontinline,([\\w.]+)::(\\w+)$");
+
+  @Test
+  void everyHintedMethodExists() throws IOException {
+    String options = Files.readString(FILE);
+    List<MatchResult> hints = HINT.matcher(options).results().toList();
+    assertThat(hints).hasSize(options.split("dontinline", -1).length - 1).isNotEmpty();
+    for (MatchResult hint : hints) {
+      assertThat(hint.group(1))
+          .satisfies(
+              name ->
+                  assertThat(Class.forName(name).getDeclaredMethods())
+                      .extracting(Method::getName)
+                      .contains(hint.group(2)));
+    }
+  }
+
+  @Test
+  void bothLaunchersReadTheFileAndStateNoOptionOfTheirOwn() throws IOException {
+    for (String launcher : List.of("lumbre", "lumbre.cmd")) {
+      assertThat(Files.readString(Path.of(launcher)))
+          .containsPattern("src.main.jvm.options")
+          .doesNotContain("-XX:", "-Xshare", "-Djava.awt");
+    }
+  }
+}
