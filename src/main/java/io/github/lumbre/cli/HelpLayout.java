@@ -33,7 +33,7 @@ final class HelpLayout {
     COMMANDS.put(REST, List.of("completion", "help"));
 
     FLAGS.put("Scene", List.of("--scene", "--strict", "--lenient", "--max-pixels"));
-    FLAGS.put("Frame", List.of("--size", "--crop", "--filter", "--transparent"));
+    FLAGS.put("Frame", List.of("--size", "--crop", "--filter"));
     FLAGS.put("Light transport", List.of("--mode", "--depth", "--split", "--clamp", "--seed"));
     FLAGS.put(
         "When to stop",

@@ -178,7 +178,7 @@ final class LightReader {
       light.node().error("intensity", "expected a finite radiance, found an infinite one");
     }
     Emission emission = new Emission(Texture.constant(radiance), false);
-    return scene -> scene.addLamp(shape, emission);
+    return scene -> scene.addAreaLight(shape, emission);
   }
 
   private Consumer<SceneBuilder> dome(Placed light, Rgb radiance) {

@@ -127,7 +127,7 @@ final class MaterialReader {
   private Surface color(JsonNode material) {
     Emission emission =
         new Emission(textures.colour(material, "color", material.rgb("color")), true);
-    return (shape, scene) -> scene.addGlowing(shape, emission);
+    return (shape, scene) -> scene.addEmissive(shape, emission);
   }
 
   private Surface reflective(JsonNode material) {

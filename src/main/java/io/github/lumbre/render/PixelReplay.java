@@ -109,7 +109,7 @@ public final class PixelReplay {
   /**
    * Repeats all samples of a pixel.
    *
-   * @param shown how many of the brightest, and of the rejected ones, are kept
+   * @param shown how many of the brightest, and of the rejected ones, are kept, at least 0
    */
   public Pixel pixel(int x, int y, int shown) {
     Film film = new Film(new RenderSettings.Crop(0, 0, 1, 1), false, 0);
@@ -126,7 +126,8 @@ public final class PixelReplay {
         rejected.add(sample);
       }
       if (brightest.size() < shown
-          || sample.film().max() > brightest.get(brightest.size() - 1).film().max()) {
+          || shown > 0
+              && sample.film().max() > brightest.get(brightest.size() - 1).film().max()) {
         brightest.add(sample);
         brightest.sort(byBrightness);
         brightest.subList(Math.min(shown, brightest.size()), brightest.size()).clear();

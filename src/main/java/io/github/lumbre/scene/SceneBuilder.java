@@ -47,9 +47,9 @@ public final class SceneBuilder {
   }
 
   /** Adds a lamp: a surface that shines, scatters nothing, and is a light in both modes. */
-  public SceneBuilder addLamp(Shape shape, Emission emission) {
+  public SceneBuilder addAreaLight(Shape shape, Emission emission) {
     AreaLight light = new AreaLight(shape, emission);
-    addGlowing(shape, emission);
+    addEmissive(shape, emission);
     if (!light.isBlack()) {
       lights.add(light);
     }
@@ -60,7 +60,7 @@ public final class SceneBuilder {
    * Adds a surface that shows its own colour and scatters nothing. Where all light is followed it
    * lights other things; infinite planes only by being hit.
    */
-  public SceneBuilder addGlowing(Shape shape, Emission emission) {
+  public SceneBuilder addEmissive(Shape shape, Emission emission) {
     if (!emission.isBlack() && Double.isFinite(shape.area())) {
       emitterOfPrimitive.put(primitives.size(), emitters.size());
       emitters.add(new AreaLight(shape, emission));

@@ -104,7 +104,7 @@ class BentNormalsTest {
         empty()
             .add(floor(), new NormalMapped(material, wild()))
             .add(point(new Vec3(.2, -1, .1), 100))
-            .addLamp(sphere(-1, -2, 0, 1), glow(100))
+            .addAreaLight(sphere(-1, -2, 0, 1), glow(100))
             .build();
     PathTracer tracer = new PathTracer(scene, 3);
     for (int i = 0; i < 40; i++) {
@@ -118,7 +118,7 @@ class BentNormalsTest {
     Scene scene =
         empty()
             .add(floor(), new NormalMapped(material, wild()))
-            .addLamp(sphere(.5, 2, .3, 1), glow(1))
+            .addAreaLight(sphere(.5, 2, .3, 1), glow(1))
             .build();
     PathTracer lights = new PathTracer(scene, PathOptions.toDepth(1).by(MisHeuristic.BOTH));
     PathTracer rays = new PathTracer(scene, PathOptions.toDepth(1).by(MisHeuristic.BSDF));

@@ -96,7 +96,7 @@ class InterreflectionTest {
 
   @Test
   void depthZeroShowsEmittersOnly() {
-    Scene scene = empty().add(floor(), matte(.5)).addLamp(ceilingLamp(1, 1, 1), glow(3)).build();
+    Scene scene = empty().add(floor(), matte(.5)).addAreaLight(ceilingLamp(1, 1, 1), glow(3)).build();
 
     assertThat(radianceOnce(scene, 0, lookingDownAt(0))).isZero();
     assertThat(radianceOnce(scene, 0, new Ray(new Vec3(0, .5, 0), Vec3.Y))).isEqualTo(3);
@@ -104,7 +104,7 @@ class InterreflectionTest {
 
   @Test
   void emitterSeenInAMirrorKeepsItsRadiance() {
-    SceneBuilder builder = empty().addLamp(ceilingLamp(1, 1, 1), glow(3));
+    SceneBuilder builder = empty().addAreaLight(ceilingLamp(1, 1, 1), glow(3));
     builder.add(floor(), new Mirror(Texture.constant(Rgb.grey(.5))));
 
     assertThat(radianceOnce(builder.build(), 1, new Ray(new Vec3(0, .5, 0), new Vec3(0, -1, 0))))
@@ -116,7 +116,7 @@ class InterreflectionTest {
   @Test
   void emitterSeenThroughGlassKeepsItsRadiance() {
     Scene scene =
-        empty().addLamp(ceilingLamp(1, 1, 1), glow(3)).add(sphere(0, .7, 0, .1), glass(1)).build();
+        empty().addAreaLight(ceilingLamp(1, 1, 1), glow(3)).add(sphere(0, .7, 0, .1), glass(1)).build();
     Ray up = new Ray(new Vec3(.01, .5, .02), Vec3.Y);
 
     assertThat(radianceOnce(scene, 2, up)).isEqualTo(3);
@@ -131,7 +131,7 @@ class InterreflectionTest {
         empty()
             .add(new Rectangle(Transform.IDENTITY, 3000, 3000, false), mirror)
             .add(ceilingLamp(3000, 3000, 1), mirror)
-            .addLamp(
+            .addAreaLight(
                 new Rectangle(
                     TestScenes.at(0, .5, 1000.25).times(turned(-90, 0, 0)), 10, 10, false),
                 glow(1))
@@ -190,7 +190,7 @@ class InterreflectionTest {
 
   @Test
   void glassOfIndexOneIsInvisible() {
-    SceneBuilder builder = empty().add(floor(), matte(.7)).addLamp(ceilingLamp(4, 4, 4), glow(1));
+    SceneBuilder builder = empty().add(floor(), matte(.7)).addAreaLight(ceilingLamp(4, 4, 4), glow(1));
     Ray ray = new Ray(new Vec3(.3, 2, .1), new Vec3(.05, -1, .03).normalized());
     Estimate without = Estimate.of(new PathTracer(builder.build(), 1), ray, 256);
     builder.add(sphere(.4, 1.2, .1, .5), glass(1));
@@ -221,7 +221,7 @@ class InterreflectionTest {
           Transform.rotationDegrees(turn).times(Transform.translation(new Vec3(0, -.5, 0)));
       builder.add(new Rectangle(placed, 1, 1, false), matte(.5));
     }
-    builder.addLamp(
+    builder.addAreaLight(
         new Rectangle(Transform.translation(new Vec3(0, -.5, 0)), 1, 1, false), glow(1));
     PathTracer tracer = new PathTracer(builder.build(), 1);
 
@@ -277,7 +277,7 @@ class InterreflectionTest {
             .add(floor(), matte(.7))
             .add(sphere(0, .6, 0, .5), glass(1.5))
             .add(sphere(.1, .6, 0, .3), glass(1.2))
-            .addLamp(ceilingLamp(3, 3, 3), glow(1))
+            .addAreaLight(ceilingLamp(3, 3, 3), glow(1))
             .build();
     Ray ray = new Ray(new Vec3(.2, .8, -3), new Vec3(0, -.05, 1).normalized());
 

@@ -65,7 +65,7 @@ class LightTransportTest {
   })
   void rectangleLightsTheFloorBelowIt(double a, double b, double h, double irradiance) {
     Scene scene =
-        empty().add(floor(), matte(ALBEDO)).addLamp(ceilingLamp(a, b, h), glow(1)).build();
+        empty().add(floor(), matte(ALBEDO)).addAreaLight(ceilingLamp(a, b, h), glow(1)).build();
 
     assertRadiance(scene, lookingDownAt(0, h / 1000), ALBEDO * irradiance / Math.PI);
   }
@@ -75,7 +75,7 @@ class LightTransportTest {
   @CsvSource({"1e-6, 9.99999999999667e-13", "1, 0.752274688454107", "1e6, 3.14159265357951"})
   void rectanglesOfAnySizeLightByTheirSolidAngle(double side, double irradiance) {
     Scene scene =
-        empty().add(floor(), matte(ALBEDO)).addLamp(ceilingLamp(side, side, 1), glow(1)).build();
+        empty().add(floor(), matte(ALBEDO)).addAreaLight(ceilingLamp(side, side, 1), glow(1)).build();
     PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(MisHeuristic.LIGHT));
     Sampler sampler = new SobolSampler(Effort.seed(1));
     RenderContext scratch = new RenderContext();
@@ -95,7 +95,7 @@ class LightTransportTest {
   void rectangleLightsTheFloorBelowItsCorner(double side, double irradiance) {
     Shape lamp =
         new Rectangle(at(side / 2, 1, side / 2).times(turned(180, 0, 0)), side, side, false);
-    Scene scene = empty().add(floor(), matte(ALBEDO)).addLamp(lamp, glow(1)).build();
+    Scene scene = empty().add(floor(), matte(ALBEDO)).addAreaLight(lamp, glow(1)).build();
 
     assertRadiance(scene, lookingDownAt(0), ALBEDO * irradiance / Math.PI);
   }
@@ -104,7 +104,7 @@ class LightTransportTest {
   @Test
   void rectangleLightsTheFloorBesideIt() {
     Shape wall = new Rectangle(at(.5, .5, 1).times(turned(-90, 0, 0)), 1, 1, false);
-    Scene scene = empty().add(floor(), matte(ALBEDO)).addLamp(wall, glow(1)).build();
+    Scene scene = empty().add(floor(), matte(ALBEDO)).addAreaLight(wall, glow(1)).build();
 
     assertRadiance(scene, lookingDownAt(0), ALBEDO * 0.175094143856948 / Math.PI);
   }
@@ -116,8 +116,8 @@ class LightTransportTest {
     Scene scene =
         empty()
             .add(floor(), matte(ALBEDO))
-            .addLamp(facesUp, glow(1))
-            .addLamp(inTheFloor, glow(1))
+            .addAreaLight(facesUp, glow(1))
+            .addAreaLight(inTheFloor, glow(1))
             .build();
 
     assertThat(Estimate.of(new PathTracer(scene, 1), lookingDownAt(0), 64).mean()).isZero();
@@ -139,7 +139,7 @@ class LightTransportTest {
     Scene scene =
         empty()
             .add(floor(), matte(ALBEDO))
-            .addLamp(sphere(centre.x(), centre.y(), centre.z(), radius), glow(1))
+            .addAreaLight(sphere(centre.x(), centre.y(), centre.z(), radius), glow(1))
             .build();
 
     // The view comes from the side away from the lamp, and starts below it.
@@ -152,7 +152,7 @@ class LightTransportTest {
     Scene scene =
         empty()
             .add(sphere(0, 0, 0, .1), matte(ALBEDO))
-            .addLamp(sphere(0, 0, 0, 1), glow(1))
+            .addAreaLight(sphere(0, 0, 0, 1), glow(1))
             .build();
     Ray inside = new Ray(new Vec3(0, .5, 0), new Vec3(0, -1, 0));
 
@@ -313,7 +313,7 @@ class LightTransportTest {
   @Test
   void blackLightsChangeNothing() {
     SceneBuilder builder =
-        empty().add(floor(), matte(ALBEDO)).addLamp(ceilingLamp(1, 1, 1), glow(1));
+        empty().add(floor(), matte(ALBEDO)).addAreaLight(ceilingLamp(1, 1, 1), glow(1));
     Estimate without = Estimate.of(new PathTracer(builder.build(), 1), lookingDownAt(0), 16);
     builder.add(point(new Vec3(0, 2, 0), 0)).addBackground(Rgb.BLACK);
 
@@ -329,8 +329,8 @@ class LightTransportTest {
     List<Estimate> estimates = new ArrayList<>();
     for (int mask = 1; mask <= 3; mask++) {
       SceneBuilder builder = empty().add(floor(), matte(ALBEDO)).add(blocker, matte(ALBEDO));
-      builder.addLamp(first, glow((mask & 1) == 0 ? 0 : 1));
-      builder.addLamp(second, glow((mask & 2) == 0 ? 0 : 2));
+      builder.addAreaLight(first, glow((mask & 1) == 0 ? 0 : 1));
+      builder.addAreaLight(second, glow((mask & 2) == 0 ? 0 : 2));
       estimates.add(Estimate.of(new PathTracer(builder.build(), 3), lookingDownAt(.2), 1024, mask));
     }
     Estimate sum =
@@ -349,7 +349,7 @@ class LightTransportTest {
             .add(floor(), matte(ALBEDO))
             .add(sphere(0, 1, 0, .5), matte(ALBEDO))
             .add(point(new Vec3(0, 1, 0), 1))
-            .addLamp(sphere(0, 1.1, 0, .1), glow(10))
+            .addAreaLight(sphere(0, 1.1, 0, .1), glow(10))
             .build();
 
     assertThat(Estimate.of(new PathTracer(scene, 5), lookingDownAt(0), 64).mean()).isZero();
@@ -364,9 +364,9 @@ class LightTransportTest {
         empty()
             .add(floor(), matte(ALBEDO))
             .add(sphere(.5, .4, .2, .3), matte(.8))
-            .addLamp(ceilingLamp(2, 1, 1), glow(1))
-            .addLamp(sphere(1.5, .6, -.5, .3), glow(3))
-            .addGlowing(box, new Emission(glow(2).radiance(), true))
+            .addAreaLight(ceilingLamp(2, 1, 1), glow(1))
+            .addAreaLight(sphere(1.5, .6, -.5, .3), glow(3))
+            .addEmissive(box, new Emission(glow(2).radiance(), true))
             .add(EnvironmentLight.uniform(Rgb.grey(.2)))
             .build();
     Estimate both = Estimate.of(new PathTracer(scene, 3), lookingDownAt(0), 1024, 1);
@@ -387,7 +387,7 @@ class LightTransportTest {
     Scene scene =
         empty()
             .add(floor(), matte(ALBEDO))
-            .addLamp(new Rectangle(twice, 1, 1, false), glow(1))
+            .addAreaLight(new Rectangle(twice, 1, 1, false), glow(1))
             .build();
 
     assertRadiance(scene, lookingDownAt(0), ALBEDO * 1.74083950273421 / Math.PI);

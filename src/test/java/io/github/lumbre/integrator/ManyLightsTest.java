@@ -55,9 +55,9 @@ class ManyLightsTest {
                     turned(turn.x(), turn.y(), 0).vector(Vec3.Y),
                     40,
                     20));
-        case 2 -> scene.addLamp(sphere(x, y, z, .05), glow(strength));
+        case 2 -> scene.addAreaLight(sphere(x, y, z, .05), glow(strength));
         default ->
-            scene.addLamp(
+            scene.addAreaLight(
                 new Rectangle(at(x, y, z).times(turned(turn.x(), turn.y(), 0)), .2, .1, false),
                 glow(strength));
       }
@@ -115,7 +115,7 @@ class ManyLightsTest {
     SplittableRandom random = new SplittableRandom(9);
     for (int i = 0; i < 6; i++) {
       Vec3 place = new Vec3(random.nextDouble(-2, 2), 1.5, random.nextDouble(-2, 2));
-      builder.addLamp(
+      builder.addAreaLight(
           new Rectangle(
               at(place.x(), place.y(), place.z()).times(turned(150 + 10 * i, 20, 0)),
               1,

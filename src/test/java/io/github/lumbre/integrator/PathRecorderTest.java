@@ -44,7 +44,7 @@ class PathRecorderTest {
         .add(floor(), matte(.7))
         .add(new Box(at(2, 1, 0), 1, 2, 3), matte(.8))
         .add(sphere(.3, 1, -1, .4), glass(1.5))
-        .addLamp(ceilingLamp(2, 2, 4), glow(1))
+        .addAreaLight(ceilingLamp(2, 2, 4), glow(1))
         .add(point(new Vec3(-1, 2, 1), 3))
         .add(EnvironmentLight.uniform(new Rgb(.1, .2, .3)))
         .add(EnvironmentLight.uniform(new Rgb(.7, .05, .01)))

@@ -48,7 +48,7 @@ class SplitPathsTest {
         .add(new Box(at(2, 1, 0), 1, 2, 3), matte(.8))
         .add(new Box(at(-2, 1.5, 0), 1, 3, 3), matte(.6))
         .add(sphere(.3, 1, -1, .4), matte(.9))
-        .addLamp(ceilingLamp(2, 2, 4), glow(1))
+        .addAreaLight(ceilingLamp(2, 2, 4), glow(1))
         .build();
   }
 
@@ -58,8 +58,8 @@ class SplitPathsTest {
         .add(floor(), matte(.5))
         .add(new Box(at(1.1, .35, 0), 1, .7, 2), matte(.9))
         .add(new Box(at(-.5, .35, 0), 1, .7, 2), matte(.9))
-        .addLamp(ceilingLamp(6, 6, 1), glow(1))
-        .addLamp(sphere(.4, .3, .6, .2), glow(3))
+        .addAreaLight(ceilingLamp(6, 6, 1), glow(1))
+        .addAreaLight(sphere(.4, .3, .6, .2), glow(3))
         .build();
   }
 
@@ -69,7 +69,7 @@ class SplitPathsTest {
         .add(sphere(.3, .05, 0, .04), glass(1.5))
         .add(new Box(at(1, .5, 0), .2, 1, 2), matte(.8))
         .add(point(new Vec3(-1, 2, 1), 3))
-        .addLamp(ceilingLamp(3, 3, 4), glow(1))
+        .addAreaLight(ceilingLamp(3, 3, 4), glow(1))
         .build();
   }
 

@@ -104,7 +104,7 @@ class DepthOfFieldTest {
       throws InterruptedException {
     Scene scene =
         Scene.seenBy(camera)
-            .addGlowing(
+            .addEmissive(
                 new Sphere(Transform.translation(new Vec3(0, 0, depth)), BALL),
                 new Emission(Texture.constant(Rgb.WHITE), true))
             .build();

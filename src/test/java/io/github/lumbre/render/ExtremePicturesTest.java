@@ -96,7 +96,7 @@ class ExtremePicturesTest {
     for (Camera camera : cameras(new Vec3(0, 0, -3), (double) width / height)) {
       Scene scene =
           Scene.seenBy(camera)
-              .addGlowing(new Sphere(Transform.IDENTITY, 1), glow(Rgb.WHITE))
+              .addEmissive(new Sphere(Transform.IDENTITY, 1), glow(Rgb.WHITE))
               .addBackground(Rgb.WHITE)
               .build();
       Image image = new BucketRenderer(settings(width, height, 1).build()).render(scene);
@@ -133,7 +133,7 @@ class ExtremePicturesTest {
         .add(
             new Box(at(1, .5, .3).times(Transform.rotationDegrees(new Vec3(0, 30, 0))), 1, 1, 1),
             matte(new Rgb(.2, .5, .8)))
-        .addLamp(
+        .addAreaLight(
             new Rectangle(
                 at(.5, 3, -1).times(Transform.rotationDegrees(new Vec3(180, 0, 0))), 1, 2, false),
             glow(Rgb.grey(4)));
@@ -147,7 +147,7 @@ class ExtremePicturesTest {
     Vec3 eye = new Vec3(.3, -.2, .5).plus(distance, new Vec3(0, 0, -1));
     Scene scene =
         Scene.seenBy(new PinholeCamera(eye, Frame.WORLD, 1, fov))
-            .addGlowing(new Sphere(at(.3, -.2, .5), 1), glow(Rgb.WHITE))
+            .addEmissive(new Sphere(at(.3, -.2, .5), 1), glow(Rgb.WHITE))
             .build();
     int replicates = 100;
     Moments share = new Moments();
@@ -179,9 +179,9 @@ class ExtremePicturesTest {
       for (boolean redFirst : new boolean[] {true, false}) {
         Scene scene =
             Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 20))
-                .addGlowing(new Rectangle(place, 9, 9, true), glow(redFirst ? RED : GREEN))
-                .addGlowing(new Rectangle(place, 8, 7, true), glow(redFirst ? GREEN : RED))
-                .addGlowing(new Rectangle(place, 9, 9, true), glow(redFirst ? GREEN : RED))
+                .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? RED : GREEN))
+                .addEmissive(new Rectangle(place, 8, 7, true), glow(redFirst ? GREEN : RED))
+                .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? GREEN : RED))
                 .build();
         for (int threads = 1; threads < 4; threads++) {
           RenderSettings settings = settings(24, 24, 1).threads(threads).bucketSize(7).build();
@@ -214,8 +214,8 @@ class ExtremePicturesTest {
             .add(new Plane(end, true), matte(Rgb.BLACK))
             .add(point(tilt.point(new Vec3(1, 2 + gap, distance))))
             .add(point(tilt.point(new Vec3(1, -2, .5 * distance))))
-            .addLamp(new Sphere(tilt.times(at(0, 4 + gap, distance)), 1), glow(Rgb.WHITE))
-            .addLamp(new Sphere(tilt.times(at(0, -3, distance)), 1), glow(Rgb.WHITE))
+            .addAreaLight(new Sphere(tilt.times(at(0, 4 + gap, distance)), 1), glow(Rgb.WHITE))
+            .addAreaLight(new Sphere(tilt.times(at(0, -3, distance)), 1), glow(Rgb.WHITE))
             .build();
     RenderSettings settings =
         settings(64, 64, Effort.count(4, 64)).maxTraceDepth(4).seed(Effort.seed(1)).build();
@@ -247,7 +247,7 @@ class ExtremePicturesTest {
     Transform place = at(0, 0, 1).times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
     Scene scene =
         Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90))
-            .addGlowing(new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
+            .addEmissive(new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
             .build();
     Moments means = new Moments();
     for (int seed = 0; seed < 100; seed++) {
@@ -312,7 +312,7 @@ class ExtremePicturesTest {
         .add(new Plane(all, false), Matte.GREY)
         .add(Mesh.baked(tetrahedron(), all.times(at(-.9, .1, 0))), matte(new Rgb(.2, .8, .4)))
         .add(new Sphere(all.times(at(1.1, .6, .4)), .6), Matte.GREY)
-        .addLamp(new Rectangle(all.times(lamp), 1, 2, false), glow(Rgb.grey(6)))
+        .addAreaLight(new Rectangle(all.times(lamp), 1, 2, false), glow(Rgb.grey(6)))
         .build();
   }
 
@@ -355,8 +355,8 @@ class ExtremePicturesTest {
       throws InterruptedException {
     SceneBuilder scene =
         Scene.seenBy(new PinholeCamera(new Vec3(0, 0, -8), Frame.WORLD, settings.aspect(), 40))
-            .addLamp(new Sphere(at(3, 6, -6), 1), glow(Rgb.grey(9)))
-            .addLamp(new Sphere(at(-5, 2, -7), .5), glow(Rgb.grey(9)));
+            .addAreaLight(new Sphere(at(3, 6, -6), 1), glow(Rgb.grey(9)))
+            .addAreaLight(new Sphere(at(-5, 2, -7), .5), glow(Rgb.grey(9)));
     for (int i = 0; i < places.size(); i++) {
       double shade = (double) i / places.size();
       scene.add(shape.apply(places.get(i)), matte(new Rgb(shade, .5, 1 - shade)));

@@ -57,7 +57,7 @@ class PictureLawsTest {
         .add(
             ball(1.4, .6, .6),
             new Glass(pale, red, ScalarTexture.constant(1.5), ScalarTexture.constant(0)))
-        .addLamp(
+        .addAreaLight(
             new Rectangle(lamp, 1, 1, false),
             new Emission(Texture.constant(lights.apply(new Rgb(1, 4, 2))), false))
         .add(

@@ -43,6 +43,14 @@ class PixelReplayTest {
         .parse(Path.of("scenes", name + ".json"));
   }
 
+  @Test
+  void noSamplesNeedBeShown() throws Exception {
+    SceneFile file = scene("cornell-box", Mode.PATH);
+    PixelReplay replay = new PixelReplay(file.scene(), file.settings());
+    assertThat(replay.pixel(9, 9, 0).brightest()).isEmpty();
+    assertThat(replay.pixel(9, 9, 0).mean()).isEqualTo(replay.pixel(9, 9, 1).mean());
+  }
+
   /** Whoever watches a path does not change it: all bits are those of a render. */
   @ParameterizedTest
   @CsvSource({

@@ -133,7 +133,7 @@ final class PictureInvariants {
             new Box(whole.times(at(1, .5, .5)), 1, 1, 1),
             new Phong(grey, grey, ScalarTexture.constant(20)))
         .add(Mesh.baked(Ball.of(8, .1).mesh(), whole.times(at(0, 1, 2))), new Matte(grey))
-        .addLamp(new Sphere(whole.times(at(0, 3, -1)), .5), new Emission(white, false))
+        .addAreaLight(new Sphere(whole.times(at(0, 3, -1)), .5), new Emission(white, false))
         .add(new DirectionalLight(new Vec3(.6, -.8, 0), Rgb.grey(.7)))
         .addBackground(new Rgb(.2, .3, .4))
         .build();

@@ -1,0 +1,81 @@
+package io.github.lumbre;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.lang.reflect.Method;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.spi.ToolProvider;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every example of {@code docs/java.md} compiles, with warnings as errors, and runs. */
+class JavaPageTest {
+  private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
+
+  @TempDir private Path directory;
+
+  private static List<String> blocks() throws Exception {
+    return JAVA.matcher(Files.readString(Path.of("docs", "java.md")))
+        .results()
+        .map(block -> block.group(1))
+        .toList();
+  }
+
+  static Stream<Named<String>> examples() throws Exception {
+    List<String> blocks = blocks();
+    return IntStream.range(1, blocks.size())
+        .mapToObj(i -> Named.of(blocks.get(i).lines().findFirst().orElseThrow(), blocks.get(i)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("examples")
+  void exampleRuns(String example) throws Exception {
+    String code = example.replace("target/java/", directory + "/");
+    Path source =
+        Files.writeString(
+            directory.resolve("Example.java"),
+            blocks().get(0)
+                + "public class Example { public static void main(String[] args)"
+                + " throws Exception {\n"
+                + code
+                + "} }");
+    StringWriter messages = new StringWriter();
+    PrintWriter writer = new PrintWriter(messages);
+    String path = System.getProperty("java.class.path");
+    String[] options = {
+      "-Xlint:all,-path", "-Werror", "-cp", path, "-d", "" + directory, "" + source
+    };
+    int failed = ToolProvider.findFirst("javac").orElseThrow().run(writer, writer, options);
+    assertThat(failed).as(messages.toString()).isZero();
+    try (URLClassLoader loader = new URLClassLoader(new URL[] {directory.toUri().toURL()})) {
+      Method main = loader.loadClass("Example").getMethod("main", String[].class);
+      main.invoke(null, (Object) new String[0]);
+    }
+    List<String> outputs =
+        Pattern.compile("target/java/([\\w.]+)")
+            .matcher(example)
+            .results()
+            .map(m -> m.group(1))
+            .toList();
+    assertThat(outputs).allSatisfy(name -> assertThat(directory.resolve(name)).isNotEmptyFile());
+  }
+
+  @Test
+  void thereAreExamplesOfEverythingThatThePagePromises() throws Exception {
+    assertThat(String.join("", blocks()))
+        .contains("SceneParser", "Scene.seenBy", "isCancelled", "Budget(", "ImageWriter.write")
+        .contains("CheckpointFile", "FilmMerge", "PixelReplay");
+  }
+}
