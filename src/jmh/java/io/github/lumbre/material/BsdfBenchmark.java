@@ -90,7 +90,7 @@ public class BsdfBenchmark extends MicroBenchmark {
   public double eval() {
     double sum = 0;
     for (int i = 0; i < COUNT; i++) {
-      sum += bsdf.eval(outgoing[i], incoming[i]).g();
+      sum += bsdf.evaluate(outgoing[i], incoming[i]).f().g();
     }
     return sum;
   }

@@ -9,29 +9,25 @@ import io.github.lumbre.math.Vec3;
  * point away from the surface. Immutable.
  */
 public interface Bsdf {
-  /** Returns f·|cos θi|; mirror-like (delta) lobes contribute nothing here. */
-  Rgb eval(Vec3 wo, Vec3 wi);
-
-  /** Returns the density per solid angle with which {@link #sample} draws wi, delta lobes aside. */
-  double pdf(Vec3 wo, Vec3 wi);
-
   /**
-   * Sets what {@link #eval} and {@link #pdf} return, at the price of one.
+   * Computes f·|cos θi| and the density per solid angle with which {@link #sample} draws wi; delta
+   * lobes count for nothing in either. The hot path: no object is made.
    *
-   * @param value asked for two directions; takes the result
+   * @param value holds the two directions; receives the result
    */
-  default void evaluate(BsdfValue value) {
-    Vec3 wo = value.wo();
-    Vec3 wi = value.wi();
-    value.set(eval(wo, wi), pdf(wo, wi));
-  }
+  void evaluate(BsdfValue value);
 
-  /** Returns what {@link #eval} and {@link #pdf} return, as a new value. */
+  /** Returns f·|cos θi| and the density, as {@link #evaluate(BsdfValue)} computes them. */
   default BsdfValue evaluate(Vec3 wo, Vec3 wi) {
     BsdfValue value = new BsdfValue();
     value.ask(wo.x(), wo.y(), wo.z(), wi.x(), wi.y(), wi.z());
     evaluate(value);
     return value;
+  }
+
+  /** Returns the density per solid angle with which {@link #sample} draws wi, delta lobes aside. */
+  default double pdf(Vec3 wo, Vec3 wi) {
+    return evaluate(wo, wi).pdf();
   }
 
   /**

@@ -1,7 +1,6 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Warp;
 
@@ -11,11 +10,6 @@ import io.github.lumbre.sampling.Warp;
  * @param albedo share of light reflected, each component in [0,1]
  */
 public record Lambertian(Rgb albedo) implements Lobe {
-  @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return wo.z() * wi.z() > 0 ? albedo.times(Math.abs(wi.z()) * Elementary.INV_PI) : Rgb.BLACK;
-  }
-
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
     return wo.z() * wi.z() > 0 ? Warp.cosineHemispherePdf(Math.abs(wi.z())) : 0;

@@ -14,16 +14,6 @@ import io.github.lumbre.math.Vec3;
 record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution facets)
     implements Lobe {
   @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return evaluate(wo, wi).f();
-  }
-
-  @Override
-  public double pdf(Vec3 wo, Vec3 wi) {
-    return evaluate(wo, wi).pdf();
-  }
-
-  @Override
   public void evaluate(BsdfValue value) {
     Vec3 wo = value.wo();
     Vec3 wi = value.wi();

@@ -9,11 +9,6 @@ import io.github.lumbre.math.Vec3;
  */
 record Mixture(Lobe first, Lobe second) implements Bsdf {
   @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return first.eval(wo, wi).plus(second.eval(wo, wi));
-  }
-
-  @Override
   public double pdf(Vec3 wo, Vec3 wi) {
     double share = shareOfFirst(wo.z());
     return share * first.pdf(wo, wi) + (1 - share) * second.pdf(wo, wi);

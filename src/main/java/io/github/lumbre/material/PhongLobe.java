@@ -16,14 +16,6 @@ import io.github.lumbre.math.Vec3;
  */
 record PhongLobe(Rgb specular, double exponent) implements Lobe {
   @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return wo.z() * wi.z() > 0
-        ? specular.times(
-            (exponent + 2) / Elementary.TWO_PI * cosinePower(wo, wi) * Math.abs(wi.z()))
-        : Rgb.BLACK;
-  }
-
-  @Override
   public double pdf(Vec3 wo, Vec3 wi) {
     return wo.z() * wi.z() > 0 ? density(cosinePower(wo, wi)) : 0;
   }

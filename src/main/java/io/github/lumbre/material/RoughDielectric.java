@@ -20,16 +20,6 @@ public record RoughDielectric(
     return true;
   }
 
-  @Override
-  public Rgb eval(Vec3 wo, Vec3 wi) {
-    return evaluate(wo, wi).f();
-  }
-
-  @Override
-  public double pdf(Vec3 wo, Vec3 wi) {
-    return evaluate(wo, wi).pdf();
-  }
-
   /**
    * {@inheritDoc}
    *

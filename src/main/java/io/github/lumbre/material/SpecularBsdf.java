@@ -1,13 +1,12 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /** A Bsdf of delta lobes alone: directions can be drawn from it, but none hits it by chance. */
 interface SpecularBsdf extends Bsdf {
   @Override
-  default Rgb eval(Vec3 wo, Vec3 wi) {
-    return Rgb.BLACK;
+  default void evaluate(BsdfValue value) {
+    value.clear();
   }
 
   @Override

@@ -176,7 +176,7 @@ class DielectricTest {
 
   @Test
   void deltaLobesAreNeverMetByChance() {
-    assertThat(clear(1.5).eval(Vec3.Z, Vec3.Z).isBlack()).isTrue();
+    assertThat(clear(1.5).evaluate(Vec3.Z, Vec3.Z).f().isBlack()).isTrue();
     assertThat(clear(1.5).pdf(Vec3.Z, Vec3.Z)).isZero();
     assertThat(clear(1.5).isSpecular()).isTrue();
   }

@@ -38,7 +38,7 @@ class LambertianTest {
       BsdfSample sample = bsdf.sample(wo, .5, point());
       assertThat(sample.weight()).isEqualTo(ALBEDO);
       // The weight is what eval and pdf say, and the density the one that pdf says.
-      Rgb value = bsdf.eval(wo, sample.wi());
+      Rgb value = bsdf.evaluate(wo, sample.wi()).f();
       double pdf = bsdf.pdf(wo, sample.wi());
       assertThat(sample.pdf()).isEqualTo(pdf);
       assertThat(value.g() / pdf).isCloseTo(.5, within(4 * EPS));
@@ -65,8 +65,8 @@ class LambertianTest {
     for (int i = 0; i < 100_000; i++) {
       Vec3 a = direction();
       Vec3 b = direction();
-      double there = bsdf.eval(a, b).g() / Math.abs(b.z());
-      double back = bsdf.eval(b, a).g() / Math.abs(a.z());
+      double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
+      double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
       assertThat(there).isCloseTo(back, within(4 * EPS));
     }
   }
@@ -79,17 +79,17 @@ class LambertianTest {
     for (int i = 0; i < n; i++) {
       double z = random.nextDouble(-1, 1);
       Vec3 wi = new Vec3(Math.sqrt(1 - z * z), 0, z);
-      moments.add(bsdf.eval(Vec3.Z, wi).g() * 4 * Math.PI);
+      moments.add(bsdf.evaluate(Vec3.Z, wi).f().g() * 4 * Math.PI);
     }
     assertThat(Statistics.deviation(moments.z(.5))).isLessThan(Statistics.CRITICAL_Z);
   }
 
   @Test
   void nothingPassesThrough() {
-    assertThat(bsdf.eval(Vec3.Z, new Vec3(.6, 0, -.8)).isBlack()).isTrue();
+    assertThat(bsdf.evaluate(Vec3.Z, new Vec3(.6, 0, -.8)).f().isBlack()).isTrue();
     assertThat(bsdf.pdf(new Vec3(.6, 0, -.8), Vec3.Z)).isZero();
-    assertThat(bsdf.eval(Vec3.Z, Vec3.X).isBlack()).isTrue();
-    assertThat(bsdf.eval(Vec3.X, Vec3.Z).isBlack()).isTrue();
+    assertThat(bsdf.evaluate(Vec3.Z, Vec3.X).f().isBlack()).isTrue();
+    assertThat(bsdf.evaluate(Vec3.X, Vec3.Z).f().isBlack()).isTrue();
     assertThat(bsdf.sample(Vec3.X, .5, point()).isAbsorbed()).isTrue();
   }
 

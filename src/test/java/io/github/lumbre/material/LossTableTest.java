@@ -36,7 +36,7 @@ class LossTableTest {
         alpha,
         degrees -> {
           Vec3 wo = direction(degrees, 1);
-          return map.integral(wo, 0, POINTS, wi -> bsdf.eval(wo, wi).g());
+          return map.integral(wo, 0, POINTS, wi -> bsdf.evaluate(wo, wi).f().g());
         });
   }
 

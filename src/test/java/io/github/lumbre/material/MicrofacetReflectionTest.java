@@ -46,7 +46,7 @@ class MicrofacetReflectionTest {
     double[] degrees = {0, 30, 60, 80};
     for (int i = 0; i < 4; i++) {
       Vec3 wo = direction(Math.cos(Math.toRadians(degrees[i])));
-      double albedo = map.integral(wo, 0, 200, wi -> bsdf.eval(wo, wi).g());
+      double albedo = map.integral(wo, 0, 200, wi -> bsdf.evaluate(wo, wi).f().g());
       assertThat(albedo).isCloseTo(expected[i], within(1e-4));
     }
   }
@@ -60,7 +60,7 @@ class MicrofacetReflectionTest {
         Bsdf bsdf = bsdf(ior, map.distribution());
         for (double cos : COSINES) {
           Vec3 wo = direction(cos);
-          double albedo = map.integral(wo, 0, 100, wi -> bsdf.eval(wo, wi).g());
+          double albedo = map.integral(wo, 0, 100, wi -> bsdf.evaluate(wo, wi).f().g());
           double sampled = BsdfLaws.sampledAlbedo(bsdf, wo, 10_000);
           assertThat(sampled).isCloseTo(albedo, within(2e-3)).isLessThanOrEqualTo(1);
           assertThat(BsdfLaws.sampledAlbedo(bsdf, wo.negated(), 10_000))
@@ -78,8 +78,8 @@ class MicrofacetReflectionTest {
       for (int i = 0; i < 10_000; i++) {
         Vec3 a = direction(random);
         Vec3 b = i % 2 == 0 ? direction(random) : nearMirror(a, alpha);
-        double there = bsdf.eval(a, b).g() / Math.abs(b.z());
-        double back = bsdf.eval(b, a).g() / Math.abs(a.z());
+        double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
+        double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
         // The far tail underflows.
         if (Math.max(there, back) > 1e-290) {
           assertThat(relative(there, back)).isLessThanOrEqualTo(64 * EPS);
@@ -130,7 +130,7 @@ class MicrofacetReflectionTest {
   @Test
   void nothingPassesThrough() {
     Bsdf bsdf = bsdf(1.5, new Beckmann(.3));
-    assertThat(bsdf.eval(Vec3.Z, new Vec3(.6, 0, -.8)).isBlack()).isTrue();
+    assertThat(bsdf.evaluate(Vec3.Z, new Vec3(.6, 0, -.8)).f().isBlack()).isTrue();
     assertThat(bsdf.pdf(new Vec3(.6, 0, -.8), Vec3.Z)).isZero();
   }
 
@@ -138,7 +138,7 @@ class MicrofacetReflectionTest {
   @ParameterizedTest
   @EnumSource(Kind.class)
   void highlightIsAsHighAsTheDistribution(Kind kind) {
-    double value = bsdf(1.5, MicrofacetDistribution.of(kind, .2)).eval(Vec3.Z, Vec3.Z).g();
+    double value = bsdf(1.5, MicrofacetDistribution.of(kind, .2)).evaluate(Vec3.Z, Vec3.Z).f().g();
     assertThat(value).isCloseTo(.04 / (4 * Math.PI * .04), within(1e-13));
   }
 

@@ -105,13 +105,8 @@ class MixtureTest {
           private final Lambertian draws = new Lambertian(Rgb.WHITE);
 
           @Override
-          public Rgb eval(Vec3 wo, Vec3 wi) {
-            return Rgb.BLACK;
-          }
-
-          @Override
-          public double pdf(Vec3 wo, Vec3 wi) {
-            return draws.pdf(wo, wi);
+          public void evaluate(BsdfValue value) {
+            value.set(Rgb.BLACK, draws.pdf(value.wo(), value.wi()));
           }
 
           @Override

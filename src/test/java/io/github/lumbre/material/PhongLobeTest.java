@@ -75,7 +75,7 @@ class PhongLobeTest {
             most,
             phi -> {
               Vec3 across = upward.times(Math.cos(phi)).plus(Math.sin(phi), sideways);
-              return lobe.eval(wo, mirrored.times(cos).plus(sin, across)).g();
+              return lobe.evaluate(wo, mirrored.times(cos).plus(sin, across)).f().g();
             })
         / density;
   }
@@ -112,8 +112,8 @@ class PhongLobeTest {
         double near = 2 / Math.sqrt(exponent + 1);
         Vec3 b =
             i % 2 == 0 ? direction(random) : mirrored(a).plus(near, direction(random)).normalized();
-        double there = lobe(exponent).eval(a, b).g() / Math.abs(b.z());
-        double back = lobe(exponent).eval(b, a).g() / Math.abs(a.z());
+        double there = lobe(exponent).evaluate(a, b).f().g() / Math.abs(b.z());
+        double back = lobe(exponent).evaluate(b, a).f().g() / Math.abs(a.z());
         if (Math.max(there, back) > 1e-290) {
           assertThat(relative(there, back)).isLessThanOrEqualTo(64 * EPS);
         }
@@ -208,7 +208,8 @@ class PhongLobeTest {
       Vec3 wi = around(wo, 0, random.nextDouble(.01, 1), random.nextDouble());
       if (wo.z() * wi.z() > 0) {
         assertThat(lobe(0).pdf(wo, wi)).isEqualTo(1 / (2 * Math.PI));
-        assertThat(lobe(0).eval(wo, wi).g()).isCloseTo(Math.abs(wi.z()) / Math.PI, within(EPS));
+        assertThat(lobe(0).evaluate(wo, wi).f().g())
+            .isCloseTo(Math.abs(wi.z()) / Math.PI, within(EPS));
       }
     }
     // At right angles to the mirrored direction, too.

@@ -102,7 +102,7 @@ class ReflectancesTest {
       assertThat(sample.weight().r()).isCloseTo(.04, within(1e-15));
       assertThat(sample.weight().g()).isCloseTo(.02, within(1e-15));
     }
-    assertThat(mirror.eval(Vec3.Z, Vec3.Z).isBlack()).isTrue();
+    assertThat(mirror.evaluate(Vec3.Z, Vec3.Z).f().isBlack()).isTrue();
     assertThat(mirror.pdf(Vec3.Z, Vec3.Z)).isZero();
   }
 

@@ -25,7 +25,7 @@ class SpecularReflectionTest {
 
   @Test
   void mirrorIsNeverMetByChance() {
-    assertThat(mirror.eval(Vec3.Z, Vec3.Z).isBlack()).isTrue();
+    assertThat(mirror.evaluate(Vec3.Z, Vec3.Z).f().isBlack()).isTrue();
     assertThat(mirror.pdf(Vec3.Z, Vec3.Z)).isZero();
     assertThat(mirror.isSpecular()).isTrue();
   }

@@ -94,8 +94,8 @@ class WhiteFurnaceTest {
         Bsdf bsdf = new MicrofacetReflection(Rgb.WHITE, ior, map.distribution());
         for (double cos : COSINES) {
           Vec3 wo = direction(cos);
-          double coarse = map.integral(wo, 0, POINTS, wi -> bsdf.eval(wo, wi).g());
-          double fine = map.integral(wo, 0, 2 * POINTS, wi -> bsdf.eval(wo, wi).g());
+          double coarse = map.integral(wo, 0, POINTS, wi -> bsdf.evaluate(wo, wi).f().g());
+          double fine = map.integral(wo, 0, 2 * POINTS, wi -> bsdf.evaluate(wo, wi).f().g());
           assertAverage(bsdf, wo, Albedo.of(coarse, fine));
         }
       }

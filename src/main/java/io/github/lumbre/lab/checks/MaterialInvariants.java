@@ -168,7 +168,7 @@ final class MaterialInvariants {
         for (int i = 0; i < tries.times() * (SAMPLES / 8); i++) {
           BsdfSample drawn = bsdf.sample(wo, draws.unit(), draws.point());
           if (!drawn.isAbsorbed() && !drawn.isSpecular()) {
-            double expected = bsdf.eval(wo, drawn.wi()).max() / bsdf.pdf(wo, drawn.wi());
+            double expected = bsdf.evaluate(wo, drawn.wi()).f().max() / bsdf.pdf(wo, drawn.wi());
             worst = Math.max(worst, Math.abs(drawn.weight().max() / expected - 1));
           }
         }
@@ -184,8 +184,8 @@ final class MaterialInvariants {
       for (int i = 0; i < tries.times() * PAIRS; i++) {
         Vec3 wo = upward(draws.direction());
         Vec3 wi = upward(draws.direction());
-        double one = bsdf.eval(wo, wi).max() / wi.z();
-        double other = bsdf.eval(wi, wo).max() / wo.z();
+        double one = bsdf.evaluate(wo, wi).f().max() / wi.z();
+        double other = bsdf.evaluate(wi, wo).f().max() / wo.z();
         double largest = Math.max(one, other);
         worst = largest <= 1e-100 ? worst : Math.max(worst, Math.abs(one - other) / largest);
       }
