@@ -71,6 +71,11 @@ final class BudgetFlags {
     return millis == null ? Instant.now() : Instant.ofEpochMilli(millis);
   }
 
+  /** Returns the time that the whole command is to take; empty if none limits it. */
+  Optional<Duration> time() {
+    return time;
+  }
+
   /** Tells whether a time or an error is to end the render. */
   boolean areGiven() {
     return time.isPresent() || targetError.isPresent();
