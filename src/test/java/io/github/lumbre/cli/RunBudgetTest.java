@@ -8,7 +8,6 @@ import io.github.lumbre.measure.Budget;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -21,11 +20,16 @@ import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongUnaryOperator;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A render's time, by a clock that its samples turn: no test here depends on the machine. */
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RunBudgetTest {
   private static final int PIXELS = 64 * 48;
+
+  /** More samples per pixel than any of these times allows. */
+  private static final int MANY = 1000;
 
   @TempDir private Path directory;
 
@@ -58,12 +62,22 @@ class RunBudgetTest {
   /** Returns the samples per pixel of a render in a time. */
   private double samples(Duration time, LongUnaryOperator cost)
       throws IOException, SceneFormatException, CommandException {
+    return samples(time, Optional.empty(), cost);
+  }
+
+  /**
+   * Returns the samples per pixel of a render in a time.
+   *
+   * @param timeout that stops it as Ctrl-C does; empty for none
+   */
+  private double samples(Duration time, Optional<Duration> timeout, LongUnaryOperator cost)
+      throws IOException, SceneFormatException, CommandException {
     SceneFile file =
         new SceneParser()
             .overriding(
                 settings ->
                     settings.toBuilder()
-                        .samples(RenderSettings.MAX_SAMPLES)
+                        .samples(MANY)
                         .size(64, 48)
                         .threads(1)
                         .build())
@@ -76,10 +90,11 @@ class RunBudgetTest {
         FilmKeeper keeper = FilmKeeper.none(messages);
         Interruption interruption = Interruption.listen();
         RenderMonitor monitor =
-            new RenderMonitor(interruption, clock, Deadline.NEVER, messages)) {
+            new RenderMonitor(
+                interruption, clock, Deadline.after(timeout, clock.nanos()::get), messages)) {
       RunBudget budget =
           new RunBudget(
-              new Budget(RenderSettings.MAX_SAMPLES, OptionalDouble.empty(), .95),
+              new Budget(MANY, OptionalDouble.empty(), .95),
               Deadline.after(Optional.of(time), clock.nanos()::get));
       RenderJob.How how = new RenderJob.How(8, 90, false, false, false);
       JsonSummary report = new JsonSummary("render", target);
@@ -111,6 +126,15 @@ class RunBudgetTest {
     assertThat(samples(Duration.ofSeconds(2), i -> i < 3000 ? 1_000_000 : 20_000)).isEqualTo(1);
     assertThat(told.toString())
         .contains("warning: --time was too short for more than the first pass");
+  }
+
+  @Test
+  void stoppedFirstPassesTellTheShareOfPixelsWithoutASample() throws Exception {
+    Duration time = Duration.ofMinutes(1);
+    double share = samples(time, Optional.of(Duration.ofSeconds(1)), i -> 1_000_000);
+    assertThat(share).isBetween(1000.0 / PIXELS, 2100.0 / PIXELS);
+    assertThat(told.toString())
+        .contains("warning: %.0f %% of the pixels have no sample".formatted(100 - 100 * share));
   }
 
   /** Of each further second of --time, rendering gets all but a fiftieth. */
