@@ -33,7 +33,9 @@ final class TradeStyle {
       th{color:var(--quiet);font-weight:600}th.group{text-align:center}
       th:first-child,td:first-child{text-align:left;padding-left:0}
       tr.dominated td{color:var(--faint)}tr.best td{font-weight:650}tr.bad td{color:var(--bad)}
-      table.facts td{text-align:left;white-space:normal}table.facts td:first-child{color:var(--quiet)}
+      table.facts td{text-align:left;white-space:normal;overflow-wrap:anywhere}
+      table.facts td:first-child{overflow-wrap:normal}
+      table.facts td:first-child{color:var(--quiet)}
       .charts{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,23rem),1fr));
       gap:1rem;margin:1rem 0}
       .charts svg{width:100%;height:auto;display:block;background:var(--panel);border-radius:8px}
@@ -43,7 +45,9 @@ final class TradeStyle {
       img{width:100%;height:auto;display:block;image-rendering:pixelated;border-radius:4px}
       figcaption{font-size:.85rem;color:var(--quiet);padding-top:.25rem}
       .scale{height:.8rem;max-width:22rem;border-radius:4px;margin-top:.6rem}
-      @media(max-width:40rem){th,td{padding:.3rem .5rem}table{font-size:.82rem}
+      @media(max-width:40rem){th,td{padding:.3rem .5rem}table{font-size:.82rem}th.group{text-align:left}
+      .scroll :is(th,td):first-child{position:sticky;left:0;background:var(--paper);max-width:9rem;
+      white-space:normal}
       .hint{display:block;font-size:.82rem;color:var(--quiet);margin:.8rem 0 -.5rem}}
       .marks{display:flex;justify-content:space-between;max-width:22rem;font-size:.8rem;
       color:var(--quiet)}
