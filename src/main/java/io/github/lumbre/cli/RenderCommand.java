@@ -203,7 +203,8 @@ final class RenderCommand implements Callable<Integer> {
 
   private SceneParser parser() {
     boolean isOpen = budgets.areGiven() || quality.targetError().isPresent();
-    return flags.over(kernel.over(options.parser()), isOpen, quality.isAdaptive(), quality.depth());
+    SceneParser parser = kernel.over(options.parser(), budgets.time());
+    return flags.over(parser, isOpen, quality.isAdaptive(), quality.depth());
   }
 
   private FilmKeeper keeper(Messages messages) throws TaskException {

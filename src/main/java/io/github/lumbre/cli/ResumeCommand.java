@@ -234,7 +234,8 @@ final class ResumeCommand implements Callable<Integer> {
                       settings -> {
                         settings.samples(limit);
                         work.override(settings);
-                      }))
+                      }),
+                  budgets.time())
               .parse(path);
       requireSameFiles(notes, header, file, path);
       requireSame(header, file, path);

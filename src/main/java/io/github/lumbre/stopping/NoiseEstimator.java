@@ -33,23 +33,40 @@ final class NoiseEstimator {
   /**
    * Returns the estimate of a film.
    *
+   * <p>Its bound lies above the cautious estimate ({@link PixelHalves#cautiousSquaredError}) by the
+   * same factor as above the usual one. Where most pixels have rare bright samples, the usual
+   * estimate is too low in all of them, and their spread does not show it.
+   *
    * @param confidence in (0,1), of the upper bound
    * @return empty if a pixel's halves are not known
    */
   static Optional<NoiseEstimate> of(Film film, double confidence) {
-    return of(film, confidence, PixelHalves::relativeSquaredError);
+    Optional<NoiseEstimate> cautious = cautious(film, confidence);
+    return usual(film, confidence)
+        .map(noise -> noise.withBoundOf(cautious.orElseThrow().relativeMse() * factor(noise)));
   }
 
   /**
-   * Returns the estimate of a film with few samples per pixel, whose bound comes from errors that
-   * are too high rather than too low ({@link PixelHalves#cautiousSquaredError}).
+   * Returns the estimate of a film with few samples per pixel, whose bound is that of the cautious
+   * estimate, with its own spread.
    */
   static Optional<NoiseEstimate> ofFewSamples(Film film, double confidence) {
-    double upper =
-        of(film, confidence, PixelHalves::cautiousSquaredError)
-            .map(NoiseEstimate::upperRelativeMse)
-            .orElse(Double.POSITIVE_INFINITY);
-    return of(film, confidence).map(noise -> noise.withBoundOf(upper));
+    Optional<NoiseEstimate> cautious = cautious(film, confidence);
+    return usual(film, confidence)
+        .map(noise -> noise.withBoundOf(cautious.orElseThrow().upperRelativeMse()));
+  }
+
+  private static Optional<NoiseEstimate> usual(Film film, double confidence) {
+    return of(film, confidence, PixelHalves::relativeSquaredError);
+  }
+
+  private static Optional<NoiseEstimate> cautious(Film film, double confidence) {
+    return of(film, confidence, PixelHalves::cautiousSquaredError);
+  }
+
+  /** Returns the bound over the estimate. */
+  private static double factor(NoiseEstimate noise) {
+    return noise.relativeMse() == 0 ? 1 : noise.upperRelativeMse() / noise.relativeMse();
   }
 
   private static Optional<NoiseEstimate> of(

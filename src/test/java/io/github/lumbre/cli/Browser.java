@@ -191,7 +191,13 @@ final class Browser implements AutoCloseable {
     }
     send(
         "Emulation.setDeviceMetricsOverride",
-        Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", width < 500));
+        Map.of(
+            "width", width,
+            "height", height,
+            "screenWidth", width,
+            "screenHeight", height,
+            "deviceScaleFactor", 1,
+            "mobile", width < 500));
     Map<String, String> scheme =
         Map.of("name", "prefers-color-scheme", "value", isDark ? "dark" : "light");
     send("Emulation.setEmulatedMedia", Map.of("features", List.of(scheme)));

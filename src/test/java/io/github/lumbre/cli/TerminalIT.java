@@ -234,6 +234,21 @@ class TerminalIT {
     }
   }
 
+  /** The first pass over so many pixels takes longer than it takes to press the key. */
+  @Test
+  void interruptedFirstPassTellsTheShareOfBlackPixels() throws IOException, InterruptedException {
+    try (PseudoTerminal terminal =
+        lumbre(100, "render tiny.json -s 1 --split 16 --size 2000x1500 -o a.png")) {
+      awaitBar(terminal);
+      assertInterrupted(terminal);
+      assertThat(terminal.screen())
+          .anyMatch(
+              line ->
+                  line.matches(
+                      ".*warning: [1-9]\\d* % of the pixels have no sample and are black"));
+    }
+  }
+
   private PseudoTerminal writingLargePicture() throws IOException, InterruptedException {
     PseudoTerminal terminal =
         lumbre(80, "render tiny.json -s 1 --size 1000x700 --bits 16 -o a.png");

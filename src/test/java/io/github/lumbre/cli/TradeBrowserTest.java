@@ -31,12 +31,22 @@ class TradeBrowserTest {
   private static final String BROKEN_PICTURES =
       "named(document.images, i => !i.complete || i.naturalWidth < 8 || box(i).width < 8)";
 
-  /** What scrolls by itself may be wider than the screen; the page may not. */
+  /**
+   * What scrolls by itself may be wider than the screen; the page may not. On a narrow screen,
+   * innerWidth is the width of the page if this is larger, so the screen's own width counts.
+   */
   private static final String OUTSIDE =
       """
-      named(document.querySelectorAll('svg,img,h1,h2,h3,p,figcaption,.scroll'),
-        e => box(e).left < 0 || box(e).right > innerWidth || box(e).width < 8)
-        + (document.documentElement.scrollWidth > innerWidth ? 'the page' : '')
+      named(document.querySelectorAll('svg,img,h1,h2,h3,p,figcaption,.scroll,table.facts'),
+        e => box(e).left < 0 || box(e).right > screen.width || box(e).width < 8)
+        + (document.documentElement.scrollWidth > screen.width ? 'the page' : '')
+      """;
+
+  /** Tables that are wider than the screen without a line above them that says so. */
+  private static final String HIDDEN_COLUMNS =
+      """
+      named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.clientWidth + 1),
+        s => !s.previousElementSibling.matches('.hint') || box(s.previousElementSibling).height < 8)
       """;
 
   private static final String CUT =
@@ -124,6 +134,7 @@ class TradeBrowserTest {
     assertThat(count("svg")).isGreaterThanOrEqualTo(9);
     assertThat(wrong(BROKEN_PICTURES)).isEmpty();
     assertThat(wrong(OUTSIDE)).as("beyond the screen's sides").isEmpty();
+    assertThat(wrong(HIDDEN_COLUMNS)).as("columns beyond the screen without a hint").isEmpty();
     assertThat(wrong(CUT)).as("texts that leave their chart").isEmpty();
     assertThat(wrong(OVERLAPPING)).as("texts that overlap").isEmpty();
     assertThat(wrong(FAINT)).as("texts of low contrast").isEmpty();

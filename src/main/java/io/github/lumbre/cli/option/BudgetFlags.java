@@ -70,6 +70,11 @@ public final class BudgetFlags {
     return millis == null ? Instant.now() : Instant.ofEpochMilli(millis);
   }
 
+  /** Returns the time that the whole command is to take; empty if none limits it. */
+  public Optional<Duration> time() {
+    return time;
+  }
+
   /** Tells whether a time or an error is to end the render. */
   public boolean areGiven() {
     return time.isPresent() || targetError.isPresent();

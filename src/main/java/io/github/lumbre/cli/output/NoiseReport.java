@@ -114,7 +114,8 @@ public record NoiseReport(
         });
   }
 
-  private static String percent(double share) {
+  /** Returns a share as a percentage of two digits, or three for all of it. */
+  public static String percent(double share) {
     return String.format(Locale.ROOT, share >= .1 ? "%.0f %%" : "%.2g %%", 100 * share);
   }
 }

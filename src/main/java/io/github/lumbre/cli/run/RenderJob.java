@@ -25,7 +25,6 @@ import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -253,10 +252,9 @@ public record RenderJob(
     double share = film.shareWithoutSamples();
     if (share > 0) {
       return Optional.of(
-          String.format(
-              Locale.ROOT,
-              "warning: %.2g %% of the pixels have no sample and are black",
-              100 * share));
+          "warning: "
+              + NoiseReport.percent(share)
+              + " of the pixels have no sample and are black");
     }
     return budget.isOutOfTime() && film.mostSamples() == 1
         ? Optional.of(

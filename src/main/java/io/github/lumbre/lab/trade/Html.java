@@ -5,7 +5,7 @@ import java.util.List;
 /** Writes a page, element by element. Mutable. */
 final class Html {
   /** From this number of columns on, a table is wider than narrow screens. */
-  private static final int WIDE = 6;
+  private static final int WIDE = 4;
 
   private final StringBuilder text = new StringBuilder();
 
