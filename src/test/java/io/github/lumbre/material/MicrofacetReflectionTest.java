@@ -155,6 +155,17 @@ class MicrofacetReflectionTest {
     }
   }
 
+  @ParameterizedTest
+  @EnumSource(Kind.class)
+  void noFacetOverhangsOrStandsUpright(Kind kind) {
+    for (double alpha : ROUGHNESSES) {
+      MicrofacetDistribution facets = MicrofacetDistribution.of(kind, alpha);
+      assertThat(facets.density(Vec3.X)).isZero();
+      assertThat(facets.density(direction(-.1))).isZero();
+      assertThat(facets.density(direction(-1))).isZero();
+    }
+  }
+
   /** Of either distribution, the projected area of all facets is that of the surface. */
   @ParameterizedTest
   @EnumSource(Kind.class)
