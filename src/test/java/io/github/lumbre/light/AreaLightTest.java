@@ -86,7 +86,7 @@ class AreaLightTest {
 
   /** A light of radiance L has an intensity of L times its area as seen from afar. */
   @Test
-  void boundsTellTheIntensityInTheStrongestDirection() {
+  void boundsHoldTheIntensityInTheStrongestDirection() {
     LightBounds ofSphere = light(SPHERE, false).bounds().orElseThrow();
     assertThat(ofSphere.intensity()).isCloseTo(3 * Math.PI * RADIUS * RADIUS, within(1e-12));
     LightBounds ofRectangle = light(RECTANGLE, false).bounds().orElseThrow();

@@ -103,7 +103,6 @@ class LightBoundsTest {
     LightBounds across = new LightBounds(BOX, Vec3.Y, 2, .5, 1);
     assertThat(wide.union(across).spread()).isEqualTo(Math.PI);
     LightBounds opposite = new LightBounds(BOX, Vec3.X.negated(), .1, .5, 1);
-    assertThat(new LightBounds(BOX, Vec3.X, .1, .5, 1).union(opposite).spread())
-        .isEqualTo(Math.PI);
+    assertThat(new LightBounds(BOX, Vec3.X, .1, .5, 1).union(opposite).spread()).isEqualTo(Math.PI);
   }
 }

@@ -45,7 +45,7 @@ class LightSampleTest {
   }
 
   @Test
-  void lightIsAskedForWhereTheChoiceWasMade() {
+  void lightIsSampledWhereTheChoiceWasMade() {
     LightChoice choice = new LightChoice();
     choice.moveTo(new Vec3(1, 2, 3), Vec3.Z);
     LightSample sample = new LightSample();
@@ -54,7 +54,7 @@ class LightSampleTest {
     assertThat(sample.random()).isEqualTo(U);
   }
 
-  /** Returns whether a shape blocks the light of a lamp on its way to the origin. */
+  /** Returns whether a shape blocks the light on its way to the origin. */
   private static boolean isBlocked(Light light, Shape shape) {
     SurfaceHit floor =
         new SurfaceHit().set(Vec3.ZERO, Vec3.Y, Frame.WORLD, new TexturePoint(0, 0), Vec3.Y, 0);

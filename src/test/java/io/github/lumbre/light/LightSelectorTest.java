@@ -108,7 +108,7 @@ class LightSelectorTest {
   }
 
   @Test
-  void methodFollowsTheNumberOfLampsOfLimitedReach() {
+  void methodFollowsTheNumberOfLightsOfLimitedReach() {
     Light sun = new DirectionalLight(Vec3.Y.negated(), TWO);
     assertThat(LightSelector.over(List.of()).method()).isEqualTo(LightSelector.Method.FIXED);
     assertThat(LightSelector.over(List.of(sun, sun, sun)).method())
@@ -120,7 +120,7 @@ class LightSelectorTest {
   }
 
   @Test
-  void lampsInOnePlaceAreChosenByIntensity() {
+  void lightsInOnePlaceAreChosenByIntensity() {
     LightSelector selector = LightSelector.over(bulbs(1, 8));
 
     // An eighth of the choices is even.
@@ -130,7 +130,7 @@ class LightSelectorTest {
 
   /** The grid over a texture may see nothing, or infinitely bright points. */
   @Test
-  void lampsOfUnknownIntensityAreChosenByPlace() {
+  void lightsOfUnknownIntensityAreChosenByPlace() {
     for (double intensity : new double[] {0, Double.POSITIVE_INFINITY}) {
       LightSelector selector = LightSelector.over(List.of(bulb(1, intensity), bulb(3, intensity)));
       assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
@@ -139,12 +139,12 @@ class LightSelectorTest {
   }
 
   @Test
-  void manyLampsInOnePlaceCountTogetherAgainstASun() {
+  void manyLightsInOnePlaceCountTogetherAgainstASun() {
     List<Light> lights = new ArrayList<>(bulbs(1, 2, 3, 4, 5, 6, 7, 8, 9));
     lights.add(new DirectionalLight(Vec3.Y.negated(), Rgb.grey(15)));
     LightSelector selector = LightSelector.over(lights);
 
-    // At least a quarter for the lamps and an eighth for the sun, the rest by irradiance.
+    // At least a quarter for the near lights and an eighth for the sun, the rest by irradiance.
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 9))
         .isCloseTo(.125 + .625 * 15 / (15 + 45), within(1e-12));
   }
@@ -159,7 +159,7 @@ class LightSelectorTest {
   }
 
   @Test
-  void equalLampsHaveHalfOpenHalvesOfTheNumbers() {
+  void equalLightsHaveHalfOpenHalvesOfTheNumbers() {
     LightSelector selector = LightSelector.over(bulbs(1, 1));
 
     assertThat(choose(selector, Vec3.ZERO, Vec3.Y, 0).emitter()).isZero();
@@ -168,7 +168,7 @@ class LightSelectorTest {
   }
 
   @Test
-  void lampsAreChosenEvenlyWhereOneOfFewIsInfinitelyNear() {
+  void lightsAreChosenEvenlyWhereOneOfFewIsInfinitelyNear() {
     LightSelector selector = LightSelector.over(List.of(bulb(1, 1), bulb(2, 5), bulb(3, 1)));
 
     for (int i = 0; i < 3; i++) {
@@ -220,13 +220,13 @@ class LightSelectorTest {
     }
   }
 
-  /** Of each pair one is, now the first and now the second. */
+  /** Returns whether a panel faces down: one of each pair does. */
   private static boolean isTurned(int panel) {
     return panel % 2 == panel / 2 % 2;
   }
 
   @Test
-  void noLampIsChosenLessThanAnEighthAsOftenAsByPureChance() {
+  void noLightIsChosenLessThanAnEighthAsOftenAsByPureChance() {
     List<Light> lights = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
       lights.add(bulb(1 + i * i * i, i % 3 + .1));
@@ -245,12 +245,12 @@ class LightSelectorTest {
       LightChoice choice = new LightChoice();
       choice.moveTo(Vec3.ZERO, axis);
       assertThat(choice.isOpen()).isFalse();
-      List<Light> lamps =
+      List<Light> pair =
           List.of(
               new PointLight(axis, TWO, Falloff.INVERSE_SQUARE),
               new PointLight(axis.negated(), TWO, Falloff.INVERSE_SQUARE));
-      assertThat(probability(LightSelector.over(lamps), Vec3.ZERO, axis, 1)).isZero();
-      assertThat(probability(LightSelector.over(lamps), Vec3.ZERO, Vec3.ZERO, 1)).isEqualTo(.5);
+      assertThat(probability(LightSelector.over(pair), Vec3.ZERO, axis, 1)).isZero();
+      assertThat(probability(LightSelector.over(pair), Vec3.ZERO, Vec3.ZERO, 1)).isEqualTo(.5);
     }
     assertThat(choose(selector, Vec3.ZERO, Vec3.ZERO, 0).isOpen()).isTrue();
   }

@@ -70,8 +70,7 @@ class SimplifiedMaterialTest {
     NormalMap map = new NormalMap(VARYING, UvMapping.IDENTITY, 1);
     NormalMapped uniform = new NormalMapped(new Matte(HALF), map);
     assertThat(uniform.isUniform()).isTrue();
-    assertThat(uniform.simplified())
-        .isEqualTo(new NormalMapped(new Matte(HALF).simplified(), map));
+    assertThat(uniform.simplified()).isEqualTo(new NormalMapped(new Matte(HALF).simplified(), map));
     assertThat(uniform.simplified().at(SOMEWHERE)).isEqualTo(uniform.at(SOMEWHERE));
     NormalMapped varying = new NormalMapped(new Matte(VARYING), map);
     assertThat(varying.isUniform()).isFalse();

@@ -64,7 +64,14 @@ class ToroidalSitesTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"20, 40, 30", "400, 64, 64", "400, 1, 500", "3000, 90, 50", "36, 100, 400", "36, 400, 100"})
+  @CsvSource({
+    "20, 40, 30",
+    "400, 64, 64",
+    "400, 1, 500",
+    "3000, 90, 50",
+    "36, 100, 400",
+    "36, 400, 100"
+  })
   void crowdedSitesAreFoundFromAfar(int count, int width, int height) {
     SplittableRandom random = new SplittableRandom(count);
     double[] xs = random.doubles(count, 0, .1 * width).toArray();
