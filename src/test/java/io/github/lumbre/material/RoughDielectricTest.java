@@ -193,6 +193,7 @@ class RoughDielectricTest {
     assertThat(black.eval(Vec3.Z, Vec3.Z).isBlack()).isTrue();
     assertThat(black.pdf(Vec3.Z, Vec3.Z)).isZero();
     assertThat(black.pdf(Vec3.Z, Vec3.Z.negated())).isZero();
+    BsdfLaws.assertExtremesAreHarmless(black);
   }
 
   @Test
