@@ -74,6 +74,7 @@ class SimplifiedMaterialTest {
     assertThat(uniform.simplified().at(SOMEWHERE)).isEqualTo(uniform.at(SOMEWHERE));
     NormalMapped varying = new NormalMapped(new Matte(VARYING), map);
     assertThat(varying.isUniform()).isFalse();
+    assertThat(varying.at(SOMEWHERE)).isEqualTo(new Matte(VARYING).at(SOMEWHERE));
     assertThat(varying.simplified()).isEqualTo(varying);
   }
 
