@@ -105,6 +105,48 @@ class CameraTest {
     }
   }
 
+  /** A ray that is aimed again keeps nothing of the film point before. */
+  @Test
+  void raysAimedAgainAreThoseOfNewOnes() {
+    Vec3 position = new Vec3(1, 2, 3);
+    for (Camera camera : cameras(position, Frame.around(new Vec3(.6, 0, .8)), 1)) {
+      CameraRay again = new CameraRay();
+      for (double u : new double[] {.3, .5, .6}) {
+        Ray expected = ray(camera, u, .5);
+        ScriptedSampler middleOfLens = new ScriptedSampler().with(Sampler.LENS, .5, .5);
+        middleOfLens.with(Sampler.MASK, .5, .5, .5);
+        assertThat(camera.aim(u, .5, middleOfLens, again)).isTrue();
+        assertThat(again.toRay()).isEqualTo(expected);
+        assertThat(new Vec3(again.originX(), again.originY(), again.originZ()))
+            .isEqualTo(expected.origin());
+        assertThat(new Vec3(again.directionX(), again.directionY(), again.directionZ()))
+            .isEqualTo(expected.direction());
+      }
+    }
+  }
+
+  @Test
+  void onlyFishEyesLeaveBlanks() {
+    for (Camera camera : cameras(Vec3.ZERO, Frame.WORLD, 1.5)) {
+      assertThat(camera.leavesBlanks()).isEqualTo(camera instanceof FishEyeCamera);
+    }
+  }
+
+  @Test
+  void panoramasKeepTheDigitsOfAnglesNearTheCentre() {
+    for (Camera camera :
+        List.of(
+            new CylindricalCamera(Vec3.ZERO, Frame.WORLD, 2, 1),
+            new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2))) {
+      for (double steps : new double[] {-3, -1, 1, 3}) {
+        double u = .5 + steps * EPS / 2;
+        double expected = 2 * Math.PI * (u - .5);
+        assertThat(ray(camera, u, .5).direction().x())
+            .isCloseTo(expected, within(4 * EPS * Math.abs(expected)));
+      }
+    }
+  }
+
   @Test
   void poseTurnsAndMovesTheRays() {
     Vec3 position = new Vec3(10, -20, 30);

@@ -146,6 +146,15 @@ class ThinLensCameraTest {
   }
 
   @Test
+  void farthestFocusThatIsFiniteIsAtItsDistance() {
+    Point2 centre = new Point2(.5, .5);
+    Ray ray = ray(camera(1e12, 1e12), centre, new Point2(1, .5));
+    // From a lens as wide as the focus is far, rays to the middle come at 45°.
+    assertThat(ray.direction().x()).isCloseTo(-Math.sqrt(.5), within(4 * EPS));
+    assertThat(ray.direction().z()).isCloseTo(Math.sqrt(.5), within(4 * EPS));
+  }
+
+  @Test
   void extremeLensesGiveUnitRays() {
     double[] sizes = {Double.MIN_VALUE, 1e-300, 1e-9, 1, 1e9, 1e300, Double.MAX_VALUE};
     for (double focus : sizes) {

@@ -12,6 +12,7 @@ import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.Statistics;
 import io.github.lumbre.texture.Texture;
+import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -244,6 +245,47 @@ class EnvironmentLightTest {
       }
     }
     return sum;
+  }
+
+  /** Four by two texels, each bright only in the outermost hundredth of a side. */
+  @Test
+  void lightAtTheSidesOfTexelsIsFound() {
+    for (double from : new double[] {0, .99}) {
+      Texture<Rgb> columns = (u, v) -> Rgb.grey(isIn(u * 4, from) ? 1 : 0);
+      Texture<Rgb> rows = (u, v) -> Rgb.grey(isIn(v * 2, from) ? 1 : 0);
+      for (Texture<Rgb> lines : List.of(columns, rows)) {
+        EnvironmentLight light = EnvironmentLight.image(Frame.WORLD, lines, 4, 2);
+        assertThat(light.isBlack()).isFalse();
+        assertThat(light.pdf(new Vec3(.6, .64, .48))).isPositive();
+      }
+    }
+  }
+
+  private static boolean isIn(double texel, double from) {
+    double place = texel - Math.floor(texel);
+    return place >= from && place < from + .01;
+  }
+
+  @Test
+  void directionsNearTheCentreOfTheImageKeepTheirDigits() {
+    EnvironmentLight light = dome(Frame.WORLD, new double[][] {{1}});
+    for (double steps : new double[] {1, 3}) {
+      double turns = steps * EPS / 2;
+      Vec3 wi = sample(light, new Point2(.5 + turns, .5)).wi();
+      assertThat(wi.x()).isCloseTo(2 * Math.PI * turns, within(1e-12 * turns));
+    }
+  }
+
+  @Test
+  void nothingIsSampledAtThePoleItselfInAUsedSample() {
+    EnvironmentLight light = dome(Frame.WORLD, new double[][] {{1}});
+    LightSample drawn = new LightSample();
+    drawn.ask(Vec3.ZERO, new Point2(.3, .4));
+    light.sample(drawn);
+    assertThat(drawn.isEmpty()).isFalse();
+    drawn.ask(Vec3.ZERO, new Point2(.3, 0));
+    light.sample(drawn);
+    assertThat(drawn.isEmpty()).isTrue();
   }
 
   @Test

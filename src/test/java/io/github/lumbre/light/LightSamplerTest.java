@@ -11,8 +11,13 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.Texture;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LightSamplerTest {
   private static final Rgb TWO = new Rgb(1, 2, .5);
@@ -91,6 +96,171 @@ class LightSamplerTest {
         EnvironmentLight.image(Frame.WORLD, (u, v) -> v > .5 ? TWO : Rgb.BLACK, 16, 8);
 
     assertThat(half.power(3)).isCloseTo(9 * Math.PI * Math.PI, within(1e-9));
+  }
+
+  private static Light bulb(double height, double intensity) {
+    return new PointLight(new Vec3(0, height, 0), Rgb.grey(intensity), Falloff.INVERSE_SQUARE);
+  }
+
+  private static List<Light> bulbs(double... intensities) {
+    return Arrays.stream(intensities).mapToObj(i -> bulb(1, i)).toList();
+  }
+
+  @Test
+  void methodFollowsTheNumberOfLightsOfLimitedReach() {
+    Light sun = new DirectionalLight(Vec3.Y.negated(), TWO);
+    assertThat(LightSampler.over(List.of()).method()).isEqualTo(LightSampler.Method.FIXED);
+    assertThat(LightSampler.over(List.of(sun, sun, sun)).method())
+        .isEqualTo(LightSampler.Method.FIXED);
+    assertThat(LightSampler.over(bulbs(new double[8])).method())
+        .isEqualTo(LightSampler.Method.ONE_BY_ONE);
+    assertThat(LightSampler.over(bulbs(new double[9])).method())
+        .isEqualTo(LightSampler.Method.HIERARCHY);
+  }
+
+  @Test
+  void lightsInOnePlaceAreChosenByIntensity() {
+    LightSampler selector = LightSampler.over(bulbs(1, 8));
+
+    // An eighth of the choices is even.
+    assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 1))
+        .isCloseTo(.0625 + .875 * 8 / 9, within(1e-12));
+  }
+
+  /** The grid over a texture may see nothing, or infinitely bright points. */
+  @Test
+  void lightsOfUnknownIntensityAreChosenByPlace() {
+    for (double intensity : new double[] {0, Double.POSITIVE_INFINITY}) {
+      LightSampler selector = LightSampler.over(List.of(bulb(1, intensity), bulb(3, intensity)));
+      assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
+          .isCloseTo(.0625 + .875 * .9, within(1e-12));
+    }
+  }
+
+  @Test
+  void manyLightsInOnePlaceCountTogetherAgainstASun() {
+    List<Light> lights = new ArrayList<>(bulbs(1, 2, 3, 4, 5, 6, 7, 8, 9));
+    lights.add(new DirectionalLight(Vec3.Y.negated(), Rgb.grey(15)));
+    LightSampler selector = LightSampler.over(lights);
+
+    // At least a quarter for the near lights and an eighth for the sun, the rest by irradiance.
+    assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 9))
+        .isCloseTo(.125 + .625 * 15 / (15 + 45), within(1e-12));
+  }
+
+  @Test
+  void sunThatOutshinesAllLeavesThemAQuarter() {
+    List<Light> lights =
+        List.of(bulb(1, 1e-200), new DirectionalLight(Vec3.Y.negated(), Rgb.grey(1e200)));
+    LightSampler selector = LightSampler.over(lights);
+
+    assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0)).isCloseTo(.25, within(1e-12));
+  }
+
+  @Test
+  void equalLightsHaveHalfOpenHalvesOfTheNumbers() {
+    LightSampler selector = LightSampler.over(bulbs(1, 1));
+
+    assertThat(choose(selector, Vec3.ZERO, Vec3.Y, 0).emitter()).isZero();
+    assertThat(choose(selector, Vec3.ZERO, Vec3.Y, .5 - 0x1p-54).emitter()).isZero();
+    assertThat(choose(selector, Vec3.ZERO, Vec3.Y, .5).emitter()).isEqualTo(1);
+  }
+
+  @Test
+  void lightsAreChosenEvenlyWhereOneOfFewIsInfinitelyNear() {
+    LightSampler selector = LightSampler.over(List.of(bulb(1, 1), bulb(2, 5), bulb(3, 1)));
+
+    for (int i = 0; i < 3; i++) {
+      assertThat(probability(selector, Vec3.Y, Vec3.Y, i)).isCloseTo(1 / 3.0, within(1e-15));
+      assertThat(choose(selector, Vec3.Y, Vec3.Y, (i + .5) / 3).emitter()).isEqualTo(i);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {2, 3, 7, 8, 9, 30})
+  void extremeNumbersChooseOnlyWhatMayLightThePoint(int count) {
+    SplittableRandom random = new SplittableRandom(count);
+    Emission glow = new Emission(Texture.constant(Rgb.WHITE), false);
+    List<Light> lights = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      Vec3 position = new Vec3(random.nextDouble(-9, 9), 2, random.nextDouble(-9, 9));
+      Transform place =
+          Transform.translation(position)
+              .times(Transform.rotationDegrees(new Vec3(random.nextInt(2) * 180, 0, 0)));
+      lights.add(new AreaLight(new Rectangle(place, .01, .01, false), glow));
+    }
+    LightSampler selector = LightSampler.over(lights);
+    for (int i = 0; i < 300; i++) {
+      Vec3 point =
+          new Vec3(random.nextDouble(-9, 9), random.nextInt(2) * 4, random.nextDouble(-9, 9));
+      for (double u : new double[] {0, .125, 1 - 0x1p-53}) {
+        LightChoice choice = choose(selector, point, Vec3.ZERO, u);
+        double probability = probability(selector, point, Vec3.ZERO, choice.emitter());
+        assertThat(choice.probability()).isPositive().isCloseTo(probability, within(1e-15));
+      }
+    }
+  }
+
+  /** Pairs of panels, back to back: below them, those that face up are dark. */
+  @Test
+  void panelsThatFaceAwayAreNeverChosenAmongMany() {
+    Emission glow = new Emission(Texture.constant(Rgb.WHITE), false);
+    List<Light> lights = new ArrayList<>();
+    for (int i = 0; i < 20; i++) {
+      Transform place =
+          Transform.translation(new Vec3((i / 2) * (i / 2), 2, 0))
+              .times(Transform.rotationDegrees(new Vec3(isTurned(i) ? 180 : 0, 0, 0)));
+      lights.add(new AreaLight(new Rectangle(place, .1, .1, false), glow));
+    }
+    LightSampler selector = LightSampler.over(lights);
+    for (int i = 0; i < 20; i++) {
+      double probability = probability(selector, new Vec3(33, 0, 0), Vec3.ZERO, i);
+      assertThat(probability > 0).isEqualTo(isTurned(i));
+    }
+  }
+
+  /** Returns whether a panel faces down: one of each pair does. */
+  private static boolean isTurned(int panel) {
+    return panel % 2 == panel / 2 % 2;
+  }
+
+  @Test
+  void noLightIsChosenLessThanAnEighthAsOftenAsByPureChance() {
+    List<Light> lights = new ArrayList<>();
+    for (int i = 0; i < 12; i++) {
+      lights.add(bulb(1 + i * i * i, i % 3 + .1));
+    }
+    LightSampler selector = LightSampler.over(lights);
+    for (int i = 0; i < 12; i++) {
+      assertThat(probability(selector, Vec3.ZERO, Vec3.Y, i))
+          .isGreaterThanOrEqualTo(.125 / 12 - 1e-15);
+    }
+  }
+
+  @Test
+  void pointsAreOpenOnlyWithoutANormal() {
+    LightSampler selector = LightSampler.over(bulbs(1, 1));
+    for (Vec3 axis : new Vec3[] {Vec3.X, Vec3.Y, Vec3.Z}) {
+      LightChoice choice = new LightChoice();
+      choice.moveTo(Vec3.ZERO, axis);
+      assertThat(choice.isOpen()).isFalse();
+      List<Light> pair =
+          List.of(
+              new PointLight(axis, TWO, Falloff.INVERSE_SQUARE),
+              new PointLight(axis.negated(), TWO, Falloff.INVERSE_SQUARE));
+      assertThat(probability(LightSampler.over(pair), Vec3.ZERO, axis, 1)).isZero();
+      assertThat(probability(LightSampler.over(pair), Vec3.ZERO, Vec3.ZERO, 1)).isEqualTo(.5);
+    }
+    assertThat(choose(selector, Vec3.ZERO, Vec3.ZERO, 0).isOpen()).isTrue();
+  }
+
+  @Test
+  void onlyEmitterIsChosenSurely() {
+    LightChoice choice = new LightChoice();
+    choice.set(5, .1);
+    choice.setOnly();
+    assertThat(choice.emitter()).isZero();
+    assertThat(choice.probability()).isEqualTo(1);
   }
 
   private static LightChoice choose(LightSampler selector, Vec3 point, Vec3 normal, double u) {

@@ -62,6 +62,33 @@ class PointLightTest {
   }
 
   @Test
+  void usedSampleIsEmptyAtTheLightItself() {
+    LightSample drawn = new LightSample();
+    Light light = new PointLight(Vec3.X, INTENSITY, Falloff.INVERSE_SQUARE);
+    drawn.ask(Vec3.ZERO, U);
+    light.sample(drawn);
+    assertThat(drawn.isEmpty()).isFalse();
+    drawn.ask(Vec3.X, U);
+    light.sample(drawn);
+    assertThat(drawn.isEmpty()).isTrue();
+  }
+
+  @Test
+  void lightsAreEitherNearOrOfOneIrradianceEverywhere() {
+    Vec3 position = new Vec3(1, 2, 3);
+    for (Falloff falloff : Falloff.values()) {
+      PointLight bulb = new PointLight(position, INTENSITY, falloff);
+      for (Light light : new Light[] {bulb, new SpotLight(bulb, Vec3.Z, 30, 10)}) {
+        boolean isFar = falloff == Falloff.NONE;
+        assertThat(light.bounds().isEmpty()).isEqualTo(isFar);
+        assertThat(light.farIrradiance()).isEqualTo(isFar ? 3 : 0);
+        light.bounds().ifPresent(bounds -> assertThat(bounds.intensity()).isEqualTo(3));
+      }
+    }
+    assertThat(new DirectionalLight(Vec3.Z, INTENSITY).farIrradiance()).isEqualTo(3);
+  }
+
+  @Test
   void powersOfTwoScaleExactly() {
     Vec3 position = new Vec3(.3, 1.7, -2.9);
     Light light = new PointLight(position, INTENSITY, Falloff.INVERSE_SQUARE);

@@ -74,6 +74,18 @@ class SpotLightTest {
   }
 
   @Test
+  void boundsEndWhereTheLightEnds() {
+    for (double penumbra : new double[] {0, 20, 60}) {
+      LightBounds bounds = spot(60, penumbra).bounds().orElseThrow();
+      assertThat(bounds.spread()).isCloseTo(Math.toRadians(60 - penumbra), within(1e-8));
+      assertThat(bounds.spread() + bounds.fall()).isCloseTo(Math.toRadians(60), within(1e-8));
+      assertThat(bounds.axis()).isEqualTo(Vec3.Z);
+      assertThat(bounds.box().centre()).isEqualTo(Vec3.ZERO);
+      assertThat(bounds.intensity()).isEqualTo(1);
+    }
+  }
+
+  @Test
   void widestConeIsAHalfSpace() {
     SpotLight light = spot(90, 0);
     assertThat(light.sample(new Vec3(5, -3, 1e-9), U)).isPresent();

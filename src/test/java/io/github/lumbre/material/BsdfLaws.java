@@ -64,11 +64,26 @@ final class BsdfLaws {
     }
   }
 
-  /** Checks that what is told at the price of one is the same to the last bit. */
+  /** Checks that eval and pdf are the same to the last bit in a value that was used before. */
   private static void assertEvaluatesAlike(Bsdf bsdf, Vec3 wo, Vec3 wi) {
-    BsdfValue value = bsdf.evaluate(wo, wi);
+    BsdfValue value = new BsdfValue();
+    value.set(Rgb.WHITE, 7);
+    value.ask(wo.x(), wo.y(), wo.z(), wi.x(), wi.y(), wi.z());
+    bsdf.evaluate(value);
     assertThat(value.f()).isEqualTo(bsdf.evaluate(wo, wi).f());
     assertThat(value.pdf()).isEqualTo(bsdf.pdf(wo, wi));
+  }
+
+  /** Checks that a sample that was used before takes the same result as a new one. */
+  static void assertSamplesAlike(Bsdf bsdf, Vec3 wo, double uLobe, Point2 u) {
+    BsdfSample sample = bsdf.sample(wo, uLobe, u);
+    BsdfSample used = new BsdfSample();
+    used.set(Vec3.X, Rgb.WHITE, 7);
+    used.ask(wo.x(), wo.y(), wo.z(), uLobe, u);
+    bsdf.sample(used);
+    assertThat(used.weight()).isEqualTo(sample.weight());
+    assertThat(used.pdf()).isEqualTo(sample.pdf());
+    assertThat(used.wi()).isEqualTo(sample.wi());
   }
 
   private static void assertUsable(BsdfSample sample) {
@@ -115,6 +130,7 @@ final class BsdfLaws {
     for (double x : EXTREME_NUMBERS) {
       for (double y : EXTREME_NUMBERS) {
         for (double lobe : EXTREME_NUMBERS) {
+          assertSamplesAlike(bsdf, wo, lobe, new Point2(x, y));
           BsdfSample sample = bsdf.sample(wo, lobe, new Point2(x, y));
           if (!sample.isAbsorbed()) {
             assertUsable(sample);

@@ -148,9 +148,20 @@ class DielectricTest {
     }
   }
 
+  /** The tints are such that as much is reflected as passes. */
+  @Test
+  void glassThatReflectsAsMuchAsPassesLosesNothing() {
+    double fresnel = Fresnel.dielectric(1, 1.5);
+    Dielectric glass = new Dielectric(Rgb.grey(1 - fresnel), Rgb.grey(fresnel), 1.5);
+    double expected = 2 * fresnel * (1 - fresnel);
+    assertThat(BsdfLaws.sampledAlbedo(glass, Vec3.Z, 1000)).isCloseTo(expected, within(1e-12));
+    assertThat(glass.choosesLobe()).isTrue();
+  }
+
   @Test
   void blackGlassAbsorbs() {
     Dielectric black = new Dielectric(Rgb.BLACK, Rgb.BLACK, 1.5);
+    BsdfLaws.assertSamplesAlike(black, Vec3.Z, .5, U);
     assertThat(black.sample(Vec3.Z, .5, U).isAbsorbed()).isTrue();
     Dielectric onlyReflects = new Dielectric(Rgb.WHITE, Rgb.BLACK, 1.5);
     assertThat(onlyReflects.sample(Vec3.Z, LAST, U).wi().z()).isPositive();

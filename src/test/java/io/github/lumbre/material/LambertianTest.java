@@ -94,6 +94,13 @@ class LambertianTest {
   }
 
   @Test
+  void extremesAreHarmless() {
+    BsdfLaws.assertExtremesAreHarmless(bsdf);
+    assertThat(bsdf.diffuseAlbedo()).isEqualTo(bsdf.albedo());
+    assertThat(bsdf.isSpecular()).isFalse();
+  }
+
+  @Test
   void extremeNumbersGiveASampleOrNone() {
     for (double x : new double[] {0, 0x1p-53, .5, LAST}) {
       for (double y : new double[] {0, 0x1p-53, .5, LAST}) {

@@ -146,12 +146,24 @@ class MicrofacetReflectionTest {
   @ParameterizedTest
   @EnumSource(Kind.class)
   void albedoIsContinuousWhereTheMirrorTakesOver(Kind kind) {
-    Bsdf rough = bsdf(1.5, MicrofacetDistribution.of(kind, CookTorrance.SMOOTH));
-    Bsdf mirror = new FresnelMirror(Rgb.WHITE, 1.5);
+    Lobe rough = bsdf(1.5, MicrofacetDistribution.of(kind, CookTorrance.SMOOTH));
+    Lobe mirror = new FresnelMirror(Rgb.WHITE, 1.5);
     for (double cos : COSINES) {
+      assertThat(rough.importance(cos)).isEqualTo(mirror.importance(cos));
       double smooth = BsdfLaws.sampledAlbedo(mirror, direction(cos), 1);
       assertThat(relative(BsdfLaws.sampledAlbedo(rough, direction(cos), 10_000), smooth))
           .isLessThan(.01);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Kind.class)
+  void noFacetOverhangsOrStandsUpright(Kind kind) {
+    for (double alpha : ROUGHNESSES) {
+      MicrofacetDistribution facets = MicrofacetDistribution.of(kind, alpha);
+      assertThat(facets.density(Vec3.X)).isZero();
+      assertThat(facets.density(direction(-.1))).isZero();
+      assertThat(facets.density(direction(-1))).isZero();
     }
   }
 

@@ -97,6 +97,33 @@ class MixtureTest {
     assertThat(mixture.diffuseAlbedo()).isEqualTo(DIFFUSE.albedo());
   }
 
+  @Test
+  void mirrorIsDrawnInProportionToItsImportance() {
+    Mixture mixture = new Mixture(DIFFUSE, MIRROR);
+    for (double cos : new double[] {1, .3, .1, -.5}) {
+      double mirrored = .9 * Fresnel.dielectric(Math.abs(cos), 1.5);
+      int n = 10_000;
+      int count = 0;
+      for (int i = 0; i < n; i++) {
+        BsdfSample sample = mixture.sample(direction(cos), (i + .5) / n, new Point2(.3, .6));
+        count += sample.isSpecular() ? 1 : 0;
+      }
+      assertThat((double) count / n).isCloseTo(mirrored / (.5 + mirrored), within(1.0 / n));
+    }
+  }
+
+  @Test
+  void partWithoutImportanceIsNeverDrawn() {
+    Lobe none = new FresnelMirror(SPECULAR, 1);
+    for (Mixture mixture : new Mixture[] {new Mixture(none, DIFFUSE), new Mixture(DIFFUSE, none)}) {
+      for (double uLobe : new double[] {0, .5, BsdfLaws.LAST}) {
+        BsdfSample sample = mixture.sample(Vec3.Z, uLobe, new Point2(.3, .6));
+        assertThat(sample.isSpecular()).isFalse();
+        assertThat(sample.isAbsorbed()).isFalse();
+      }
+    }
+  }
+
   /** A direction that one part draws, but does not scatter into, counts for the other. */
   @Test
   void partThatScattersNothingTakesNoLightFromTheOther() {

@@ -181,6 +181,18 @@ class NormalMappedTest {
     }
   }
 
+  /** A flat map over another keeps the normal that the other perturbed. */
+  @Test
+  void mapsOnMapsPerturbOneAfterTheOther() {
+    Scene scene = scene(new Rectangle(Transform.IDENTITY, 2, 2, true));
+    SurfaceHit hit = hit(scene, Vec3.Y, Vec3.Y.negated()).orElseThrow();
+    Vec3 bent = normal(hit, new Rgb(.48, .36, .8), UvMapping.IDENTITY);
+    NormalMap tilt = new NormalMap(Texture.constant(new Rgb(.48, .36, .8)), UvMapping.IDENTITY, 1);
+    NormalMap flat = new NormalMap(Texture.constant(new Rgb(0, 0, 1)), UvMapping.IDENTITY, 1);
+    new NormalMapped(new NormalMapped(Matte.GREY, tilt), flat).bend(hit);
+    assertThat(hit.shading().normal()).isEqualTo(bent).isNotEqualTo(hit.geometricNormal());
+  }
+
   private static void assertUsable(SurfaceHit hit) {
     Frame frame = hit.shading();
     assertThat(frame.tangent().length()).isCloseTo(1, within(1e-12));

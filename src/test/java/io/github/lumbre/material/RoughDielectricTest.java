@@ -9,6 +9,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
@@ -192,5 +193,34 @@ class RoughDielectricTest {
     RoughDielectric black = new RoughDielectric(Rgb.BLACK, Rgb.BLACK, 1.5, new Ggx(.3));
     assertThat(BsdfLaws.sampledAlbedo(black, Vec3.Z, 100)).isZero();
     assertThat(black.evaluate(Vec3.Z, Vec3.Z).f().isBlack()).isTrue();
+    assertThat(black.pdf(Vec3.Z, Vec3.Z)).isZero();
+    assertThat(black.pdf(Vec3.Z, Vec3.Z.negated())).isZero();
+    BsdfLaws.assertExtremesAreHarmless(black);
+  }
+
+  @Test
+  void lobeWithoutTintIsNeverDrawn() {
+    RoughDielectric passes = new RoughDielectric(Rgb.BLACK, Rgb.WHITE, 1.5, new Ggx(.3));
+    RoughDielectric reflects = new RoughDielectric(Rgb.WHITE, Rgb.BLACK, 1.5, new Ggx(.3));
+    for (int i = 0; i < 100; i++) {
+      Point2 u = BsdfLaws.point(random);
+      assertThat(passes.sample(Vec3.Z, 0, u).wi().z()).isNegative();
+      assertThat(reflects.sample(Vec3.Z, BsdfLaws.LAST, u).wi().z()).isPositive();
+    }
+  }
+
+  @Test
+  void whatLiesBehindShowsThroughGlassAlone() {
+    assertThat(glass(1.5, .3).isTransmissive()).isTrue();
+    assertThat(glass(1.5, .3).evaluate(Vec3.Z, Vec3.Z.negated()).f().isBlack()).isFalse();
+    for (Bsdf opaque :
+        new Bsdf[] {
+          new Lambertian(Rgb.WHITE),
+          new PhongLobe(Rgb.WHITE, 3),
+          new MicrofacetReflection(Rgb.WHITE, 1.5, new Ggx(.3))
+        }) {
+      assertThat(opaque.isTransmissive()).isFalse();
+      assertThat(opaque.evaluate(Vec3.Z, Vec3.Z.negated()).f().isBlack()).isTrue();
+    }
   }
 }

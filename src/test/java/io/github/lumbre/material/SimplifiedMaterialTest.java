@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
+import io.github.lumbre.texture.UvMapping;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -44,6 +46,43 @@ class SimplifiedMaterialTest {
     for (Material material : materials(HALF, (u, v) -> u).subList(2, 5)) {
       assertThat(material.simplified()).isSameAs(material);
     }
+  }
+
+  /** Each colour and number of a material in turn varies, and all others are constant. */
+  @Test
+  void oneTextureThatVariesMakesAMaterialVary() {
+    ScalarTexture number = (u, v) -> u;
+    MicrofacetDistribution.Kind kind = MicrofacetDistribution.Kind.GGX;
+    for (Material material :
+        List.of(
+            new Phong(HALF, VARYING, ROUGH),
+            new CookTorrance(HALF, VARYING, ROUGH, INDEX, kind),
+            new CookTorrance(HALF, HALF, ROUGH, number, kind),
+            new Glass(HALF, VARYING, INDEX, ROUGH),
+            new Glass(HALF, HALF, number, ROUGH))) {
+      assertThat(material.isUniform()).isFalse();
+      assertThat(material.simplified()).isSameAs(material);
+    }
+  }
+
+  @Test
+  void materialUnderANormalMapIsSimplifiedAndKeepsItsMap() {
+    NormalMap map = new NormalMap(VARYING, UvMapping.IDENTITY, 1);
+    NormalMapped uniform = new NormalMapped(new Matte(HALF), map);
+    assertThat(uniform.isUniform()).isTrue();
+    assertThat(uniform.simplified()).isEqualTo(new NormalMapped(new Matte(HALF).simplified(), map));
+    assertThat(uniform.simplified().at(SOMEWHERE)).isEqualTo(uniform.at(SOMEWHERE));
+    NormalMapped varying = new NormalMapped(new Matte(VARYING), map);
+    assertThat(varying.isUniform()).isFalse();
+    assertThat(varying.at(SOMEWHERE)).isEqualTo(new Matte(VARYING).at(SOMEWHERE));
+    assertThat(varying.simplified()).isEqualTo(varying);
+  }
+
+  @Test
+  void simplifiedMaterialsStayAsTheyAre() {
+    Material simple = new Matte(HALF).simplified();
+    assertThat(simple.isUniform()).isTrue();
+    assertThat(simple.simplified()).isSameAs(simple);
   }
 
   @Test

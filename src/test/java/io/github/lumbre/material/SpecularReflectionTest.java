@@ -28,5 +28,18 @@ class SpecularReflectionTest {
     assertThat(mirror.evaluate(Vec3.Z, Vec3.Z).f().isBlack()).isTrue();
     assertThat(mirror.pdf(Vec3.Z, Vec3.Z)).isZero();
     assertThat(mirror.isSpecular()).isTrue();
+    assertThat(mirror.isTransmissive()).isFalse();
+    assertThat(mirror.choosesLobe()).isFalse();
+    assertThat(mirror.diffuseAlbedo()).isEqualTo(Rgb.BLACK);
+  }
+
+  @Test
+  void unlitSurfacesScatterNothing() {
+    Bsdf absorber = Unlit.INSTANCE.at(.3, .7);
+    BsdfLaws.assertSamplesAlike(absorber, Vec3.Z, .5, U);
+    assertThat(absorber.sample(Vec3.Z, .5, U).isAbsorbed()).isTrue();
+    assertThat(absorber.evaluate(Vec3.Z, Vec3.Z).f()).isEqualTo(Rgb.BLACK);
+    assertThat(absorber.isSpecular()).isTrue();
+    assertThat(Unlit.INSTANCE.isUniform()).isTrue();
   }
 }

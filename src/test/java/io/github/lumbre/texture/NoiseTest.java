@@ -88,6 +88,29 @@ class NoiseTest {
     assertThat(values).hasSize(2000).allMatch(v -> v >= 0 && v < 1);
   }
 
+  @Test
+  void noiseOfOneRowOrColumnVariesAlongIt() {
+    for (double coarsest : new double[] {1, 2, 16}) {
+      Noise row = new Noise(5, 64, 1, coarsest);
+      Noise column = new Noise(5, 1, 64, coarsest);
+      Set<Double> across = new HashSet<>();
+      Set<Double> down = new HashSet<>();
+      for (int i = 0; i < 64; i++) {
+        across.add(row.turbulence(i, 0));
+        down.add(column.turbulence(0, i));
+      }
+      assertThat(across).hasSize(64);
+      assertThat(down).hasSize(64);
+    }
+  }
+
+  @Test
+  void sizesWithoutTexelsAreRefused() {
+    assertThatThrownBy(() -> new Noise(0, 10, 0, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("width and height: expected 1 to 16384, found 10x0");
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {0, .999, -1, Double.NaN, Double.POSITIVE_INFINITY})
   void scalesBelowATexelAreRefused(double coarsest) {

@@ -74,6 +74,24 @@ class NormalMapTest {
   }
 
   @Test
+  void mapsStretchedWithoutEndHaveNoSlopeThatWay() {
+    Rgb tilt = new Rgb(.48, .36, .8);
+    Vec3 alongV = bent(tilt, scaled(0, 2), 1);
+    assertThat(alongV.x()).isZero();
+    assertThat(alongV.y() / alongV.z()).isCloseTo(.45, within(4 * EPS));
+    Vec3 alongU = bent(tilt, scaled(3, 0), 1);
+    assertThat(alongU.x() / alongU.z()).isCloseTo(.6, within(4 * EPS));
+    assertThat(alongU.y()).isZero();
+  }
+
+  @Test
+  void valueIsTheMapsOwnBeforeMappingAndStrength() {
+    Texture<Rgb> coordinates = (u, v) -> new Rgb(u, v, 1);
+    NormalMap map = new NormalMap(coordinates, scaled(-3, 2), 5);
+    assertThat(map.value(POINT)).isEqualTo(new Rgb(POINT.u(), POINT.v(), 1));
+  }
+
+  @Test
   void strengthMultipliesTheSlopes() {
     Rgb tilt = new Rgb(.3, .4, .5);
     assertThat(bent(tilt, UvMapping.IDENTITY, 0)).isEqualTo(Vec3.Z);

@@ -248,6 +248,19 @@ class ProceduralTexturesTest {
     assertThat(colours).hasSize(samples);
   }
 
+  /** With a sample for each texel of a line, most are nearest to their own texel's centre. */
+  @Test
+  void cellsLieAroundTheirSamples() {
+    int own = 0;
+    int count = 400;
+    for (int seed = 0; seed < count; seed++) {
+      Rgb first = new VoronoiTexture(seed, 1, 1, 1, false).texel(0, 0);
+      own += new VoronoiTexture(seed, 20, 1, 20, false).texel(0, 0).equals(first) ? 1 : 0;
+      own += new VoronoiTexture(seed, 1, 20, 20, false).texel(0, 0).equals(first) ? 1 : 0;
+    }
+    assertThat(own).isGreaterThan(count);
+  }
+
   @Test
   void blackAndWhiteCellsAreGrey() {
     TexelTexture texture = new VoronoiTexture(6, 100, 100, 30, true);
@@ -277,6 +290,8 @@ class ProceduralTexturesTest {
         .hasMessage("width and height: expected 1 to 16384, found 0x5");
     assertThatThrownBy(() -> new VoronoiTexture(0, 5, 16385, 10, true))
         .hasMessage("width and height: expected 1 to 16384, found 5x16385");
+    assertThatThrownBy(() -> new VoronoiTexture(0, -1, 5, 10, true))
+        .hasMessage("width and height: expected 1 to 16384, found -1x5");
     assertThatThrownBy(() -> new VoronoiTexture(0, 5, 5, 0, true))
         .hasMessage("samples: expected 1 to 1000000, found 0");
     assertThatThrownBy(() -> new WoodTexture(0, 5, 5, -1))

@@ -25,6 +25,12 @@ class RedChannelTest {
   }
 
   @Test
+  void aRangeOfOneNumberGivesThatNumber() {
+    assertThat(value(.25, 1, .5, .5)).isEqualTo(.5);
+    assertThat(value(.75, 1, .5, .5)).isEqualTo(.5);
+  }
+
+  @Test
   void theRangeMustNotBeEmpty() {
     assertThatThrownBy(() -> value(1, 1, 2, 1))
         .isInstanceOf(IllegalArgumentException.class)

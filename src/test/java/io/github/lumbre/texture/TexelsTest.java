@@ -1,6 +1,7 @@
 package io.github.lumbre.texture;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -40,5 +41,13 @@ class TexelsTest {
     texels.at(width - 1, height - 1);
     texels.at(width - 2, height - 1);
     assertThat(computed).hasValue(32 * 32);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0, 5", "5, 0", "16385, 1", "1, 16385"})
+  void sizesOutsideTheRangeAreRefused(int width, int height) {
+    assertThatThrownBy(() -> new Texels(width, height, (x, y) -> 0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("width and height: expected 1 to 16384, found " + width + "x" + height);
   }
 }

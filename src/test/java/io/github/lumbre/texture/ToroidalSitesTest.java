@@ -64,7 +64,14 @@ class ToroidalSitesTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"20, 40, 30", "400, 64, 64", "400, 1, 500", "3000, 90, 50"})
+  @CsvSource({
+    "20, 40, 30",
+    "400, 64, 64",
+    "400, 1, 500",
+    "3000, 90, 50",
+    "36, 100, 400",
+    "36, 400, 100"
+  })
   void crowdedSitesAreFoundFromAfar(int count, int width, int height) {
     SplittableRandom random = new SplittableRandom(count);
     double[] xs = random.doubles(count, 0, .1 * width).toArray();
@@ -80,6 +87,22 @@ class ToroidalSitesTest {
     double[] xs = random.ints(count, 0, width + 1).asDoubleStream().toArray();
     double[] ys = random.ints(count, 0, height + 1).asDoubleStream().toArray();
     assertLikeBruteForce(xs, ys, width, height, 1000);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"20000, 40, 30", "9000, 1, 500"})
+  void sitesDenserThanTexelsAreFoundAsByBruteForce(int count, int width, int height) {
+    SplittableRandom random = new SplittableRandom(count);
+    double[] xs = random.doubles(count, 0, width).toArray();
+    double[] ys = random.doubles(count, 0, height).toArray();
+    assertLikeBruteForce(xs, ys, width, height, 1000);
+  }
+
+  /** Both are half a unit from the point, one of them just beyond the side of the point's cell. */
+  @Test
+  void tiesAcrossTheSideOfACellGoToTheLowestIndex() {
+    ToroidalSites sites = new ToroidalSites(new double[] {2, 1}, new double[] {.5, .5}, 4, 1);
+    assertThat(sites.nearest(1.5, .5)).isZero();
   }
 
   @Test

@@ -13,6 +13,17 @@ class UvMappingTest {
   }
 
   @Test
+  void scaleMultipliesDistances() {
+    for (double scale : new double[] {.25, -3, 8}) {
+      UvMapping mapping = new UvMapping(.5, .75, scale, scale);
+      TexturePoint from = mapping.apply(new TexturePoint(.125, .25));
+      TexturePoint to = mapping.apply(new TexturePoint(.625, .75));
+      assertThat(to.u() - from.u()).isEqualTo(.5 * scale);
+      assertThat(to.v() - from.v()).isEqualTo(.5 * scale);
+    }
+  }
+
+  @Test
   void aTextureIsReadAtTheMappedPoint() {
     Texture<TexturePoint> where = TexturePoint::new;
     UvMapping mapping = new UvMapping(1, 2, 3, 4);
@@ -31,5 +42,11 @@ class UvMappingTest {
     assertThatThrownBy(() -> new UvMapping(0, 0, 1, Double.NaN))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("scaleY: expected a finite number, found NaN");
+    assertThatThrownBy(() -> new UvMapping(0, 0, Double.POSITIVE_INFINITY, 1))
+        .hasMessage("scaleX: expected a finite number, found Infinity");
+    assertThatThrownBy(() -> new UvMapping(0, Double.NEGATIVE_INFINITY, 1, 1))
+        .hasMessage("offsetY: expected a finite number, found -Infinity");
+    assertThatThrownBy(() -> new UvMapping(Double.NaN, 0, 1, 1))
+        .hasMessage("offsetX: expected a finite number, found NaN");
   }
 }

@@ -1,0 +1,31 @@
+package io.github.lumbre.texture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.image.Rgb;
+import org.junit.jupiter.api.Test;
+
+class ConstantTest {
+  private static final Rgb COLOUR = new Rgb(.1, .2, .3);
+
+  @Test
+  void constantsHaveOneValueEverywhere() {
+    for (double place : new double[] {0, .5, -1e300, 1e300}) {
+      assertThat(Texture.constant(COLOUR).at(place, -place)).isEqualTo(COLOUR);
+      assertThat(ScalarTexture.constant(.7).at(place, -place)).isEqualTo(.7);
+    }
+  }
+
+  @Test
+  void constantsAreKnownToBeConstant() {
+    assertThat(Texture.constant(COLOUR).isConstant()).isTrue();
+    assertThat(ScalarTexture.constant(.7).isConstant()).isTrue();
+  }
+
+  @Test
+  void texturesThatVaryAreNotTakenForConstants() {
+    Texture<Rgb> coordinates = (u, v) -> new Rgb(u, v, 0);
+    assertThat(coordinates.isConstant()).isFalse();
+    assertThat(new RedChannel(coordinates, 1, 0, 1).isConstant()).isFalse();
+  }
+}
