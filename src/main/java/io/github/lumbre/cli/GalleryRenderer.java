@@ -103,7 +103,12 @@ final class GalleryRenderer {
     String size = result.image().width() + "x" + result.image().height();
     return Optional.of(
         new GalleryPage.Entry(
-            scene, size, samples, taken, threads == 0 ? hardware.cores() : threads, hardware));
+            scene,
+            size,
+            samples,
+            taken,
+            settings.threads() == 0 ? hardware.cores() : settings.threads(),
+            hardware));
   }
 
   /** Prints a warning if the fewest samples of a gallery take longer than the time. */
