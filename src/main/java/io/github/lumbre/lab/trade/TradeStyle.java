@@ -46,7 +46,7 @@ final class TradeStyle {
       figcaption{font-size:.85rem;color:var(--quiet);padding-top:.25rem}
       .scale{height:.8rem;max-width:22rem;border-radius:4px;margin-top:.6rem}
       @media(max-width:40rem){th,td{padding:.3rem .5rem}table{font-size:.82rem}th.group{text-align:left}
-      .scroll :is(th,td):first-child{position:sticky;left:0;background:var(--paper);max-width:9rem;
+      .scroll :is(th,td):first-child{position:sticky;left:0;background:var(--paper);min-width:7rem;
       white-space:normal}
       .hint{display:block;font-size:.82rem;color:var(--quiet);margin:.8rem 0 -.5rem}}
       .marks{display:flex;justify-content:space-between;max-width:22rem;font-size:.8rem;
