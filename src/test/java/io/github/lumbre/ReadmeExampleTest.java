@@ -43,9 +43,7 @@ class ReadmeExampleTest {
 
   private void runExample(Path scene, Path picture) throws Exception {
     String code =
-        example()
-            .replace('"' + SCENE + '"', "args[0]")
-            .replace('"' + PICTURE + '"', "args[1]");
+        example().replace('"' + SCENE + '"', "args[0]").replace('"' + PICTURE + '"', "args[1]");
     String packages =
         "import io.github.lumbre.image.*; import io.github.lumbre.parser.*;"
             + " import io.github.lumbre.render.*; import java.nio.file.Path;";
@@ -72,8 +70,7 @@ class ReadmeExampleTest {
 
   private static void runCommandLine(Path scene, Path picture) throws Exception {
     Method run =
-        Lumbre.class.getDeclaredMethod(
-            "run", String[].class, PrintWriter.class, PrintWriter.class);
+        Lumbre.class.getDeclaredMethod("run", String[].class, PrintWriter.class, PrintWriter.class);
     run.setAccessible(true);
     StringWriter out = new StringWriter();
     PrintWriter writer = new PrintWriter(out);

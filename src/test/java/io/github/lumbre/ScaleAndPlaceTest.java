@@ -31,25 +31,25 @@ class ScaleAndPlaceTest {
   /** Every shape and material, and lights without a place in the world. */
   private static final String THINGS =
       """
-      {'type': 'Shape', 'shapeType': 'Plane', 'materialID': 10},
-      {'type': 'Shape', 'shapeType': 'Plane', 'finite': true, 'width': 9, 'height': 5,
-       'twoSided': true, 'materialID': 11, 'localPosition': {'y': 2, 'z': 4.5},
-       'localRotation': {'x': -80, 'y': 10}},
-      {'type': 'Shape', 'shapeType': 'Sphere', 'radius': 0.8, 'materialID': 12,
-       'localPosition': {'x': 0.3, 'y': 0.85, 'z': -1}},
-      {'type': 'Shape', 'shapeType': 'Sphere', 'radius': 0.5, 'materialID': 13,
-       'localPosition': {'x': -1.4, 'y': 0.7, 'z': 0.4}, 'localScale': {'x': 1, 'y': 1.4, 'z': 0.7}},
-      {'type': 'Shape', 'shapeType': 'Cube', 'width': 1.1, 'materialID': 14,
-       'localPosition': {'x': 1.7, 'y': 0.6, 'z': 0.6}, 'localRotation': {'x': 11, 'y': 34}},
-      {'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 20, 'materialID': 15,
-       'localPosition': {'x': -0.9, 'y': 0.1, 'z': -1.6}, 'localRotation': {'y': 77}},
-      {'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 21, 'materialID': 10,
-       'localPosition': {'x': 1.2, 'y': 0.2, 'z': -1.9}, 'localRotation': {'y': 10, 'z': 50}},
-      {'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 21, 'materialID': 15,
-       'localPosition': {'x': -2.1, 'y': 0.2, 'z': 1}, 'localScale': {'x': -1, 'y': 2, 'z': 1.5}},
-      {'type': 'Light', 'lightType': 'Directional', 'intensity': 0.4, 'localRotation': {'x': 50}},
-      {'type': 'Light', 'lightType': 'Dome', 'intensity': 0.2, 'textureId': 31}
-      """;
+{'type': 'Shape', 'shapeType': 'Plane', 'materialID': 10},
+{'type': 'Shape', 'shapeType': 'Plane', 'finite': true, 'width': 9, 'height': 5,
+ 'twoSided': true, 'materialID': 11, 'localPosition': {'y': 2, 'z': 4.5},
+ 'localRotation': {'x': -80, 'y': 10}},
+{'type': 'Shape', 'shapeType': 'Sphere', 'radius': 0.8, 'materialID': 12,
+ 'localPosition': {'x': 0.3, 'y': 0.85, 'z': -1}},
+{'type': 'Shape', 'shapeType': 'Sphere', 'radius': 0.5, 'materialID': 13,
+ 'localPosition': {'x': -1.4, 'y': 0.7, 'z': 0.4}, 'localScale': {'x': 1, 'y': 1.4, 'z': 0.7}},
+{'type': 'Shape', 'shapeType': 'Cube', 'width': 1.1, 'materialID': 14,
+ 'localPosition': {'x': 1.7, 'y': 0.6, 'z': 0.6}, 'localRotation': {'x': 11, 'y': 34}},
+{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 20, 'materialID': 15,
+ 'localPosition': {'x': -0.9, 'y': 0.1, 'z': -1.6}, 'localRotation': {'y': 77}},
+{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 21, 'materialID': 10,
+ 'localPosition': {'x': 1.2, 'y': 0.2, 'z': -1.9}, 'localRotation': {'y': 10, 'z': 50}},
+{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 21, 'materialID': 15,
+ 'localPosition': {'x': -2.1, 'y': 0.2, 'z': 1}, 'localScale': {'x': -1, 'y': 2, 'z': 1.5}},
+{'type': 'Light', 'lightType': 'Directional', 'intensity': 0.4, 'localRotation': {'x': 50}},
+{'type': 'Light', 'lightType': 'Dome', 'intensity': 0.2, 'textureId': 31}
+""";
 
   private static final String ASSETS =
       """

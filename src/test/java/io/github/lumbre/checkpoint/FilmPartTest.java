@@ -102,14 +102,12 @@ class FilmPartTest {
       for (int cut = 1; cut < whole.width(); cut++) {
         Crop left = new Crop(whole.x(), whole.y(), cut, whole.height());
         Crop right = new Crop(whole.x() + cut, whole.y(), whole.width() - cut, whole.height());
-        assertThat(new FilmPart(left, 1, 2, 2).joined(new FilmPart(right, 1, 2, 2)))
-            .contains(part);
+        assertThat(new FilmPart(left, 1, 2, 2).joined(new FilmPart(right, 1, 2, 2))).contains(part);
       }
       for (int cut = 1; cut < whole.height(); cut++) {
         Crop top = new Crop(whole.x(), whole.y(), whole.width(), cut);
         Crop bottom = new Crop(whole.x(), whole.y() + cut, whole.width(), whole.height() - cut);
-        assertThat(new FilmPart(top, 1, 2, 2).joined(new FilmPart(bottom, 1, 2, 2)))
-            .contains(part);
+        assertThat(new FilmPart(top, 1, 2, 2).joined(new FilmPart(bottom, 1, 2, 2))).contains(part);
       }
     }
   }

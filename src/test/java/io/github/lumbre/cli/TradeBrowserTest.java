@@ -45,9 +45,9 @@ class TradeBrowserTest {
   /** Tables wider than a narrow screen without a line above them that says so. */
   private static final String HIDDEN_COLUMNS =
       """
-      named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.clientWidth + 1),
-        s => !s.previousElementSibling.matches('.hint') || box(s.previousElementSibling).height < 8)
-      """;
+named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.clientWidth + 1),
+  s => !s.previousElementSibling.matches('.hint') || box(s.previousElementSibling).height < 8)
+""";
 
   private static final String CUT =
       """

@@ -5,4 +5,3 @@
  * io.github.lumbre.fuzz.HostileScenes} reads and renders what comes out and judges how it ended.
  */
 package io.github.lumbre.fuzz;
-

@@ -77,7 +77,9 @@ class HostileWorkTest {
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isEqualTo(128);
   }
 
-  /** The decoder of the JDK takes its time for each chunk of image data, so it gets a single one. */
+  /**
+   * The decoder of the JDK takes its time for each chunk of image data, so it gets a single one.
+   */
   @Test
   void chunksOfImageDataBecomeOne() throws IOException {
     PngFixture fixture = new PngFixture().header(1, 1, 8, PngFixture.RGB, false);
@@ -89,10 +91,7 @@ class HostileWorkTest {
     byte[] content = PngFile.read(file).content();
     assertThat(content)
         .isEqualTo(
-            new PngFixture()
-                .header(1, 1, 8, PngFixture.RGB, false)
-                .chunk("IDAT", data)
-                .end());
+            new PngFixture().header(1, 1, 8, PngFixture.RGB, false).chunk("IDAT", data).end());
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isZero();
   }
 }

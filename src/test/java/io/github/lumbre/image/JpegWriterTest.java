@@ -19,9 +19,7 @@ class JpegWriterTest {
     Path file = directory.resolve("a.jpg");
     Map<String, String> metadata = Map.of("Scene", "käse \u4e00");
     ImageWriter.write(
-        image,
-        file,
-        new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 16, quality, metadata));
+        image, file, new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 16, quality, metadata));
     return Files.readAllBytes(file);
   }
 

@@ -96,7 +96,8 @@ class InterreflectionTest {
 
   @Test
   void depthZeroShowsEmittersOnly() {
-    Scene scene = empty().add(floor(), matte(.5)).addAreaLight(ceilingLamp(1, 1, 1), glow(3)).build();
+    Scene scene =
+        empty().add(floor(), matte(.5)).addAreaLight(ceilingLamp(1, 1, 1), glow(3)).build();
 
     assertThat(radianceOnce(scene, 0, lookingDownAt(0))).isZero();
     assertThat(radianceOnce(scene, 0, new Ray(new Vec3(0, .5, 0), Vec3.Y))).isEqualTo(3);
@@ -116,7 +117,10 @@ class InterreflectionTest {
   @Test
   void emitterSeenThroughGlassKeepsItsRadiance() {
     Scene scene =
-        empty().addAreaLight(ceilingLamp(1, 1, 1), glow(3)).add(sphere(0, .7, 0, .1), glass(1)).build();
+        empty()
+            .addAreaLight(ceilingLamp(1, 1, 1), glow(3))
+            .add(sphere(0, .7, 0, .1), glass(1))
+            .build();
     Ray up = new Ray(new Vec3(.01, .5, .02), Vec3.Y);
 
     assertThat(radianceOnce(scene, 2, up)).isEqualTo(3);
@@ -190,7 +194,8 @@ class InterreflectionTest {
 
   @Test
   void glassOfIndexOneIsInvisible() {
-    SceneBuilder builder = empty().add(floor(), matte(.7)).addAreaLight(ceilingLamp(4, 4, 4), glow(1));
+    SceneBuilder builder =
+        empty().add(floor(), matte(.7)).addAreaLight(ceilingLamp(4, 4, 4), glow(1));
     Ray ray = new Ray(new Vec3(.3, 2, .1), new Vec3(.05, -1, .03).normalized());
     Estimate without = Estimate.of(new PathTracer(builder.build(), 1), ray, 256);
     builder.add(sphere(.4, 1.2, .1, .5), glass(1));

@@ -75,7 +75,10 @@ class LightTransportTest {
   @CsvSource({"1e-6, 9.99999999999667e-13", "1, 0.752274688454107", "1e6, 3.14159265357951"})
   void rectanglesOfAnySizeLightByTheirSolidAngle(double side, double irradiance) {
     Scene scene =
-        empty().add(floor(), matte(ALBEDO)).addAreaLight(ceilingLamp(side, side, 1), glow(1)).build();
+        empty()
+            .add(floor(), matte(ALBEDO))
+            .addAreaLight(ceilingLamp(side, side, 1), glow(1))
+            .build();
     PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(1).by(MisHeuristic.LIGHT));
     Sampler sampler = new SobolSampler(Effort.seed(1));
     RenderContext scratch = new RenderContext();

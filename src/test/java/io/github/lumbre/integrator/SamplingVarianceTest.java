@@ -43,7 +43,10 @@ class SamplingVarianceTest {
   }
 
   private static Scene under(double height) {
-    return empty().add(floor(), matte(ALBEDO)).addAreaLight(ceilingLamp(1, 1, height), glow(1)).build();
+    return empty()
+        .add(floor(), matte(ALBEDO))
+        .addAreaLight(ceilingLamp(1, 1, height), glow(1))
+        .build();
   }
 
   private static void assertVariance(

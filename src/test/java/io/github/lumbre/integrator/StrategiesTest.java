@@ -83,15 +83,18 @@ class StrategiesTest {
     Transform along = at(1.2, 4, .8).times(turned(180, 0, 0));
     lights.add(
         new Named<>(
-            "small lamp", scene -> scene.addAreaLight(new Rectangle(along, .6, .6, false), glow(50))));
-    lights.add(new Named<>("huge lamp", scene -> scene.addAreaLight(ceilingLamp(30, 30, 2), glow(1))));
+            "small lamp",
+            scene -> scene.addAreaLight(new Rectangle(along, .6, .6, false), glow(50))));
+    lights.add(
+        new Named<>("huge lamp", scene -> scene.addAreaLight(ceilingLamp(30, 30, 2), glow(1))));
     lights.add(
         new Named<>(
             "ball and box",
             scene ->
                 scene
                     .addAreaLight(sphere(1, 3, .6, .8), glow(2))
-                    .addEmissive(new Box(at(-2, 1, 0).times(turned(9, 20, 30)), 1, 1, 1), glow(3))));
+                    .addEmissive(
+                        new Box(at(-2, 1, 0).times(turned(9, 20, 30)), 1, 1, 1), glow(3))));
     lights.add(
         new Named<>(
             "dome",

@@ -56,7 +56,8 @@ class ReadingMessagesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"4294967297", "-2147483649", "2147483648", "1e20", "99999999999999999999"})
+  @ValueSource(
+      strings = {"4294967297", "-2147483649", "2147483648", "1e20", "99999999999999999999"})
   void integersBeyondTheRangeAreToldTheRange(String id) {
     assertRefused(
         "{\"mainCameraId\": " + id + ", \"objects\": []}",
@@ -112,8 +113,7 @@ class ReadingMessagesTest {
   void unreadableAssetsAreToldWithTheReason() throws IOException {
     String prefix = "scene.json: $.assets[0].file: expected a ";
     Files.createDirectory(folder.resolve("sub"));
-    assertRefused(
-        sceneWithMeshFile("sub"), Kind.ASSET, prefix + "file, found a folder at \"sub\"");
+    assertRefused(sceneWithMeshFile("sub"), Kind.ASSET, prefix + "file, found a folder at \"sub\"");
     Files.writeString(folder.resolve("a.obj"), SceneFixture.TRIANGLE);
     assertRefused(
         sceneWithMeshFile("a.obj/b.obj"),
@@ -123,7 +123,8 @@ class ReadingMessagesTest {
     assertRefused(
         sceneWithMeshFile("round"),
         Kind.ASSET,
-        prefix + "readable file, found \"round\": too many levels of symbolic links or unable to"
+        prefix
+            + "readable file, found \"round\": too many levels of symbolic links or unable to"
             + " access attributes of symbolic link");
   }
 

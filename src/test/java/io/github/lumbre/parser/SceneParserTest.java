@@ -332,8 +332,15 @@ class SceneParserTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "../a.obj", "/etc/passwd", "http://example.org/a.obj", "file:a.obj", "sub/../../a.obj",
-        "\\\\\\\\host\\\\a.obj", "C:\\\\a.obj", "", "\\u0000"
+        "../a.obj",
+        "/etc/passwd",
+        "http://example.org/a.obj",
+        "file:a.obj",
+        "sub/../../a.obj",
+        "\\\\\\\\host\\\\a.obj",
+        "C:\\\\a.obj",
+        "",
+        "\\u0000"
       })
   void filesOutsideTheFolderAreOutOfReach(String name) throws IOException {
     Path inside = Files.createDirectory(folder.resolve("inside"));

@@ -247,7 +247,8 @@ class ExtremePicturesTest {
     Transform place = at(0, 0, 1).times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
     Scene scene =
         Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90))
-            .addEmissive(new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
+            .addEmissive(
+                new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
             .build();
     Moments means = new Moments();
     for (int seed = 0; seed < 100; seed++) {

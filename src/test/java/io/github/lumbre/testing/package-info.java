@@ -12,4 +12,3 @@
  * io.github.lumbre.testing.Statistics#samplesToDetect}'s to say, and belongs into the test.
  */
 package io.github.lumbre.testing;
-
