@@ -2,7 +2,6 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
@@ -166,16 +165,15 @@ public final class Box implements Shape {
 
   /** {@inheritDoc} Points are uniform by area on the faces that the reference sees. */
   @Override
-  public void sample(SurfaceSample drawn) {
-    Vec3 reference = drawn.reference();
-    Point2 u = drawn.random();
+  public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
+    Vec3 reference = new Vec3(x, y, z);
     Vec3 from = toWorld.inversePoint(reference);
     double visible = visibleArea(from);
-    drawn.clear();
+    result.clear();
     if (!(visible > 0)) {
       return;
     }
-    double rest = u.x() * visible;
+    double rest = u * visible;
     int face = firstVisible(from);
     for (int next = face + 1; next < FACES && rest >= faceArea[face]; next++) {
       if (sees(from, next)) {
@@ -183,13 +181,13 @@ public final class Box implements Shape {
         face = next;
       }
     }
-    Vec3 local = pointOf(face, Math.min(rest / faceArea[face], 1), u.y());
+    Vec3 local = pointOf(face, Math.min(rest / faceArea[face], 1), v);
     Vec3 position = toWorld.point(local);
     Frame frame = frames[face];
     double pdf = Placement.solidAnglePdf(reference.minus(position), frame.normal(), visible);
     if (pdf > 0) {
       double error = toWorld.pointError(local, frame.normal());
-      drawn.set(position, frame.normal(), texture(face, local), error, pdf);
+      result.set(position, frame.normal(), texture(face, local), error, pdf);
     }
   }
 

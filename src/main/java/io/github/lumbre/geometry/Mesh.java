@@ -74,8 +74,8 @@ public final class Mesh implements Shape {
 
   /** {@inheritDoc} Points are uniform by area, also where the mesh hides itself. */
   @Override
-  public void sample(SurfaceSample drawn) {
-    surface.sample(drawn);
+  public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
+    surface.sample(x, y, z, u, v, result);
   }
 
   @Override

@@ -143,15 +143,14 @@ final class MeshSurface {
     return known;
   }
 
-  void sample(SurfaceSample drawn) {
-    Vec3 reference = drawn.reference();
-    Point2 u = drawn.random();
-    drawn.clear();
+  void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
+    Vec3 reference = new Vec3(x, y, z);
+    result.clear();
     if (!(area() > 0)) {
       return;
     }
-    int triangle = areas().choose(u.x());
-    Point2 b = Warp.uniformTriangle(new Point2(areas().remainder(triangle, u.x()), u.y()));
+    int triangle = areas().choose(u);
+    Point2 b = Warp.uniformTriangle(new Point2(areas().remainder(triangle, u), v));
     Vec3 a = position(triangle, 0);
     Vec3 e1 = position(triangle, 1).minus(a);
     Vec3 e2 = position(triangle, 2).minus(a);
@@ -162,7 +161,7 @@ final class MeshSurface {
       return;
     }
     double error = error(triangle, e1, e2, normal) + mappingError(reference, normal);
-    drawn.set(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
+    result.set(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
   }
 
   /** Returns the rounding of a ray's way into local space: large if the map is far from even. */

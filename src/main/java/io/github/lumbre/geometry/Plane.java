@@ -81,7 +81,7 @@ public final class Plane implements Shape {
   }
 
   @Override
-  public void sample(SurfaceSample drawn) {
+  public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
     throw new UnsupportedOperationException("an infinite plane cannot be sampled");
   }
 

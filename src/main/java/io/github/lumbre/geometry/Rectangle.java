@@ -156,33 +156,32 @@ public final class Rectangle implements Shape {
    * one-way rectangle there are none.
    */
   @Override
-  public void sample(SurfaceSample drawn) {
-    Vec3 reference = drawn.reference();
+  public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
+    Vec3 reference = new Vec3(x, y, z);
     Vec3 from = axes.toLocal(reference.minus(centre));
     if (isNear(from.x(), from.y(), from.z())) {
       SphericalRectangle seen = seenFrom(from.x(), from.y(), from.z());
       if (seen.isUsable()) {
-        Point2 way = seen.at(drawn.random());
-        double x = within(halfWidth, (from.x() + way.x()) / scaleX);
-        double z = within(halfHeight, (from.y() + way.y()) / scaleZ);
-        Vec3 local = new Vec3(x, 0, z);
-        set(drawn, local, position(local), 1 / seen.solidAngle());
+        Point2 way = seen.at(new Point2(u, v));
+        double localX = within(halfWidth, (from.x() + way.x()) / scaleX);
+        double localZ = within(halfHeight, (from.y() + way.y()) / scaleZ);
+        Vec3 local = new Vec3(localX, 0, localZ);
+        set(result, local, position(local), 1 / seen.solidAngle());
         return;
       }
     }
-    Point2 u = drawn.random();
-    Vec3 local = new Vec3((u.x() - .5) * width, 0, (u.y() - .5) * height);
+    Vec3 local = new Vec3((u - .5) * width, 0, (v - .5) * height);
     Vec3 position = position(local);
     double pdf = areaPdf(reference.minus(position));
     if (pdf > 0) {
-      set(drawn, local, position, pdf);
+      set(result, local, position, pdf);
     } else {
-      drawn.clear();
+      result.clear();
     }
   }
 
-  private void set(SurfaceSample drawn, Vec3 local, Vec3 position, double pdf) {
-    drawn.set(position, normal, texture(local), error(local), pdf);
+  private void set(SurfaceSample result, Vec3 local, Vec3 position, double pdf) {
+    result.set(position, normal, texture(local), error(local), pdf);
   }
 
   @Override

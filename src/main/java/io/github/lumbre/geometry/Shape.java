@@ -35,24 +35,30 @@ public interface Shape {
   }
 
   /**
-   * Draws a point of the surface to light a reference from, or none (pdf 0) where none can be seen.
-   * Which points are drawn, and how often, is the shape's choice; the density says.
+   * Samples a point of the surface that lights a reference point, or none (pdf 0) where none is
+   * visible. Each shape distributes its points as suits it; the density accounts for that. This is
+   * the hot path: plain numbers and a reused result allocate nothing; {@link #sample(Vec3, Point2)}
+   * is the same for other callers.
    *
-   * @param drawn asked for a reference; takes the result
+   * @param x of the reference point, in world space, as are y and z
+   * @param u uniform in [0,1), as is v: they determine the point
+   * @param result receives the point
    * @throws UnsupportedOperationException if {@link #area} is infinite
    */
-  void sample(SurfaceSample drawn);
+  void sample(double x, double y, double z, double u, double v, SurfaceSample result);
 
   /**
-   * Draws a point into a new sample.
+   * Samples a point of the surface that lights a reference point; its density is 0 if none is
+   * visible.
    *
-   * @param u uniform in [0,1)²
+   * @param reference point in world space
+   * @param u uniform in [0,1)²: determines the point
+   * @throws UnsupportedOperationException if {@link #area} is infinite
    */
   default SurfaceSample sample(Vec3 reference, Point2 u) {
-    SurfaceSample drawn = new SurfaceSample();
-    drawn.ask(reference.x(), reference.y(), reference.z(), u);
-    sample(drawn);
-    return drawn;
+    SurfaceSample result = new SurfaceSample();
+    sample(reference.x(), reference.y(), reference.z(), u.x(), u.y(), result);
+    return result;
   }
 
   /**

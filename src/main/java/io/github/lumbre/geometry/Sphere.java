@@ -137,23 +137,22 @@ public final class Sphere implements Shape {
    * from how the map spreads directions.
    */
   @Override
-  public void sample(SurfaceSample drawn) {
-    Vec3 reference = drawn.reference();
-    Point2 u = drawn.random();
+  public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
+    Vec3 reference = new Vec3(x, y, z);
     Vec3 from = toWorld.inversePoint(reference).times(1 / radius);
     double distance = from.length();
     double oneMinusCosMax = oneMinusCosMax(distance);
     Frame frame = distance > 0 ? Frame.around(from.times(1 / distance)) : Frame.WORLD;
     Vec3 n =
         distance > 1
-            ? frame.toWorld(nearPoint(distance, oneMinusCosMax, u))
-            : exit(from, Warp.uniformSphere(u));
+            ? frame.toWorld(nearPoint(distance, oneMinusCosMax, new Point2(u, v)))
+            : exit(from, Warp.uniformSphere(new Point2(u, v)));
     n = n.normalized();
     Vec3 local = n.times(radius);
     Vec3 position = toWorld.point(local);
     double pdf = pdf(oneMinusCosMax, position.minus(reference));
     if (!(pdf > 0)) {
-      drawn.clear();
+      result.clear();
       return;
     }
     Vec3 normal = toWorld.normal(n);
@@ -161,7 +160,7 @@ public final class Sphere implements Shape {
     if (isSkewed) {
       error += toWorld.mappingError(reference, normal);
     }
-    drawn.set(position, normal, texture(n), error, pdf);
+    result.set(position, normal, texture(n), error, pdf);
   }
 
   @Override

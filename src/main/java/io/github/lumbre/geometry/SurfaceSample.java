@@ -1,16 +1,13 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
  * A point drawn from a shape's surface, or none if nothing of the shape can be seen. Mutable: each
- * thread fills one and the same again and again.
+ * thread reuses one instance.
  */
 public final class SurfaceSample {
-  private double referenceX, referenceY, referenceZ;
-  private double randomX, randomY;
   private double x, y, z;
   private double normalX, normalY, normalZ = 1;
   private double u, v;
@@ -20,31 +17,7 @@ public final class SurfaceSample {
   /** Makes a sample of nothing. */
   public SurfaceSample() {}
 
-  /**
-   * Asks for a point that a reference may see.
-   *
-   * @param fromX of the reference, in world space
-   * @param u uniform in [0,1)²: chooses the point
-   */
-  public void ask(double fromX, double fromY, double fromZ, Point2 u) {
-    referenceX = fromX;
-    referenceY = fromY;
-    referenceZ = fromZ;
-    randomX = u.x();
-    randomY = u.y();
-  }
-
-  /** Returns the point, in world space, that is to see what is drawn. */
-  public Vec3 reference() {
-    return new Vec3(referenceX, referenceY, referenceZ);
-  }
-
-  /** Returns the uniform point of [0,1)² that chooses what is drawn. */
-  public Point2 random() {
-    return new Point2(randomX, randomY);
-  }
-
-  /** Says that nothing can be seen. */
+  /** Sets the sample to none: nothing of the shape is visible. */
   public void clear() {
     pdf = 0;
   }

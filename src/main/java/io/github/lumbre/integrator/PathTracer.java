@@ -186,7 +186,7 @@ public final class PathTracer implements Integrator {
     int dimension = Sampler.vertex(depth);
     BsdfSample sample = context.scattered;
     double uLobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
-    vertex.sample(uLobe, new Point2(u, v), sample);
+    vertex.sample(uLobe, u, v, sample);
     if (sample.isAbsorbed()) {
       return end(End.ABSORBED, context);
     }
@@ -241,8 +241,9 @@ public final class PathTracer implements Integrator {
     } else {
       choice.setOnly();
     }
-    light.ask(choice, sampler.get2d(dimension + Sampler.LIGHT_POINT));
-    emitters[choice.emitter()].sample(light);
+    Point2 uLight = sampler.get2d(dimension + Sampler.LIGHT_POINT);
+    Light emitter = emitters[choice.emitter()];
+    emitter.sample(choice.x(), choice.y(), choice.z(), uLight.x(), uLight.y(), light);
     if (light.isEmpty()) {
       return;
     }

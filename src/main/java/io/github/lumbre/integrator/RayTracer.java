@@ -24,8 +24,8 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Whitted's ray tracing (1980): direct light from every light, mirrors, and glass; no light from one
- * diffuse or glossy surface to another. Each area light and environment light is sampled once.
+ * Whitted's ray tracing (1980): direct light from every light, mirrors, and glass; no light from
+ * one diffuse or glossy surface to another. Each area light and environment light is sampled once.
  */
 public final class RayTracer implements Integrator {
   /**
@@ -33,9 +33,6 @@ public final class RayTracer implements Integrator {
    * one of the two at random, so that deep glass does not cost 2^depth rays.
    */
   private static final int MAX_SPLITS = 4;
-
-  /** For lobes that draw nothing. */
-  private static final Point2 MIDDLE = new Point2(.5, .5);
 
   private final Scene scene;
   private final List<Light> lights;
@@ -148,8 +145,7 @@ public final class RayTracer implements Integrator {
 
   private static void reportFound(Source source, int emitter, Rgb light, RenderContext context) {
     double bsdfPdf = source == Source.AMBIENT ? 0 : Double.POSITIVE_INFINITY;
-    context.listener.lightFound(
-        source, emitter, light.r(), light.g(), light.b(), 0, bsdfPdf, 1);
+    context.listener.lightFound(source, emitter, light.r(), light.g(), light.b(), 0, bsdfPdf, 1);
   }
 
   /** Returns the ambient light and one sample of each light, as the vertex scatters them. */
@@ -164,8 +160,9 @@ public final class RayTracer implements Integrator {
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
       LightSample light = context.light;
-      light.ask(vertex.surface().position(), sampler.get2d(dimension));
-      lights.get(i).sample(light);
+      Vec3 position = vertex.surface().position();
+      Point2 u = sampler.get2d(dimension);
+      lights.get(i).sample(position.x(), position.y(), position.z(), u.x(), u.y(), light);
       if (!light.isEmpty()) {
         Rgb arriving = arriving(i, light, vertex, context);
         r += arriving.r();
@@ -205,7 +202,7 @@ public final class RayTracer implements Integrator {
 
   private void reflect(Branch branch, RenderContext context, Deque<Branch> pending) {
     BsdfSample mirrored = context.scattered;
-    context.vertex.sample(0, MIDDLE, mirrored);
+    context.vertex.sample(0, .5, .5, mirrored);
     if (branch.reflections() < maxReflections && !mirrored.isAbsorbed()) {
       pending.push(
           new Branch(
@@ -221,10 +218,9 @@ public final class RayTracer implements Integrator {
       Branch branch, Sampler sampler, int dimension, RenderContext context, Deque<Branch> pending) {
     if (branch.refractions() < maxRefractions) {
       BsdfSample either = context.scattered;
-      context.vertex.sample(
-          sampler.get1d(dimension + Sampler.LOBE),
-          sampler.get2d(dimension + Sampler.DIRECTION),
-          either);
+      double uLobe = sampler.get1d(dimension + Sampler.LOBE);
+      Point2 u = sampler.get2d(dimension + Sampler.DIRECTION);
+      context.vertex.sample(uLobe, u.x(), u.y(), either);
       pushGlass(branch, context.vertex, either.wi(), either.weight(), pending);
     }
   }
@@ -237,7 +233,7 @@ public final class RayTracer implements Integrator {
     }
     if (branch.refractions() >= MAX_SPLITS) {
       BsdfSample either = context.scattered;
-      vertex.sample(lobe, MIDDLE, either);
+      vertex.sample(lobe, .5, .5, either);
       pushGlass(branch, vertex, either.wi(), either.weight(), pending);
       return;
     }

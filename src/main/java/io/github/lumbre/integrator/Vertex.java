@@ -7,7 +7,6 @@ import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Material;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -73,17 +72,15 @@ final class Vertex {
     Vec3 wi = light.wi();
     Vec3 local = surface.toLocal(wi);
     if (isConsistent(wi.x(), wi.y(), wi.z(), local.z())) {
-      value.ask(outX, outY, outZ, local.x(), local.y(), local.z());
-      bsdf.evaluate(value);
+      bsdf.evaluate(outX, outY, outZ, local.x(), local.y(), local.z(), value);
     } else {
       value.clear();
     }
   }
 
   /** Draws a direction; the sample's wi is in world space. */
-  void sample(double uLobe, Point2 u, BsdfSample drawn) {
-    drawn.ask(outX, outY, outZ, uLobe, u);
-    bsdf.sample(drawn);
+  void sample(double uLobe, double u, double v, BsdfSample drawn) {
+    bsdf.sample(outX, outY, outZ, uLobe, u, v, drawn);
     if (drawn.isAbsorbed()) {
       return;
     }

@@ -21,17 +21,17 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
   }
 
   @Override
-  public void sample(LightSample drawn) {
-    SurfaceSample point = drawn.surface();
-    shape.sample(point);
-    drawn.clear();
+  public void sample(double x, double y, double z, double u, double v, LightSample result) {
+    SurfaceSample point = result.surface();
+    shape.sample(x, y, z, u, v, point);
+    result.clear();
     if (!(point.pdf() > 0)) {
       return;
     }
-    Vec3 reference = drawn.reference();
+    Vec3 reference = new Vec3(x, y, z);
     Rgb radiance = emission.towards(reference, point);
     if (!radiance.isBlack()) {
-      drawn.setSurface(point.position().minus(reference).normalized(), radiance);
+      result.setSurface(point.position().minus(reference).normalized(), radiance);
     }
   }
 

@@ -17,8 +17,8 @@ public record DirectionalLight(Vec3 direction, Rgb irradiance) implements Light 
   }
 
   @Override
-  public void sample(LightSample drawn) {
-    drawn.setInfinite(direction.negated(), irradiance, Double.POSITIVE_INFINITY);
+  public void sample(double x, double y, double z, double u, double v, LightSample result) {
+    result.setInfinite(direction.negated(), irradiance, Double.POSITIVE_INFINITY);
   }
 
   @Override

@@ -105,20 +105,19 @@ public final class EnvironmentLight implements Light {
   }
 
   @Override
-  public void sample(LightSample drawn) {
-    Point2 u = drawn.random();
+  public void sample(double x, double y, double z, double u, double v, LightSample result) {
     if (distribution.isEmpty()) {
-      Vec3 wi = Warp.uniformSphere(u);
-      drawn.setInfinite(wi, from(wi), Warp.INV_FOUR_PI);
+      Vec3 wi = Warp.uniformSphere(new Point2(u, v));
+      result.setInfinite(wi, from(wi), Warp.INV_FOUR_PI);
       return;
     }
-    Distribution2d.Sample texel = distribution.get().sample(u);
+    Distribution2d.Sample texel = distribution.get().sample(new Point2(u, v));
     double longitude = texel.x() - .5;
     double latitude = (texel.y() - .5) / 2;
     double across = Elementary.cosTurns(latitude);
     double pdf = across > 0 ? perSolidAngle(texel.pdf(), across) : 0;
     if (pdf == 0) {
-      drawn.clear();
+      result.clear();
       return;
     }
     Vec3 wi =
@@ -127,7 +126,7 @@ public final class EnvironmentLight implements Light {
                 across * Elementary.sinTurns(longitude),
                 Elementary.sinTurns(latitude),
                 across * Elementary.cosTurns(longitude)));
-    drawn.setInfinite(wi, radiance.at(texel.x(), texel.y()), pdf);
+    result.setInfinite(wi, radiance.at(texel.x(), texel.y()), pdf);
   }
 
   /** From per area of the image: dω is 2π² cos latitude times the area element. */

@@ -9,22 +9,26 @@ import java.util.Optional;
 public sealed interface Light
     permits PointLight, SpotLight, DirectionalLight, AreaLight, EnvironmentLight {
   /**
-   * Draws light that may arrive at a point, or none.
+   * Samples light that may arrive at a point, or none. This is the hot path: plain numbers and a
+   * reused result allocate nothing; {@link #sample(Vec3, Point2)} is the same for other callers.
    *
-   * @param drawn asked for a point; takes the result. Delta lights ignore its random numbers
+   * @param x of the reference point, in world space, as are y and z
+   * @param u uniform in [0,1), as is v: they determine the light's point or direction; delta lights
+   *     ignore them
+   * @param result receives the light, {@linkplain LightSample#isEmpty empty} if none can arrive
    */
-  void sample(LightSample drawn);
+  void sample(double x, double y, double z, double u, double v, LightSample result);
 
   /**
-   * Draws light into a new sample; empty if none can arrive.
+   * Samples light that may arrive at a point; empty if none can arrive.
    *
-   * @param u uniform in [0,1)²
+   * @param reference point in world space
+   * @param u uniform in [0,1)²: determines the light's point or direction
    */
   default Optional<LightSample> sample(Vec3 reference, Point2 u) {
-    LightSample drawn = new LightSample();
-    drawn.ask(reference, u);
-    sample(drawn);
-    return drawn.isEmpty() ? Optional.empty() : Optional.of(drawn);
+    LightSample result = new LightSample();
+    sample(reference.x(), reference.y(), reference.z(), u.x(), u.y(), result);
+    return result.isEmpty() ? Optional.empty() : Optional.of(result);
   }
 
   /**

@@ -36,7 +36,22 @@ public final class LightChoice {
     normalZ = normal.z();
   }
 
-  /** Returns the point that asks. */
+  /** Returns the x of {@link #point}. */
+  public double x() {
+    return x;
+  }
+
+  /** Returns the y of {@link #point}. */
+  public double y() {
+    return y;
+  }
+
+  /** Returns the z of {@link #point}. */
+  public double z() {
+    return z;
+  }
+
+  /** Returns the point, in world space, that light is sampled for. */
   public Vec3 point() {
     return new Vec3(x, y, z);
   }

@@ -4,12 +4,11 @@ import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * Light that may arrive at a point from one direction, or none. Mutable: each thread fills one and
- * the same again and again.
+ * Light that may arrive at a point from one direction, or none. Mutable: each thread reuses one
+ * instance.
  */
 public final class LightSample {
   /** Where a shadow ray ends. */
@@ -32,35 +31,7 @@ public final class LightSample {
   /** Makes a sample of no light. */
   public LightSample() {}
 
-  /**
-   * Asks for light that may arrive where a choice among lights was made.
-   *
-   * @param u uniform in [0,1)²: chooses the light's point, or the direction
-   */
-  public void ask(LightChoice asked, Point2 u) {
-    surface.ask(asked.x, asked.y, asked.z, u);
-  }
-
-  /**
-   * Asks for light that may arrive at a point.
-   *
-   * @param u uniform in [0,1)²: chooses the light's point, or the direction
-   */
-  public void ask(Vec3 reference, Point2 u) {
-    surface.ask(reference.x(), reference.y(), reference.z(), u);
-  }
-
-  /** Returns the point, in world space, at which light is to arrive. */
-  public Vec3 reference() {
-    return surface.reference();
-  }
-
-  /** Returns the uniform point of [0,1)² that chooses the light's point, or the direction. */
-  public Point2 random() {
-    return surface.random();
-  }
-
-  /** Says that no light can arrive. */
+  /** Sets the sample to none: no light can arrive. */
   public void clear() {
     pdf = 0;
   }
@@ -116,7 +87,7 @@ public final class LightSample {
     }
   }
 
-  /** Returns the point of the light's surface: a place to draw one, and then what was drawn. */
+  /** Returns the point of the light's surface: memory for sampling it. */
   SurfaceSample surface() {
     return surface;
   }

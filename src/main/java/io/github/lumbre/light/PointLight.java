@@ -15,13 +15,13 @@ public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implemen
   }
 
   @Override
-  public void sample(LightSample drawn) {
-    Vec3 way = position.minus(drawn.reference());
+  public void sample(double x, double y, double z, double u, double v, LightSample result) {
+    Vec3 way = position.minus(new Vec3(x, y, z));
     double distanceSquared = way.lengthSquared();
     if (distanceSquared == 0) {
-      drawn.clear();
+      result.clear();
     } else {
-      drawn.setPoint(way.normalized(), falloff.irradiance(intensity, distanceSquared), position);
+      result.setPoint(way.normalized(), falloff.irradiance(intensity, distanceSquared), position);
     }
   }
 

@@ -38,9 +38,9 @@ public final class SpotLight implements Light {
   }
 
   @Override
-  public void sample(LightSample drawn) {
-    source.sample(drawn);
-    drawn.dim(share(drawn.wi().cross(axis).length(), -drawn.wi().dot(axis)));
+  public void sample(double x, double y, double z, double u, double v, LightSample result) {
+    source.sample(x, y, z, u, v, result);
+    result.dim(share(result.wi().cross(axis).length(), -result.wi().dot(axis)));
   }
 
   private double share(double sinAngle, double cosAngle) {

@@ -5,7 +5,8 @@ enum Absorber implements SpecularBsdf {
   BLACK;
 
   @Override
-  public void sample(BsdfSample drawn) {
-    drawn.absorb();
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    result.absorb();
   }
 }

@@ -10,19 +10,28 @@ import io.github.lumbre.math.Vec3;
  */
 public interface Bsdf {
   /**
-   * Computes f·|cos θi| and the density per solid angle with which {@link #sample} draws wi; delta
-   * lobes count for nothing in either. The hot path: no object is made.
+   * Computes f·|cos θi| and the density per solid angle with which {@link #sample} draws wi. Delta
+   * lobes add nothing to either. This is the hot path: plain numbers and a reused result allocate
+   * nothing; {@link #evaluate(Vec3, Vec3)} is the same for other callers.
    *
-   * @param value holds the two directions; receives the result
+   * @param woX x of the direction to the viewer: local, of unit length
+   * @param wiX x of the direction to the light: local, of unit length
+   * @param result receives both values
    */
-  void evaluate(BsdfValue value);
+  void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result);
 
-  /** Returns f·|cos θi| and the density, as {@link #evaluate(BsdfValue)} computes them. */
+  /**
+   * Returns f·|cos θi| and the density per solid angle with which {@link #sample} draws wi, delta
+   * lobes aside.
+   *
+   * @param wo direction to the viewer: local, of unit length
+   * @param wi direction to the light: local, of unit length
+   */
   default BsdfValue evaluate(Vec3 wo, Vec3 wi) {
-    BsdfValue value = new BsdfValue();
-    value.ask(wo.x(), wo.y(), wo.z(), wi.x(), wi.y(), wi.z());
-    evaluate(value);
-    return value;
+    BsdfValue result = new BsdfValue();
+    evaluate(wo.x(), wo.y(), wo.z(), wi.x(), wi.y(), wi.z(), result);
+    return result;
   }
 
   /** Returns the density per solid angle with which {@link #sample} draws wi, delta lobes aside. */
@@ -31,42 +40,48 @@ public interface Bsdf {
   }
 
   /**
-   * Draws a direction.
+   * Samples a direction in which light scatters. This is the hot path, as in {@link
+   * #evaluate(double, double, double, double, double, double, BsdfValue)}.
    *
-   * @param drawn asked for a viewer and random numbers; takes the result, {@linkplain
-   *     BsdfSample#isAbsorbed absorbed} if the light ends here
+   * @param woX x of the direction to the viewer: local, of unit length
+   * @param uLobe uniform in [0,1): selects a lobe, if {@link #choosesLobe}
+   * @param u uniform in [0,1), as is v: they determine the direction
+   * @param result receives the direction, {@linkplain BsdfSample#isAbsorbed absorbed} if the light
+   *     ends here
    */
-  void sample(BsdfSample drawn);
+  void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result);
 
-  /** Tells whether {@link #sample} looks at the number that chooses among lobes. */
+  /**
+   * Samples a direction in which light scatters, {@linkplain BsdfSample#isAbsorbed absorbed} if the
+   * light ends here.
+   *
+   * @param wo direction to the viewer: local, of unit length
+   * @param uLobe uniform in [0,1): selects a lobe, if {@link #choosesLobe}
+   * @param u uniform in [0,1)²: determines the direction
+   */
+  default BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
+    BsdfSample result = new BsdfSample();
+    sample(wo.x(), wo.y(), wo.z(), uLobe, u.x(), u.y(), result);
+    return result;
+  }
+
+  /** Returns whether {@link #sample} uses the number that selects a lobe. */
   default boolean choosesLobe() {
     return false;
   }
 
-  /**
-   * Draws a direction into a new sample.
-   *
-   * @param uLobe uniform in [0,1): chooses among lobes, if {@link #choosesLobe} says so
-   * @param u uniform in [0,1)²
-   */
-  default BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
-    BsdfSample drawn = new BsdfSample();
-    drawn.ask(wo.x(), wo.y(), wo.z(), uLobe, u);
-    sample(drawn);
-    return drawn;
-  }
-
-  /** Tells whether all lobes are deltas, so that light sampling is pointless. */
+  /** Returns whether all lobes are deltas, so that light sampling is pointless. */
   default boolean isSpecular() {
     return false;
   }
 
-  /** Tells whether light from behind the surface may scatter to the viewer. */
+  /** Returns whether light from behind the surface may scatter to the viewer. */
   default boolean isTransmissive() {
     return false;
   }
 
-  /** Returns the albedo of the diffuse lobe, which ambient light asks for. */
+  /** Returns the albedo of the diffuse lobe, which reflects ambient light. */
   default Rgb diffuseAlbedo() {
     return Rgb.BLACK;
   }

@@ -1,18 +1,13 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A direction drawn from a {@link Bsdf}, or none if the light ends there; and what it is drawn for.
- * Mutable, in plain numbers: each thread fills one and the same again and again, and no object is
- * made for a question or its answer.
+ * A direction sampled from a {@link Bsdf}, with its weight and density; absorbed if there is none.
+ * Mutable: each thread reuses one instance, so that the path loop allocates nothing.
  */
 public final class BsdfSample {
-  private double outX, outY, outZ = 1;
-  private double uLobe;
-  private double u, v;
   private double x, y, z = 1;
   private double r, g, b;
   private double pdf;
@@ -20,46 +15,10 @@ public final class BsdfSample {
   /** Memory for what is scattered into the direction. */
   private final BsdfValue value = new BsdfValue();
 
-  /** Makes a sample in which the light ends. */
+  /** Creates a sample of absorbed light. */
   public BsdfSample() {}
 
-  /**
-   * Asks for a direction.
-   *
-   * @param woX of the direction to the viewer: local, of unit length
-   * @param newULobe uniform in [0,1): chooses among lobes, if {@link Bsdf#choosesLobe} says so
-   * @param newU uniform in [0,1)²
-   */
-  public void ask(double woX, double woY, double woZ, double newULobe, Point2 newU) {
-    outX = woX;
-    outY = woY;
-    outZ = woZ;
-    uLobe = newULobe;
-    u = newU.x();
-    v = newU.y();
-  }
-
-  /** Returns the direction to the viewer, local and of unit length. */
-  public Vec3 wo() {
-    return new Vec3(outX, outY, outZ);
-  }
-
-  /** Returns the z of {@link #wo}. */
-  double cosine() {
-    return outZ;
-  }
-
-  /** Returns the uniform number in [0,1) that chooses among lobes. */
-  public double uLobe() {
-    return uLobe;
-  }
-
-  /** Returns the uniform point of [0,1)² that chooses the direction. */
-  public Point2 random() {
-    return new Point2(u, v);
-  }
-
-  /** Says that the light ends here. */
+  /** Sets the sample to absorbed: the light ends here. */
   public void absorb() {
     set(Vec3.Z, Rgb.BLACK, 0);
   }
@@ -84,10 +43,13 @@ public final class BsdfSample {
     set(wi, weight, Double.POSITIVE_INFINITY);
   }
 
-  /** Sets weight and density by what is scattered into the direction; absorbs it if nothing is. */
-  void weighBy(Bsdf bsdf) {
-    value.ask(outX, outY, outZ, x, y, z);
-    bsdf.evaluate(value);
+  /**
+   * Sets weight and density by the BSDF's value for the direction; absorbs it if that is 0.
+   *
+   * @param wo direction to the viewer: local, of unit length
+   */
+  void weighBy(Bsdf bsdf, Vec3 wo) {
+    bsdf.evaluate(wo.x(), wo.y(), wo.z(), x, y, z, value);
     if (value.pdf() > 0 && value.pdf() < Double.POSITIVE_INFINITY) {
       set(wi(), value.f().times(1 / value.pdf()), value.pdf());
     } else {
@@ -108,7 +70,7 @@ public final class BsdfSample {
     z = newZ;
   }
 
-  /** Returns the unit direction; of an absorbed sample, any. */
+  /** Returns the unit direction; undefined if the sample is absorbed. */
   public Vec3 wi() {
     return new Vec3(x, y, z);
   }

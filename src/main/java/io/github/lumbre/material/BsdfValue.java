@@ -1,53 +1,19 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Vec3;
 
 /**
- * What a {@link Bsdf} says of a pair of directions, and the pair. Mutable, in plain numbers: each
- * thread fills one and the same again and again, and no object is made for a question or its
- * answer.
+ * The value of a {@link Bsdf} for a pair of directions, and the density of sampling the second.
+ * Mutable: each thread reuses one instance, so that the path loop allocates nothing.
  */
 public final class BsdfValue {
-  private double outX, outY, outZ = 1;
-  private double inX, inY, inZ = 1;
   private double r, g, b;
   private double pdf;
 
-  /** Makes the value of nothing scattered. */
+  /** Creates the value of a pair between which nothing is scattered. */
   public BsdfValue() {}
 
-  /**
-   * Asks for two directions, local and of unit length.
-   *
-   * @param woX of the one to the viewer
-   * @param wiX of the one to the light
-   */
-  public void ask(double woX, double woY, double woZ, double wiX, double wiY, double wiZ) {
-    outX = woX;
-    outY = woY;
-    outZ = woZ;
-    inX = wiX;
-    inY = wiY;
-    inZ = wiZ;
-  }
-
-  /** Returns the direction to the viewer, local and of unit length. */
-  public Vec3 wo() {
-    return new Vec3(outX, outY, outZ);
-  }
-
-  /** Returns the direction to the light, local and of unit length. */
-  public Vec3 wi() {
-    return new Vec3(inX, inY, inZ);
-  }
-
-  /** Returns the z of {@link #wo}. */
-  double cosine() {
-    return outZ;
-  }
-
-  /** Says that nothing is scattered that way. */
+  /** Sets both values to 0. */
   public void clear() {
     set(0, 0, 0, 0);
   }

@@ -18,20 +18,21 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
   }
 
   @Override
-  public void sample(BsdfSample drawn) {
-    Vec3 wo = drawn.wo();
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
     double fresnel = reflected(wo);
     double reflect = fresnel * reflectance.max();
     double pass = (1 - fresnel) * transmittance.max();
     if (reflect + pass == 0) {
-      drawn.absorb();
+      result.absorb();
       return;
     }
     double probability = reflect / (reflect + pass);
-    if (drawn.uLobe() < probability) {
-      drawn.setSpecular(SpecularReflection.reflect(wo), reflectance.times(fresnel / probability));
+    if (uLobe < probability) {
+      result.setSpecular(SpecularReflection.reflect(wo), reflectance.times(fresnel / probability));
     } else {
-      drawn.setSpecular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
+      result.setSpecular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
     }
   }
 

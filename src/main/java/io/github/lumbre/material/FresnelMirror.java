@@ -12,10 +12,11 @@ import io.github.lumbre.math.Vec3;
  */
 record FresnelMirror(Rgb specular, double ior) implements SpecularBsdf, Lobe {
   @Override
-  public void sample(BsdfSample drawn) {
-    Vec3 wo = drawn.wo();
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
     Rgb weight = specular.times(Fresnel.dielectric(Math.abs(wo.z()), ior));
-    drawn.setSpecular(SpecularReflection.reflect(wo), weight);
+    result.setSpecular(SpecularReflection.reflect(wo), weight);
   }
 
   @Override

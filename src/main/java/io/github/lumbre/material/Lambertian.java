@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Warp;
 
@@ -16,27 +17,29 @@ public record Lambertian(Rgb albedo) implements Lobe {
   }
 
   @Override
-  public void evaluate(BsdfValue value) {
-    Vec3 wo = value.wo();
-    Vec3 wi = value.wi();
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
+    Vec3 wi = new Vec3(wiX, wiY, wiZ);
     if (wo.z() * wi.z() > 0) {
       double pdf = Warp.cosineHemispherePdf(Math.abs(wi.z()));
-      value.set(albedo.r() * pdf, albedo.g() * pdf, albedo.b() * pdf, pdf);
+      result.set(albedo.r() * pdf, albedo.g() * pdf, albedo.b() * pdf, pdf);
     } else {
-      value.clear();
+      result.clear();
     }
   }
 
   @Override
-  public void sample(BsdfSample drawn) {
-    Vec3 wo = drawn.wo();
-    Vec3 up = Warp.cosineHemisphere(drawn.random());
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
+    Vec3 up = Warp.cosineHemisphere(new Point2(u, v));
     if (up.z() == 0 || wo.z() == 0) {
-      drawn.absorb();
+      result.absorb();
       return;
     }
     Vec3 wi = new Vec3(up.x(), up.y(), Math.copySign(up.z(), wo.z()));
-    drawn.set(wi, albedo, Warp.cosineHemispherePdf(up.z()));
+    result.set(wi, albedo, Warp.cosineHemispherePdf(up.z()));
   }
 
   @Override

@@ -11,11 +11,12 @@ interface Lobe extends Bsdf {
   double importance(double cosine);
 
   /**
-   * Draws the direction of {@link #sample}, and of delta lobes its weight; tells whether there is
-   * one.
+   * Samples the direction as {@link #sample} does, and of delta lobes the weight too. Returns
+   * whether there is a direction.
    */
-  default boolean draw(BsdfSample drawn) {
-    sample(drawn);
-    return drawn.pdf() > 0;
+  default boolean draw(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    sample(woX, woY, woZ, uLobe, u, v, result);
+    return result.pdf() > 0;
   }
 }

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -14,11 +15,12 @@ import io.github.lumbre.math.Vec3;
 record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution facets)
     implements Lobe {
   @Override
-  public void evaluate(BsdfValue value) {
-    Vec3 wo = value.wo();
-    Vec3 wi = value.wi();
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
+    Vec3 wi = new Vec3(wiX, wiY, wiZ);
     if (!(wo.z() * wi.z() > 0)) {
-      value.clear();
+      result.clear();
       return;
     }
     Vec3 o = up(wo);
@@ -29,25 +31,27 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     // Mirrors spread the density of visible normals by 4 times that cosine, which cancels.
     double visible = facets.visible(o.z());
     double pdf = facets.density(sum.normalized()) / (4 * visible);
-    value.set(specular.times(fresnel * facets.maskingRatio(o.z(), visible, i.z()) * pdf), pdf);
+    result.set(specular.times(fresnel * facets.maskingRatio(o.z(), visible, i.z()) * pdf), pdf);
   }
 
   @Override
-  public boolean draw(BsdfSample drawn) {
-    Vec3 wo = drawn.wo();
+  public boolean draw(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
     Vec3 o = up(wo);
-    Vec3 m = facets.sampleVisible(o, drawn.random());
+    Vec3 m = facets.sampleVisible(o, new Point2(u, v));
     Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
-    drawn.setDirection(i.times(side(wo)));
+    result.setDirection(i.times(side(wo)));
     return wo.z() != 0 && i.z() > 0;
   }
 
   @Override
-  public void sample(BsdfSample drawn) {
-    if (draw(drawn)) {
-      drawn.weighBy(this);
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    if (draw(woX, woY, woZ, uLobe, u, v, result)) {
+      result.weighBy(this, new Vec3(woX, woY, woZ));
     } else {
-      drawn.absorb();
+      result.absorb();
     }
   }
 

@@ -4,8 +4,8 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * The sum of two lobes, which must not reflect more than 1 together: one is drawn, in proportion to
- * its importance, and both count for the direction it gives.
+ * The sum of two lobes, which must not reflect more than 1 together: one is result, in proportion
+ * to its importance, and both count for the direction it gives.
  */
 record Mixture(Lobe first, Lobe second) implements Bsdf {
   @Override
@@ -15,13 +15,14 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   }
 
   @Override
-  public void evaluate(BsdfValue value) {
-    double share = shareOfFirst(value.cosine());
-    first.evaluate(value);
-    Rgb f = value.f();
-    double pdf = share * value.pdf();
-    second.evaluate(value);
-    value.set(f.plus(value.f()), pdf + (1 - share) * value.pdf());
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    double share = shareOfFirst(woZ);
+    first.evaluate(woX, woY, woZ, wiX, wiY, wiZ, result);
+    Rgb f = result.f();
+    double pdf = share * result.pdf();
+    second.evaluate(woX, woY, woZ, wiX, wiY, wiZ, result);
+    result.set(f.plus(result.f()), pdf + (1 - share) * result.pdf());
   }
 
   @Override
@@ -30,17 +31,18 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   }
 
   @Override
-  public void sample(BsdfSample drawn) {
-    double share = shareOfFirst(drawn.cosine());
-    boolean drawsFirst = drawn.uLobe() < share;
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    double share = shareOfFirst(woZ);
+    boolean drawsFirst = uLobe < share;
     Lobe chosen = drawsFirst ? first : second;
-    if (!chosen.draw(drawn)) {
-      drawn.absorb();
+    if (!chosen.draw(woX, woY, woZ, uLobe, u, v, result)) {
+      result.absorb();
     } else if (chosen.isSpecular()) {
-      drawn.setSpecular(drawn.wi(), drawn.weight().times(1 / (drawsFirst ? share : 1 - share)));
+      result.setSpecular(result.wi(), result.weight().times(1 / (drawsFirst ? share : 1 - share)));
     } else {
       // Both lobes count for the direction that one of them gave.
-      drawn.weighBy(this);
+      result.weighBy(this, new Vec3(woX, woY, woZ));
     }
   }
 

@@ -3,7 +3,6 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -21,15 +20,16 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   }
 
   @Override
-  public void evaluate(BsdfValue value) {
-    Vec3 wo = value.wo();
-    Vec3 wi = value.wi();
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
+    Vec3 wi = new Vec3(wiX, wiY, wiZ);
     if (wo.z() * wi.z() > 0) {
       double power = cosinePower(wo, wi);
       double f = (exponent + 2) / Elementary.TWO_PI * power * Math.abs(wi.z());
-      value.set(specular.r() * f, specular.g() * f, specular.b() * f, density(power));
+      result.set(specular.r() * f, specular.g() * f, specular.b() * f, density(power));
     } else {
-      value.clear();
+      result.clear();
     }
   }
 
@@ -44,24 +44,24 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   }
 
   @Override
-  public void sample(BsdfSample drawn) {
-    Vec3 wo = drawn.wo();
-    Point2 u = drawn.random();
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
     // cos α = (1−u)^(1/(n+1)), and the sine without cancellation.
-    double logCos = Elementary.log1p(-u.x()) / (exponent + 1);
+    double logCos = Elementary.log1p(-u) / (exponent + 1);
     double cos = Elementary.exp(logCos);
     double sin = Math.sqrt(-Elementary.expm1(2 * logCos));
-    Vec3 around = new Vec3(sin * Elementary.cosTurns(u.y()), sin * Elementary.sinTurns(u.y()), cos);
+    Vec3 around = new Vec3(sin * Elementary.cosTurns(v), sin * Elementary.sinTurns(v), cos);
     Vec3 axis = SpecularReflection.reflect(wo);
     Vec3 across = Frame.tangentAround(axis);
     Vec3 wi = Frame.toWorld(across, Frame.bitangentAround(axis), axis, around).normalized();
     double pdf = pdf(wo, wi);
     if (!(pdf > 0)) {
-      drawn.absorb();
+      result.absorb();
       return;
     }
     double weight = (exponent + 2) / (exponent + 1) * Math.abs(wi.z());
-    drawn.set(wi, specular.times(weight), pdf);
+    result.set(wi, specular.times(weight), pdf);
   }
 
   @Override

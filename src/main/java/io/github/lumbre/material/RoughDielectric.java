@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -28,29 +29,30 @@ public record RoughDielectric(
    * densities hang on the last digits of the facet.
    */
   @Override
-  public void evaluate(BsdfValue value) {
-    Vec3 wo = value.wo();
-    Vec3 wi = value.wi();
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
+    Vec3 wi = new Vec3(wiX, wiY, wiZ);
     double sides = wo.z() * wi.z();
     if (sides > 0) {
-      reflect(wo, wi, value);
+      reflect(wo, wi, result);
     } else if (sides < 0) {
-      refract(wo, wi, value);
+      refract(wo, wi, result);
     } else {
-      value.clear();
+      result.clear();
     }
   }
 
-  private void reflect(Vec3 wo, Vec3 wi, BsdfValue value) {
+  private void reflect(Vec3 wo, Vec3 wi, BsdfValue result) {
     Vec3 sum = wo.plus(wi);
     // Half the sum is as long as the cosine at the facet.
     double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), eta(wo));
     double density =
         facets.density(outward(sum.normalized())) / (4 * facets.visible(Math.abs(wo.z())));
-    set(value, reflectance, fresnel, density, fresnel, masking(wo, wi));
+    set(result, reflectance, fresnel, density, fresnel, masking(wo, wi));
   }
 
-  private void refract(Vec3 wo, Vec3 wi, BsdfValue value) {
+  private void refract(Vec3 wo, Vec3 wi, BsdfValue result) {
     Vec3 outer = wo.z() > 0 ? wo : wi;
     Vec3 inner = wo.z() > 0 ? wi : wo;
     Vec3 sum = outer.plus(ior, inner);
@@ -58,7 +60,7 @@ public record RoughDielectric(
     double cosOuter = outer.dot(m);
     double cosInner = -inner.dot(m);
     if (!(cosOuter > 0 && cosInner > 0)) {
-      value.clear();
+      result.clear();
       return;
     }
     // From the side on which there is no critical angle.
@@ -73,7 +75,7 @@ public record RoughDielectric(
             * (cosOuter * cosInner)
             * (spread * spread)
             / facets.visible(Math.abs(wo.z()));
-    set(value, transmittance, 1 - fresnel, density, fresnel, masking(wo, wi));
+    set(result, transmittance, 1 - fresnel, density, fresnel, masking(wo, wi));
   }
 
   private double masking(Vec3 wo, Vec3 wi) {
@@ -87,12 +89,12 @@ public record RoughDielectric(
    * @param density of wi per solid angle once the way is chosen
    */
   private void set(
-      BsdfValue value, Rgb tint, double share, double density, double fresnel, double masking) {
+      BsdfValue result, Rgb tint, double share, double density, double fresnel, double masking) {
     double all = scattered(fresnel);
     if (density > 0 && all > 0) {
-      value.set(tint.times(share * masking * density), density * (share * tint.max() / all));
+      result.set(tint.times(share * masking * density), density * (share * tint.max() / all));
     } else {
-      value.clear();
+      result.clear();
     }
   }
 
@@ -111,19 +113,20 @@ public record RoughDielectric(
   }
 
   @Override
-  public void sample(BsdfSample drawn) {
-    Vec3 wo = drawn.wo();
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 wo = new Vec3(woX, woY, woZ);
     if (wo.z() == 0) {
-      drawn.absorb();
+      result.absorb();
       return;
     }
     Vec3 o = up(wo, wo);
-    Vec3 m = facets.sampleVisible(o, drawn.random());
+    Vec3 m = facets.sampleVisible(o, new Point2(u, v));
     double cosO = Math.min(1, o.dot(m));
     double eta = eta(wo);
     double fresnel = Fresnel.dielectric(cosO, eta);
     double all = scattered(fresnel);
-    boolean reflects = drawn.uLobe() * all < fresnel * reflectance.max();
+    boolean reflects = uLobe * all < fresnel * reflectance.max();
     Vec3 i =
         reflects
             ? m.times(2 * cosO).minus(o).normalized()
@@ -131,11 +134,11 @@ public record RoughDielectric(
                 .plus(-1 / eta, o)
                 .normalized();
     if (reflects ? !(i.z() > 0) : !(i.z() < 0)) {
-      drawn.absorb();
+      result.absorb();
       return;
     }
-    drawn.setDirection(up(i, wo));
-    drawn.weighBy(this);
+    result.setDirection(up(i, wo));
+    result.weighBy(this, wo);
   }
 
   private double eta(Vec3 wo) {

@@ -10,8 +10,9 @@ import io.github.lumbre.math.Vec3;
  */
 public record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   @Override
-  public void sample(BsdfSample drawn) {
-    drawn.setSpecular(reflect(drawn.wo()), reflectance);
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    result.setSpecular(reflect(new Vec3(woX, woY, woZ)), reflectance);
   }
 
   /** Returns the mirror direction in the local frame. */

@@ -20,7 +20,7 @@ class BenchmarkIT {
   @Test
   void tableIsThatOfTheScenesBesideTheLauncher() throws IOException, InterruptedException {
     Path home = Files.createDirectories(directory.resolve("home of lumbre"));
-    Files.createDirectories(home.resolve("src/main"));
+    Program.copyOptions(home);
     Files.writeString(home.resolve("pom.xml"), "");
     for (String launcher : List.of("lumbre", "benchmark")) {
       Files.copy(Path.of(launcher), home.resolve(launcher));

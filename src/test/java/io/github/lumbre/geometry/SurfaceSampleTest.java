@@ -3,7 +3,6 @@ package io.github.lumbre.geometry;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Random;
@@ -11,14 +10,11 @@ import org.junit.jupiter.api.Test;
 
 class SurfaceSampleTest {
   @Test
-  void samplesKeepWhatTheyAreAskedAndTold() {
+  void samplesKeepWhatIsSet() {
     SurfaceSample sample = new SurfaceSample();
     assertThat(sample.pdf()).isZero();
     assertThat(sample.normal().length()).isEqualTo(1);
-    sample.ask(1, 2, 3, new Point2(.25, .75));
     sample.set(new Vec3(4, 5, 6), Vec3.Y, new TexturePoint(7, 8), 9, 10);
-    assertThat(sample.reference()).isEqualTo(new Vec3(1, 2, 3));
-    assertThat(sample.random()).isEqualTo(new Point2(.25, .75));
     assertThat(sample.position()).isEqualTo(new Vec3(4, 5, 6));
     assertThat(sample.normal()).isEqualTo(Vec3.Y);
     assertThat(sample.texture()).isEqualTo(new TexturePoint(7, 8));

@@ -75,11 +75,10 @@ class AreaLightTest {
     Point2 u = new Point2(.3, .6);
     for (boolean twoSided : new boolean[] {false, true}) {
       AreaLight light = light(panel, twoSided);
-      drawn.ask(Vec3.Y, u);
-      light.sample(drawn);
+      light.sample(Vec3.Y.x(), Vec3.Y.y(), Vec3.Y.z(), u.x(), u.y(), drawn);
       assertThat(drawn.isEmpty()).isFalse();
-      drawn.ask(Vec3.Y.negated(), u);
-      light.sample(drawn);
+      light.sample(
+          Vec3.Y.negated().x(), Vec3.Y.negated().y(), Vec3.Y.negated().z(), u.x(), u.y(), drawn);
       assertThat(drawn.isEmpty()).isEqualTo(!twoSided);
     }
   }

@@ -280,11 +280,9 @@ class EnvironmentLightTest {
   void nothingIsSampledAtThePoleItselfInAUsedSample() {
     EnvironmentLight light = dome(Frame.WORLD, new double[][] {{1}});
     LightSample drawn = new LightSample();
-    drawn.ask(Vec3.ZERO, new Point2(.3, .4));
-    light.sample(drawn);
+    light.sample(0, 0, 0, .3, .4, drawn);
     assertThat(drawn.isEmpty()).isFalse();
-    drawn.ask(Vec3.ZERO, new Point2(.3, 0));
-    light.sample(drawn);
+    light.sample(0, 0, 0, .3, 0, drawn);
     assertThat(drawn.isEmpty()).isTrue();
   }
 

@@ -44,16 +44,6 @@ class LightSampleTest {
     assertThat(sample.isEmpty()).isTrue();
   }
 
-  @Test
-  void lightIsSampledWhereTheChoiceWasMade() {
-    LightChoice choice = new LightChoice();
-    choice.moveTo(new Vec3(1, 2, 3), Vec3.Z);
-    LightSample sample = new LightSample();
-    sample.ask(choice, U);
-    assertThat(sample.reference()).isEqualTo(choice.point()).isEqualTo(new Vec3(1, 2, 3));
-    assertThat(sample.random()).isEqualTo(U);
-  }
-
   /** Returns whether a shape blocks the light on its way to the origin. */
   private static boolean isBlocked(Light light, Shape shape) {
     SurfaceHit floor =

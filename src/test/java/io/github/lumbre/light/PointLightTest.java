@@ -65,11 +65,9 @@ class PointLightTest {
   void usedSampleIsEmptyAtTheLightItself() {
     LightSample drawn = new LightSample();
     Light light = new PointLight(Vec3.X, INTENSITY, Falloff.INVERSE_SQUARE);
-    drawn.ask(Vec3.ZERO, U);
-    light.sample(drawn);
+    light.sample(0, 0, 0, U.x(), U.y(), drawn);
     assertThat(drawn.isEmpty()).isFalse();
-    drawn.ask(Vec3.X, U);
-    light.sample(drawn);
+    light.sample(1, 0, 0, U.x(), U.y(), drawn);
     assertThat(drawn.isEmpty()).isTrue();
   }
 

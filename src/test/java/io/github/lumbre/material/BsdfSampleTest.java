@@ -3,7 +3,6 @@ package io.github.lumbre.material;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -45,14 +44,5 @@ class BsdfSampleTest {
     assertThat(sample.isSpecular()).isFalse();
     sample.absorb();
     assertThat(sample.isSpecular()).isFalse();
-  }
-
-  @Test
-  void questionIsKept() {
-    sample.ask(.6, 0, .8, .25, new Point2(.5, .75));
-    assertThat(sample.wo()).isEqualTo(new Vec3(.6, 0, .8));
-    assertThat(sample.cosine()).isEqualTo(.8);
-    assertThat(sample.uLobe()).isEqualTo(.25);
-    assertThat(sample.random()).isEqualTo(new Point2(.5, .75));
   }
 }

@@ -132,14 +132,29 @@ class MixtureTest {
           private final Lambertian draws = new Lambertian(Rgb.WHITE);
 
           @Override
-          public void evaluate(BsdfValue value) {
-            value.set(Rgb.BLACK, draws.pdf(value.wo(), value.wi()));
+          public void evaluate(
+              double woX,
+              double woY,
+              double woZ,
+              double wiX,
+              double wiY,
+              double wiZ,
+              BsdfValue result) {
+            Vec3 wo = new Vec3(woX, woY, woZ);
+            result.set(Rgb.BLACK, draws.pdf(wo, new Vec3(wiX, wiY, wiZ)));
           }
 
           @Override
-          public void sample(BsdfSample drawn) {
-            draws.sample(drawn);
-            drawn.set(drawn.wi(), Rgb.BLACK, drawn.pdf());
+          public void sample(
+              double woX,
+              double woY,
+              double woZ,
+              double uLobe,
+              double u,
+              double v,
+              BsdfSample result) {
+            draws.sample(woX, woY, woZ, uLobe, u, v, result);
+            result.set(result.wi(), Rgb.BLACK, result.pdf());
           }
 
           @Override
