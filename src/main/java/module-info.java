@@ -11,14 +11,13 @@ module io.github.lumbre {
 
   exports io.github.lumbre.math;
   exports io.github.lumbre.image;
-  exports io.github.lumbre.sampling;
   exports io.github.lumbre.texture;
   exports io.github.lumbre.geometry;
   exports io.github.lumbre.material;
   exports io.github.lumbre.camera;
   exports io.github.lumbre.light;
   exports io.github.lumbre.scene;
-  exports io.github.lumbre.integrator;
+  exports io.github.lumbre.path;
   exports io.github.lumbre.render;
   exports io.github.lumbre.checkpoint;
   exports io.github.lumbre.stopping;

@@ -38,13 +38,17 @@ class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
   private static final String BASIC = "math image sampling texture geometry";
   private static final String LIBRARY =
-      BASIC + " material camera light scene integrator render parser checkpoint stopping audit";
+      BASIC
+          + " file path material camera light scene integrator render parser checkpoint stopping"
+          + " audit";
 
   /** What each package may use, besides itself and Java. */
   private static final Map<String, String> MAY_USE =
       Map.ofEntries(
           Map.entry("math", ""),
-          Map.entry("image", ""),
+          Map.entry("file", ""),
+          Map.entry("image", "file"),
+          Map.entry("path", "math image"),
           Map.entry("sampling", "math"),
           Map.entry("texture", "math image sampling"),
           Map.entry("geometry", "math sampling texture"),
@@ -52,13 +56,13 @@ class LayersTest {
           Map.entry("camera", "math image sampling"),
           Map.entry("light", BASIC),
           Map.entry("scene", BASIC + " material camera light"),
-          Map.entry("integrator", BASIC + " material camera light scene"),
-          Map.entry("render", "math image sampling geometry camera scene integrator"),
-          Map.entry("parser", BASIC + " material camera light scene"),
-          Map.entry("checkpoint", "image sampling scene render"),
+          Map.entry("integrator", BASIC + " path material camera light scene"),
+          Map.entry("render", "math image sampling geometry path camera scene integrator"),
+          Map.entry("parser", BASIC + " file material camera light scene"),
+          Map.entry("checkpoint", "file image sampling scene render"),
           Map.entry("stopping", "math image scene render"),
-          Map.entry("audit", BASIC + " material camera light scene integrator render parser"),
-          Map.entry("lab", "image scene render parser"),
+          Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),
+          Map.entry("lab", "file image scene render parser"),
           Map.entry("lab.metrics", "math image render"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
           Map.entry("lab.report", "image scene render parser lab lab.metrics lab.perf"),

@@ -1,10 +1,10 @@
 package io.github.lumbre.audit;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathVertex;
-import io.github.lumbre.integrator.PathVertex.FoundLight;
-import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.path.PathVertex;
+import io.github.lumbre.path.PathVertex.FoundLight;
+import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;

@@ -14,5 +14,6 @@ public interface Aperture {
    * Returns a uniform point of the lens, drawn at the current sample's camera dimensions: +x to the
    * camera's right, +y up, in units of the aperture.
    */
+  @SuppressWarnings("exports") // internal
   Point2 sample(Sampler sampler);
 }

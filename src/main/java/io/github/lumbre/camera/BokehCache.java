@@ -40,6 +40,7 @@ public final class BokehCache implements Aperture {
   }
 
   @Override
+  @SuppressWarnings("exports") // internal
   public Point2 sample(Sampler sampler) {
     Point2 u = sampler.get2d(Sampler.LENS);
     int x = (int) (u.x() * width);

@@ -40,6 +40,7 @@ public abstract sealed class Camera
    * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
    *     lens and by no other
    */
+  @SuppressWarnings("exports") // internal
   public final Optional<Ray> rayFor(Point2 film, Sampler sampler) {
     CameraRay ray = new CameraRay();
     return aim(film.x(), film.y(), sampler, ray) ? Optional.of(ray.toRay()) : Optional.empty();
@@ -59,6 +60,7 @@ public abstract sealed class Camera
    *     lens and by no other
    * @param ray takes the result; as it was where nothing is imaged
    */
+  @SuppressWarnings("exports") // internal
   public final boolean aim(double u, double v, Sampler sampler, CameraRay ray) {
     if (!aimLocally(u, v, sampler, ray)) {
       return false;

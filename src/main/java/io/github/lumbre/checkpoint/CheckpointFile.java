@@ -1,8 +1,8 @@
 package io.github.lumbre.checkpoint;
 
-import io.github.lumbre.image.Disk;
-import io.github.lumbre.image.FileFailure;
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.Disk;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.file.OutputFile;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -110,8 +110,7 @@ public final class CheckpointFile implements Closeable {
     try {
       return FilmFile.read(previous);
     } catch (IOException e) {
-      throw new FilmFormatException(
-          problem + "; nor can " + previous + " be used: " + reason(e));
+      throw new FilmFormatException(problem + "; nor can " + previous + " be used: " + reason(e));
     }
   }
 

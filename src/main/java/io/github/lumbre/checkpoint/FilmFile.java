@@ -1,6 +1,6 @@
 package io.github.lumbre.checkpoint;
 
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
@@ -50,6 +50,7 @@ public record FilmFile(FilmHeader header, Film film) {
   }
 
   /** Writes this from the start of a reserved file, which is not committed. */
+  @SuppressWarnings("exports") // internal
   public void write(OutputFile output) throws IOException {
     output.restart();
     CRC32C checksum = new CRC32C();

@@ -8,7 +8,7 @@ import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageFormatException;

@@ -8,7 +8,7 @@ import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.StandardOutput;
 import io.github.lumbre.cli.run.Interruption;
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;

@@ -9,7 +9,7 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.TextOutput;
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.trade.SceneTables;

@@ -1,5 +1,6 @@
 package io.github.lumbre.image;
 
+import io.github.lumbre.file.OutputFile;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -15,10 +16,10 @@ import java.util.Objects;
  * Writes pictures to files, in the {@link ImageFormat} that the file's ending names.
  *
  * <p>A PNG is for the screen: exposure and tone curve are applied, alpha stays straight. So is a
- * JPEG, in which the picture stands over black, since JPEG has no alpha. PFM and
- * OpenEXR keep linear light as it is, without exposure; values beyond the range of a float are
- * written as ±{@link Float#MAX_VALUE} and NaN as 0. In OpenEXR colours are multiplied by alpha, as
- * that format demands; PFM has no alpha.
+ * JPEG, in which the picture stands over black, since JPEG has no alpha. PFM and OpenEXR keep
+ * linear light as it is, without exposure; values beyond the range of a float are written as
+ * ±{@link Float#MAX_VALUE} and NaN as 0. In OpenEXR colours are multiplied by alpha, as that format
+ * demands; PFM has no alpha.
  *
  * <p>A file appears complete or not at all; see {@link OutputFile}.
  */
@@ -54,8 +55,7 @@ public final class ImageWriter {
     public static final Options DEFAULT = new Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of());
 
     /** Options with {@link #DEFAULT_JPEG_QUALITY}. */
-    public Options(
-        Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
+    public Options(Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
       this(exposure, curve, pngBits, DEFAULT_JPEG_QUALITY, metadata);
     }
 
@@ -69,8 +69,7 @@ public final class ImageWriter {
         throw new IllegalArgumentException("pngBits: expected 8 or 16, found " + pngBits);
       }
       if (jpegQuality < 1 || jpegQuality > 100) {
-        throw new IllegalArgumentException(
-            "jpegQuality: expected 1 to 100, found " + jpegQuality);
+        throw new IllegalArgumentException("jpegQuality: expected 1 to 100, found " + jpegQuality);
       }
       metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
       metadata.forEach(Options::check);
@@ -119,6 +118,7 @@ public final class ImageWriter {
    * @throws IllegalArgumentException if the file's ending names no format
    * @throws IOException if that fails; the file is then still reserved, and may be tried again
    */
+  @SuppressWarnings("exports") // internal
   public static void write(Image image, OutputFile output, Options options) throws IOException {
     ImageFormat format = requireFormat(output.target());
     encode(image, format, options, output.restart());

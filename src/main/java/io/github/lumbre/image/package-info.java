@@ -6,7 +6,7 @@
  * the sRGB curve exists only at the edge, where files are read and written.
  *
  * <p>The way out: {@link io.github.lumbre.image.ImageWriter} brings a picture into an {@link
- * io.github.lumbre.image.OutputFile}, with {@link io.github.lumbre.image.Exposure} and {@link
+ * io.github.lumbre.file.OutputFile}, with {@link io.github.lumbre.image.Exposure} and {@link
  * io.github.lumbre.image.ToneCurve} if the format is for the screen. The way in: {@link
  * io.github.lumbre.image.ImageReader} decodes files of unknown origin to {@link
  * io.github.lumbre.image.Pixels}, {@link io.github.lumbre.image.LinearReader} those and the
@@ -16,4 +16,3 @@
  * thread.
  */
 package io.github.lumbre.image;
-

@@ -1,6 +1,6 @@
 package io.github.lumbre.lab;
 
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;

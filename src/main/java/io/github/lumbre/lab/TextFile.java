@@ -1,7 +1,7 @@
 package io.github.lumbre.lab;
 
-import io.github.lumbre.image.FileFailure;
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.nio.ByteBuffer;

@@ -1,6 +1,6 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
@@ -207,8 +207,7 @@ final class AssetData {
     try {
       real = path.get().toRealPath();
     } catch (NoSuchFileException e) {
-      asset.error(
-          Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
+      asset.error(Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
       return Optional.empty();
     }
     if (!real.startsWith(folder)) {

@@ -62,6 +62,7 @@ public final class FilmRenderer {
    *
    * @param samplers makes the random numbers of a seed, for each thread its own
    */
+  @SuppressWarnings("exports") // internal
   public FilmRenderer(
       RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
     this(settings, scene, integrator, samplers, UnaryOperator.identity());

@@ -4,8 +4,8 @@ import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.PathRecorder;
-import io.github.lumbre.integrator.PathVertex;
 import io.github.lumbre.integrator.RenderContext;
+import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
@@ -126,8 +126,7 @@ public final class PixelReplay {
         rejected.add(sample);
       }
       if (brightest.size() < shown
-          || shown > 0
-              && sample.film().max() > brightest.get(brightest.size() - 1).film().max()) {
+          || shown > 0 && sample.film().max() > brightest.get(brightest.size() - 1).film().max()) {
         brightest.add(sample);
         brightest.sort(byBrightness);
         brightest.subList(Math.min(shown, brightest.size()), brightest.size()).clear();

@@ -1,9 +1,9 @@
 package io.github.lumbre.scene;
 
+import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.sampling.PixelFilter;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -13,8 +13,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * How a picture is made; the world itself is in {@link Scene}. A value for each {@link Setting}, and
- * the part of the frame to render. Immutable; {@link #toBuilder} starts a changed copy.
+ * How a picture is made; the world itself is in {@link Scene}. A value for each {@link Setting},
+ * and the part of the frame to render. Immutable; {@link #toBuilder} starts a changed copy.
  */
 public final class RenderSettings {
   /** The largest allowed width and height. */

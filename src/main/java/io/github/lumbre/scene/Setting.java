@@ -1,8 +1,8 @@
 package io.github.lumbre.scene;
 
+import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.sampling.PixelFilter;
 import io.github.lumbre.scene.SettingType.ChoiceType;
 import io.github.lumbre.scene.SettingType.ExposureType;
 import io.github.lumbre.scene.SettingType.FlagType;

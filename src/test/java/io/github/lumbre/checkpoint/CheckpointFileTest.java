@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.checkpoint.FilmFixture.FailingDisk;
-import io.github.lumbre.image.Disk;
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.Disk;
+import io.github.lumbre.file.OutputFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;

@@ -3,7 +3,7 @@ package io.github.lumbre.checkpoint;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.RenderStatistics;

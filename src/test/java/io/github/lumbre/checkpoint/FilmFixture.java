@@ -1,6 +1,6 @@
 package io.github.lumbre.checkpoint;
 
-import io.github.lumbre.image.Disk;
+import io.github.lumbre.file.Disk;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;

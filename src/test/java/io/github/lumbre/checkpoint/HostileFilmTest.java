@@ -3,7 +3,7 @@ package io.github.lumbre.checkpoint;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.fail;
 
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.testing.Effort;
 import java.io.IOException;
 import java.nio.ByteBuffer;

@@ -14,13 +14,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathVertex.Contribution;
-import io.github.lumbre.integrator.PathVertex.End;
-import io.github.lumbre.integrator.PathVertex.FoundLight;
-import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.path.PathVertex;
+import io.github.lumbre.path.PathVertex.Contribution;
+import io.github.lumbre.path.PathVertex.End;
+import io.github.lumbre.path.PathVertex.FoundLight;
+import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import java.util.List;

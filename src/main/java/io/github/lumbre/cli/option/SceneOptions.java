@@ -3,7 +3,7 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;

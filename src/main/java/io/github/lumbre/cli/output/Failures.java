@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.OutputFile;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.scene.RenderSettings;

@@ -1,15 +1,15 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.PathVertex;
-import io.github.lumbre.integrator.PathVertex.Contribution;
-import io.github.lumbre.integrator.PathVertex.FoundLight;
-import io.github.lumbre.integrator.PathVertex.Hit;
-import io.github.lumbre.integrator.PathVertex.Scattering;
-import io.github.lumbre.integrator.PathVertex.Source;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.path.PathVertex;
+import io.github.lumbre.path.PathVertex.Contribution;
+import io.github.lumbre.path.PathVertex.FoundLight;
+import io.github.lumbre.path.PathVertex.Hit;
+import io.github.lumbre.path.PathVertex.Scattering;
+import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.render.PixelReplay;
 
 /** The samples of a pixel as text. Numbers have all their digits, so that bits can be compared. */

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.TextFile;

@@ -4,7 +4,7 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmFormatException;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.image.FileFailure;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;

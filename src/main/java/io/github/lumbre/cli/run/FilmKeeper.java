@@ -5,7 +5,7 @@ import io.github.lumbre.checkpoint.Checkpoints;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Progress;

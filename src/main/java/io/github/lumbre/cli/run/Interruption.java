@@ -3,7 +3,7 @@ package io.github.lumbre.cli.run;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.Signals;
-import io.github.lumbre.image.OutputFile;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFormatException;

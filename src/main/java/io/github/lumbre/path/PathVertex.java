@@ -1,4 +1,4 @@
-package io.github.lumbre.integrator;
+package io.github.lumbre.path;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Ray;

@@ -1,4 +1,4 @@
-package io.github.lumbre.image;
+package io.github.lumbre.file;
 
 import java.io.Closeable;
 import java.io.IOException;

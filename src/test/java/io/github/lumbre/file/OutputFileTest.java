@@ -1,4 +1,4 @@
-package io.github.lumbre.image;
+package io.github.lumbre.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

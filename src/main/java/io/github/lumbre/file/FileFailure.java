@@ -1,4 +1,4 @@
-package io.github.lumbre.image;
+package io.github.lumbre.file;
 
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
@@ -42,7 +42,7 @@ public final class FileFailure {
     if (message == null || message.isEmpty()) {
       return "the system gives no reason (" + e.getClass().getSimpleName() + ")";
     }
-    return e instanceof ImageFormatException ? message : begunSmall(message);
+    return begunSmall(message);
   }
 
   /**
@@ -62,7 +62,8 @@ public final class FileFailure {
 
   /** Returns the system's own words, such as "Is a directory", as the rest of a sentence. */
   private static String begunSmall(String message) {
-    boolean isWord = message.length() > 1 && Character.isLowerCase(message.charAt(1));
+    // Not "OpenEXR" or "PNG".
+    boolean isWord = message.split("[^\\p{L}]", 2)[0].matches("\\p{Lu}\\p{Ll}+");
     return isWord
         ? message.substring(0, 1).toLowerCase(Locale.ROOT) + message.substring(1)
         : message;
