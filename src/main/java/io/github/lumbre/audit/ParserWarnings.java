@@ -1,6 +1,7 @@
 package io.github.lumbre.audit;
 
 import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFile;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +11,7 @@ final class ParserWarnings implements Check {
   @Override
   public List<Finding> of(SceneFile file, Pilot pilot) {
     List<Finding> findings = new ArrayList<>();
-    file.warnings().forEach(line -> findings.add(finding(line)));
+    file.warnings().forEach(warning -> findings.add(finding(warning)));
     if (pilot.rejected() > 0) {
       findings.add(
           Finding.warning(
@@ -23,14 +24,11 @@ final class ParserWarnings implements Check {
     return findings;
   }
 
-  /** A line reads {@code scene.json: $.path: message}. */
-  private static Finding finding(String line) {
-    int path = line.indexOf(": $");
-    int message = path < 0 ? -1 : line.indexOf(": ", path + 2);
+  private static Finding finding(Problem warning) {
     return Finding.warning(
         "format",
-        new Origin(message < 0 ? "$" : line.substring(path + 2, message), ""),
-        message < 0 ? line : line.substring(message + 2),
+        new Origin(warning.path().isEmpty() ? "$" : warning.path(), ""),
+        warning.message(),
         "the scene says something else than what is rendered",
         "correct the value, or accept what it is taken as");
   }

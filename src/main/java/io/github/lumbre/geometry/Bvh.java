@@ -26,10 +26,10 @@ public final class Bvh {
 
   /**
    * Builds the hierarchy over shapes, which are numbered by their place in the list, for the kernel
-   * that {@link Kernel#configured} tells.
+   * {@link Kernel#AUTO}.
    */
   public static Bvh over(List<? extends Shape> shapes) {
-    return over(shapes, Kernel.configured());
+    return over(shapes, Kernel.AUTO);
   }
 
   /**

@@ -1,7 +1,5 @@
 package io.github.lumbre.geometry;
 
-import java.util.Arrays;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
@@ -26,27 +24,8 @@ public enum Kernel {
   /** Plain Java always. */
   SCALAR;
 
-  /** The system property that chooses: a kernel's name in any case. Without it, {@link #AUTO}. */
-  public static final String PROPERTY = "lumbre.kernel";
-
   /** Fewer items are searched as fast without vectors. */
   private static final int MIN_ITEMS = 6;
-
-  /**
-   * Returns what the system property asks for.
-   *
-   * @throws IllegalArgumentException if it names no kernel
-   */
-  public static Kernel configured() {
-    String name = System.getProperty(PROPERTY, AUTO.name());
-    return Arrays.stream(values())
-        .filter(kernel -> kernel.name().equals(name.toUpperCase(Locale.ROOT)))
-        .findFirst()
-        .orElseThrow(
-            () ->
-                new IllegalArgumentException(
-                    PROPERTY + ": expected auto, vector or scalar, found " + name));
-  }
 
   /** Returns why there can be no vectors in this virtual machine; empty if there can be. */
   public static Optional<String> vectorObstacle() {

@@ -6,7 +6,7 @@ import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
 /** A surface in world space: how to hit it, and how to sample it as a light. Immutable. */
-public interface Shape {
+public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle, Sphere {
   /** Returns a box around the surface, rounded outward; with infinite sides for infinite planes. */
   Bounds3 bounds();
 

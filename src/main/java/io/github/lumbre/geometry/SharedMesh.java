@@ -11,9 +11,9 @@ public final class SharedMesh {
   private final TriangleMesh mesh;
   private final Bvh bvh;
 
-  /** Returns a mesh that is searched by the kernel that {@link Kernel#configured} returns. */
+  /** Returns a mesh that is searched by {@link Kernel#AUTO}. */
   public SharedMesh(TriangleMesh mesh) {
-    this(mesh, Kernel.configured());
+    this(mesh, Kernel.AUTO);
   }
 
   /**

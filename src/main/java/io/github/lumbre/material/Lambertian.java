@@ -10,7 +10,7 @@ import io.github.lumbre.sampling.Warp;
  *
  * @param albedo share of light reflected, each component in [0,1]
  */
-public record Lambertian(Rgb albedo) implements Lobe {
+record Lambertian(Rgb albedo) implements Lobe {
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
     return wo.z() * wi.z() > 0 ? Warp.cosineHemispherePdf(Math.abs(wi.z())) : 0;

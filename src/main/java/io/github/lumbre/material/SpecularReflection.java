@@ -8,7 +8,7 @@ import io.github.lumbre.math.Vec3;
  *
  * @param reflectance share of light reflected, each component in [0,1]
  */
-public record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
+record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   @Override
   public void sample(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {

@@ -5,12 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/**
- * Collects what is wrong with a scene, a line each: errors up to a limit, and warnings. Mutable.
- *
- * <p>Lines read {@code scene.json: $.objects[3].radius: expected …, found …}. Nothing in them can
- * control a terminal.
- */
+/** Collects what is wrong with a scene: errors up to a limit, and warnings. Mutable. */
 final class Problems {
   static final int MAX_ERRORS = 20;
   static final int MAX_WARNINGS = 1000;
@@ -21,8 +16,8 @@ final class Problems {
   private static final int MAX_TEXT = 60;
 
   private final String file;
-  private final List<String> errors = new ArrayList<>();
-  private final List<String> warnings = new ArrayList<>();
+  private final List<Problem> errors = new ArrayList<>();
+  private final List<Problem> warnings = new ArrayList<>();
   private Optional<SceneFormatException.Kind> kind = Optional.empty();
   private int unsaidWarnings;
 
@@ -39,14 +34,14 @@ final class Problems {
       kind = Optional.of(kindOfError);
     }
     if (errors.size() < MAX_ERRORS) {
-      errors.add(line(path.get(), message));
+      errors.add(new Problem(file, shownPath(path.get()), message));
     }
   }
 
   /** Adds a warning; beyond the limit, only counts it, without asking what it says. */
   void warn(Supplier<String> path, Supplier<String> message) {
     if (warnings.size() < MAX_WARNINGS) {
-      warnings.add(line(path.get(), message.get()));
+      warnings.add(new Problem(file, shownPath(path.get()), message.get()));
     } else {
       unsaidWarnings++;
     }
@@ -56,11 +51,11 @@ final class Problems {
     return !errors.isEmpty();
   }
 
-  /** Returns the warnings; if there were too many, the last line says how many are missing. */
-  List<String> warnings() {
-    List<String> all = new ArrayList<>(warnings);
+  /** Returns the warnings; if there were too many, the last one says how many are missing. */
+  List<Problem> warnings() {
+    List<Problem> all = new ArrayList<>(warnings);
     if (unsaidWarnings > 0) {
-      all.add(file + ": and " + unsaidWarnings + " more warnings");
+      all.add(new Problem(file, "", "and " + unsaidWarnings + " more warnings"));
     }
     return all;
   }
@@ -77,10 +72,6 @@ final class Problems {
     if (hasErrors()) {
       throw exception();
     }
-  }
-
-  private String line(String path, String message) {
-    return file + ": " + shownPath(path) + ": " + message;
   }
 
   /** Returns a path as it may be printed: escaped, and without its middle if it is too long. */
@@ -113,12 +104,12 @@ final class Problems {
   private static void append(StringBuilder out, int codePoint) {
     switch (Character.getType(codePoint)) {
       case Character.CONTROL,
-          Character.FORMAT,
-          Character.SURROGATE,
-          Character.LINE_SEPARATOR,
-          Character.PARAGRAPH_SEPARATOR,
-          Character.PRIVATE_USE,
-          Character.UNASSIGNED ->
+              Character.FORMAT,
+              Character.SURROGATE,
+              Character.LINE_SEPARATOR,
+              Character.PARAGRAPH_SEPARATOR,
+              Character.PRIVATE_USE,
+              Character.UNASSIGNED ->
           out.append(String.format("\\u%04x", codePoint));
       default -> out.appendCodePoint(codePoint);
     }

@@ -7,7 +7,7 @@ import java.util.List;
 /**
  * What a scene file holds.
  *
- * @param warnings a line each, as in {@link SceneFormatException#problems}
+ * @param warnings what is doubtful in the scene
  * @param hash SHA-256 of the file and of every file it refers to, in hexadecimal
  * @param files the hash of each of these files
  * @param contents what the scene is made of, for people
@@ -16,7 +16,7 @@ import java.util.List;
 public record SceneFile(
     Scene scene,
     RenderSettings settings,
-    List<String> warnings,
+    List<Problem> warnings,
     String hash,
     FileHashes files,
     SceneContents contents,

@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** A scene that cannot be used, with everything that is wrong with it, up to a limit. */
 public final class SceneFormatException extends Exception {
@@ -17,24 +18,26 @@ public final class SceneFormatException extends Exception {
   }
 
   private final Kind kind;
-  private final String[] problems;
+  private final Problem[] problems;
 
   /**
-   * @param problems at least one; each a line such as {@code scene.json: $.objects[3].radius:
-   *     expected a finite number > 0, found -1}
+   * @param problems at least one
    */
-  SceneFormatException(Kind kind, List<String> problems) {
-    super(String.join(System.lineSeparator(), problems));
+  SceneFormatException(Kind kind, List<Problem> problems) {
+    super(
+        problems.stream()
+            .map(Problem::toString)
+            .collect(Collectors.joining(System.lineSeparator())));
     this.kind = kind;
-    this.problems = problems.toArray(String[]::new);
+    this.problems = problems.toArray(Problem[]::new);
   }
 
   public Kind kind() {
     return kind;
   }
 
-  /** Returns the problems, a line each. */
-  public List<String> problems() {
+  /** Returns the problems, in the order in which they were found. */
+  public List<Problem> problems() {
     return List.of(problems);
   }
 }

@@ -129,8 +129,7 @@ public final class SceneParser {
   }
 
   /**
-   * Returns a parser of scenes that are searched by a kernel, which must be available; without it,
-   * by the one that {@link Kernel#configured} returns.
+   * Returns a parser whose scenes are searched by a kernel; without this, by {@link Kernel#AUTO}.
    */
   public SceneParser searchedBy(Kernel newKernel) {
     return new SceneParser(
@@ -239,13 +238,7 @@ public final class SceneParser {
     AssetTable assets = new AssetTable(root, lenient);
     AssetData data = new AssetData(file, digest);
     SceneReader world =
-        new SceneReader(
-            root,
-            assets,
-            data,
-            settings.seed(),
-            textures,
-            kernel.orElseGet(Kernel::configured));
+        new SceneReader(root, assets, data, settings.seed(), textures, kernel.orElse(Kernel.AUTO));
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene();

@@ -84,8 +84,8 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets how rays find what they hit; without it, the kernel is {@link Kernel#configured}. It
-   * changes no bit of a picture.
+   * Sets how rays find what they hit; without it, the kernel is {@link Kernel#AUTO}. It changes no
+   * bit of a picture.
    */
   public SceneBuilder searchedBy(Kernel newKernel) {
     kernel = Optional.of(newKernel);
@@ -103,7 +103,7 @@ public final class SceneBuilder {
   }
 
   Kernel kernel() {
-    return kernel.orElseGet(Kernel::configured);
+    return kernel.orElse(Kernel.AUTO);
   }
 
   /**

@@ -14,7 +14,7 @@ import java.util.List;
  * not divide the size, and the last cell's neighbour is the first. The value of a cell is a hash,
  * so no table is stored.
  */
-public final class Noise {
+final class Noise {
   /** A lattice of random values that covers the texture exactly. */
   private record Octave(long key, int columns, int rows, double weight) {
     double cell(int column, int row) {

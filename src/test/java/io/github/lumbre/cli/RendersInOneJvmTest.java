@@ -14,11 +14,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Properties;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,11 +28,6 @@ class RendersInOneJvmTest {
       "{\"id\": 9, \"assetType\": \"Texture\", \"textureType\": \"Marble\"}";
 
   @TempDir private Path directory;
-
-  @AfterEach
-  void forget() {
-    System.clearProperty(Kernel.PROPERTY);
-  }
 
   /** Returns the tiny scene with a marble whose texture coordinates are scaled. */
   private static String marble(String scale) {
@@ -81,17 +76,7 @@ class RendersInOneJvmTest {
     }
   }
 
-  @Test
-  void choiceOfAKernelLeavesNothingBehind() {
-    Path scene = TinyScene.write(directory, TinyScene.JSON);
-    String picture = directory.resolve("a.png").toString();
-    assertThat(Outcome.of("render", "" + scene, "-o", picture, "--kernel", "scalar").exitCode())
-        .isZero();
-    assertThat(Outcome.of("pixel", "" + scene, "3,3", "--kernel", "scalar").exitCode()).isZero();
-    assertThat(System.getProperty(Kernel.PROPERTY)).isNull();
-  }
-
-  /** Scenes that choose a kernel look at no property: one that names no kernel is not noticed. */
+  /** Each scene has its own kernel, whatever others in the virtual machine have. */
   @Test
   void kernelsAreChosenForEachScene() throws InterruptedException {
     String mesh =
@@ -100,12 +85,24 @@ class RendersInOneJvmTest {
     String object = "{\"type\": \"Shape\", \"shapeType\": \"Mesh\", \"meshId\": 9}, ";
     String json = TinyScene.withAsset(mesh).replace("{\"id\": 5", object + object + "{\"id\": 5");
     float[] expected = picture(new SceneParser(), json);
-    System.setProperty(Kernel.PROPERTY, "none of them");
+    Properties before = (Properties) System.getProperties().clone();
     for (Kernel kernel : Kernel.values()) {
       if (kernel != Kernel.VECTOR || Kernel.vectorObstacle().isEmpty()) {
         assertThat(picture(new SceneParser().searchedBy(kernel), json)).isEqualTo(expected);
       }
     }
+    assertThat(System.getProperties()).isEqualTo(before);
+  }
+
+  @Test
+  void flagLeavesNothingBehind() {
+    Path scene = TinyScene.write(directory, TinyScene.JSON);
+    String picture = directory.resolve("a.png").toString();
+    Properties before = (Properties) System.getProperties().clone();
+    assertThat(Outcome.of("render", "" + scene, "-o", picture, "--kernel", "scalar").exitCode())
+        .isZero();
+    assertThat(Outcome.of("pixel", "" + scene, "3,3", "--kernel", "scalar").exitCode()).isZero();
+    assertThat(System.getProperties()).isEqualTo(before);
   }
 
   private float[] picture(SceneParser parser, String json) throws InterruptedException {

@@ -138,10 +138,10 @@ public final class HostileScenes {
       scene = new SceneParser().overriding(HostileScenes::quick).parse(file);
     } catch (SceneFormatException e) {
       require(!e.problems().isEmpty() && e.problems().size() <= 20, "number of problems");
-      e.problems().forEach(HostileScenes::requireTellable);
+      e.problems().forEach(problem -> requireTellable(problem.toString()));
       return new Ending(exitCode(e.kind()), 0);
     }
-    scene.warnings().forEach(HostileScenes::requireTellable);
+    scene.warnings().forEach(warning -> requireTellable(warning.toString()));
     require(hashes(text).contains(scene.hash()), "a file outside the folder was read");
     RenderResult result = new BucketRenderer(scene.settings()).render(scene.scene(), Progress.NONE);
     requireFinite(result.image());

@@ -1,7 +1,6 @@
 package io.github.lumbre.geometry;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.math.Bounds3;
@@ -350,22 +349,5 @@ class KernelTest {
     } finally {
       pool.shutdown();
     }
-  }
-
-  @Test
-  void systemPropertyChooses() {
-    try {
-      System.setProperty(Kernel.PROPERTY, "scalar");
-      assertThat(Kernel.configured()).isEqualTo(Kernel.SCALAR);
-      System.setProperty(Kernel.PROPERTY, "Vector");
-      assertThat(Kernel.configured()).isEqualTo(Kernel.VECTOR);
-      System.setProperty(Kernel.PROPERTY, "fast");
-      assertThatThrownBy(Kernel::configured)
-          .isInstanceOf(IllegalArgumentException.class)
-          .hasMessage("lumbre.kernel: expected auto, vector or scalar, found fast");
-    } finally {
-      System.clearProperty(Kernel.PROPERTY);
-    }
-    assertThat(Kernel.configured()).isEqualTo(Kernel.AUTO);
   }
 }

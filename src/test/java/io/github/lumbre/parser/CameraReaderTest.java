@@ -138,6 +138,7 @@ class CameraReaderTest {
   void greyMasksAreWarnedOfAndBlackOnesRefused() {
     String camera = "'cameraType': 'ThinLens', 'bokehTextureId': 5";
     assertThat(fixture.parse(seenBy(camera, texture(5, png(0x808080, 0), ""))).warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.objects[0].bokehTextureId: the mask is not black and white; grey from"
                 + " .5 up counts as white");

@@ -45,7 +45,8 @@ class ColorSpaceWarningTest {
         """
             .formatted(pngWithGamma(gamma));
     byte[] content = scene.getBytes(StandardCharsets.UTF_8);
-    return new SceneParser().parse(content, Path.of("s.json")).warnings();
+    return new SceneParser()
+        .parse(content, Path.of("s.json")).warnings().stream().map(Object::toString).toList();
   }
 
   @Test

@@ -131,6 +131,7 @@ class JsonTreeTest {
             SceneFormatException.class, () -> JsonTree.read(nineTokens, problems, 8));
     assertThat(refusal.kind()).isEqualTo(SceneFormatException.Kind.LIMIT);
     assertThat(refusal.problems())
+        .map(Object::toString)
         .containsExactly("s.json: $: expected at most 8 JSON tokens in this heap, found more");
     assertThat(JsonTree.maxTokens(160_000)).isEqualTo(1000);
     assertThat(JsonTree.maxTokens(Long.MAX_VALUE)).isEqualTo(100_000_000);

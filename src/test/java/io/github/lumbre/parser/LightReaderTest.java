@@ -105,7 +105,9 @@ class LightReaderTest {
   @CsvSource({"120, 90, 120 acts as 90", "-30, 30, -30 acts as 30", "-95.5, 90, -95.5 acts as 90"})
   void unusualSpotAnglesActAsOthersWithAWarning(double written, double acts, String warning) {
     SceneFile file = parse("'lightType': 'Spot', 'intensity': 1, 'spotAngle': " + written);
-    assertThat(file.warnings()).containsExactly("scene.json: $.objects[1].spotAngle: " + warning);
+    assertThat(file.warnings())
+        .map(Object::toString)
+        .containsExactly("scene.json: $.objects[1].spotAngle: " + warning);
     Light spot = file.scene().lights().get(0);
     assertThat(spotAt(spot, acts - .01)).isEqualTo(1);
     assertThat(spotAt(spot, acts + .01)).isZero();
@@ -200,6 +202,7 @@ class LightReaderTest {
     SceneFile both = fixture.parse(dome.substring(0, dome.length() - 1) + options);
     assertThat(both.scene().background(Vec3.X)).isEqualTo(Rgb.WHITE);
     assertThat(both.warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.renderOptions.background: is ignored, since the scene has a Dome");
   }
@@ -209,6 +212,7 @@ class LightReaderTest {
   void lightsThatEmitNothingAreWarnedOf(String type) {
     SceneFile file = parse("'lightType': '" + type + "'");
     assertThat(file.warnings())
+        .map(Object::toString)
         .containsExactly("scene.json: $.objects[1].intensity: the light emits nothing");
     assertThat(file.scene().lights()).isEmpty();
   }
@@ -219,6 +223,7 @@ class LightReaderTest {
     String point = json("{'type': 'Light', 'lightType': 'Point', 'intensity': 1}");
     String dome = json("{'type': 'Light', 'lightType': 'Dome', 'intensity': 1}");
     assertThat(fixture.parse(scene(point + "," + point + "," + glass, GLASS)).warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.objects[1].lightType: the scene has glass, which the light of"
                 + " Directional, Point and Spot does not pass");

@@ -143,6 +143,7 @@ class MaterialReaderTest {
     assertThat(((Mirror) only(file).material()).reflectance().at(LEFT))
         .isEqualTo(new Rgb(1, .5, 1));
     assertThat(file.warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.assets[0].reflectivityColor: more than 1 is reflected; what exceeds 1"
                 + " is taken as 1");

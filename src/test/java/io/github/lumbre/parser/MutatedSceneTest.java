@@ -123,7 +123,10 @@ class MutatedSceneTest {
         new SceneParser().parse(file);
         scenes++;
       } catch (SceneFormatException e) {
-        assertThat(e.problems()).hasSizeBetween(1, 20).allMatch(p -> p.contains(".json: $"));
+        assertThat(e.problems())
+            .map(Object::toString)
+            .hasSizeBetween(1, 20)
+            .allMatch(p -> p.contains(".json: $"));
       } catch (RuntimeException | StackOverflowError e) {
         fail("seed " + i + ": " + text, e);
       }

@@ -174,6 +174,7 @@ class ProceduralReaderTest {
             + "]}";
     SceneFile file = fixture.parse(text);
     assertThat(file.warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.objects[0].bokehTextureId: the mask is not black and white; grey from"
                 + " .5 up counts as white");

@@ -84,7 +84,7 @@ class ReadingMessagesTest {
                 + json("{'type': 'Shape', 'shapeType': 'Sphere', 'radius': -1}")
                 + "]}".repeat(levels),
             "");
-    String problem = fixture.refusal(text).problems().get(0);
+    String problem = fixture.refusal(text).problems().get(0).toString();
     String path = problem.substring("scene.json: ".length(), problem.indexOf(": expected"));
     assertThat(path).startsWith("$.objects[1].children[0]").endsWith(".children[0].radius");
     assertThat(path).contains("…").hasSizeBetween(150, 201);

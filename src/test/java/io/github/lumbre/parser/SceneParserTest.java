@@ -169,6 +169,7 @@ class SceneParserTest {
   void everyErrorIsToldUpToTwenty() {
     String bad = json("{'type': 'Shape', 'shapeType': 'Sphere', 'radius': 0}");
     assertThat(fixture.refusal(scene(bad + "," + bad, "")).problems())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.objects[1].radius: expected a finite number > 0, found 0",
             "scene.json: $.objects[2].radius: expected a finite number > 0, found 0");
@@ -185,6 +186,7 @@ class SceneParserTest {
     SceneFile file = fixture.parse(new SceneParser().lenient(), scene(objects, ""));
     assertThat(file.scene().primitives()).hasSize(1);
     assertThat(file.warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.objects[2].meshId: expected the id of a Mesh, found 98; there is none",
             "scene.json: $.objects[1].materialID: expected the id of a Material, found 99;"
@@ -207,6 +209,7 @@ class SceneParserTest {
   void duplicateObjectIdsAreWarnedOf() {
     SceneFile file = fixture.parse(scene(json("{'id': 5}, {'children': [{'id': 5}]}"), ""));
     assertThat(file.warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.objects[2].children[0].id: object id 5 is also at $.objects[1].id");
   }
@@ -225,6 +228,7 @@ class SceneParserTest {
                 + "{'id': 2, 'assetType': 'Material', 'materialType': 'Phong',"
                 + " 'distribution': 'ggx', 'normalStrenght': 1}");
     assertThat(fixture.parse(scene(objects, assets)).warnings())
+        .map(Object::toString)
         .containsExactlyInAnyOrder(
             "scene.json: $.objects[1].raduis: unknown key; did you mean radius?",
             "scene.json: $.objects[2].radius: unknown key",
@@ -475,6 +479,7 @@ class SceneParserTest {
             + json(",{'id': 3, 'assetType': 'Material', 'materialType': 'Diffuse',")
             + json(" 'colorTextureId': 5}");
     assertThat(fixture.parse(scene(objects, assets)).warnings())
+        .map(Object::toString)
         .containsExactly(
             "scene.json: $.assets[0].base64PNG: "
                 + bomb.length
@@ -501,6 +506,7 @@ class SceneParserTest {
     SceneFile file = fixture.parse(scene(objects, assets));
     assertThat(file.contents()).isEqualTo(new SceneContents("Pinhole", 3, 1, 4, 1, 2, 1));
     assertThat(file.warnings())
+        .map(Object::toString)
         .containsExactly("scene.json: $.assets[0].base64OBJ: triangles without area, left out: 1");
     assertThat(file.scene().primitives()).hasSize(3);
   }

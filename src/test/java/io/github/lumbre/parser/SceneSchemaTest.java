@@ -133,10 +133,11 @@ class SceneSchemaTest {
   private Verdict verdict(String scene) {
     try {
       SceneFile file = new SceneParser().parse(Files.writeString(folder.resolve("s.json"), scene));
-      boolean known = file.warnings().stream().noneMatch(w -> w.contains("unknown key"));
+      boolean known = file.warnings().stream().noneMatch(w -> w.message().contains("unknown key"));
       return known ? Verdict.SOUND : Verdict.WRONG;
     } catch (SceneFormatException e) {
-      boolean beyond = e.problems().stream().allMatch(p -> BEYOND_SCHEMAS.matcher(p).find());
+      boolean beyond =
+          e.problems().stream().allMatch(p -> BEYOND_SCHEMAS.matcher(p.toString()).find());
       return beyond ? Verdict.UNKNOWN : Verdict.WRONG;
     } catch (IOException e) {
       throw new AssertionError(e);

@@ -9,7 +9,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The flag that chooses how hierarchies are searched; it wins over the system property. */
+/** The flag that chooses how hierarchies are searched. */
 public final class KernelFlag {
   /**
    * In less time, plain Java takes more samples. Until the virtual machine has compiled it, the
@@ -66,20 +66,12 @@ public final class KernelFlag {
   }
 
   private Kernel chosen() {
-    Kernel chosen = kernel.orElseGet(this::configured);
+    Kernel chosen = kernel.orElse(Kernel.AUTO);
     Optional<String> obstacle = Kernel.vectorObstacle();
     if (chosen == Kernel.VECTOR && obstacle.isPresent()) {
       throw new ParameterException(
           spec.commandLine(), "--kernel: vector is not available: " + obstacle.get());
     }
     return chosen;
-  }
-
-  private Kernel configured() {
-    try {
-      return Kernel.configured();
-    } catch (IllegalArgumentException e) {
-      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
-    }
   }
 }

@@ -3,6 +3,7 @@ package io.github.lumbre.cli.output;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.RenderException;
 import java.nio.file.InvalidPathException;
@@ -71,7 +72,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
       return List.of(e.getMessage());
     }
     if (thrown instanceof SceneFormatException e) {
-      return e.problems();
+      return e.problems().stream().map(Problem::toString).toList();
     }
     if (thrown instanceof InvalidPathException e) {
       return List.of(e.getInput() + ": " + FileFailure.reason(e));

@@ -97,7 +97,7 @@ public final class JsonSummary {
       values.put(setting.name(), value(settings.get(setting)));
     }
     values.put("seed", settings.seed());
-    values.put("warnings", file.warnings());
+    values.put("warnings", file.warnings().stream().map(Object::toString).toList());
   }
 
   /** Returns a value as JSON has it: numbers and texts; null instead of an infinite limit. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.parser.Problem;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
@@ -30,8 +31,8 @@ public final class Messages {
   }
 
   /** Prints a line for each warning. */
-  public void warnings(List<String> warnings) {
-    warnings.forEach(this::warning);
+  public void warnings(List<Problem> warnings) {
+    warnings.forEach(warning -> warning(warning.toString()));
   }
 
   /** Prints a line that begins with {@code warning:}. */

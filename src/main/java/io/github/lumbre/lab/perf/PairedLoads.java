@@ -58,7 +58,9 @@ public final class PairedLoads {
   /** Returns a scene's row. */
   public String row(Path scene) throws SceneFormatException, TaskException {
     SceneParser parser = new SceneParser();
-    SceneFolder.load(scene, parser).warnings().forEach(warnings);
+    SceneFolder.load(scene, parser)
+        .warnings()
+        .forEach(warning -> warnings.accept(warning.toString()));
     SceneParser everything = parser.decodingUnused();
     List<Load> plain = new ArrayList<>();
     List<Load> all = new ArrayList<>();
