@@ -29,21 +29,15 @@ public final class MeshInstance implements Shape {
    */
   @Override
   public boolean intersect(NearestHit nearest) {
-    double wx = nearest.originX;
-    double wy = nearest.originY;
-    double wz = nearest.originZ;
-    double vx = nearest.directionX;
-    double vy = nearest.directionY;
-    double vz = nearest.directionZ;
     return shared
         .bvh()
         .intersectPart(
-            toWorld.inversePointX(wx, wy, wz),
-            toWorld.inversePointY(wx, wy, wz),
-            toWorld.inversePointZ(wx, wy, wz),
-            toWorld.inverseVectorX(vx, vy, vz),
-            toWorld.inverseVectorY(vx, vy, vz),
-            toWorld.inverseVectorZ(vx, vy, vz),
+            nearest.localOriginX(toWorld),
+            nearest.localOriginY(toWorld),
+            nearest.localOriginZ(toWorld),
+            nearest.localDirectionX(toWorld),
+            nearest.localDirectionY(toWorld),
+            nearest.localDirectionZ(toWorld),
             nearest);
   }
 

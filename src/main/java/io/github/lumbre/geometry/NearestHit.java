@@ -1,6 +1,7 @@
 package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -117,5 +118,35 @@ public final class NearestHit {
   /** Returns the number of the shape that was hit: its index in the list the Bvh was built from. */
   public int shape() {
     return shape;
+  }
+
+  /** Returns the x of the ray's origin in the space that a transform maps to the world. */
+  double localOriginX(Transform toWorld) {
+    return toWorld.inversePointX(originX, originY, originZ);
+  }
+
+  /** Returns the y of the ray's origin in the space that a transform maps to the world. */
+  double localOriginY(Transform toWorld) {
+    return toWorld.inversePointY(originX, originY, originZ);
+  }
+
+  /** Returns the z of the ray's origin in the space that a transform maps to the world. */
+  double localOriginZ(Transform toWorld) {
+    return toWorld.inversePointZ(originX, originY, originZ);
+  }
+
+  /** Returns the x of the ray's direction in that space; its length is not kept at 1. */
+  double localDirectionX(Transform toWorld) {
+    return toWorld.inverseVectorX(directionX, directionY, directionZ);
+  }
+
+  /** Returns the y of the ray's direction in that space; its length is not kept at 1. */
+  double localDirectionY(Transform toWorld) {
+    return toWorld.inverseVectorY(directionX, directionY, directionZ);
+  }
+
+  /** Returns the z of the ray's direction in that space; its length is not kept at 1. */
+  double localDirectionZ(Transform toWorld) {
+    return toWorld.inverseVectorZ(directionX, directionY, directionZ);
   }
 }

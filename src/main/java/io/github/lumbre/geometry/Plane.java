@@ -36,17 +36,11 @@ public final class Plane implements Shape {
 
   @Override
   public boolean intersect(NearestHit nearest) {
-    double wx = nearest.originX;
-    double wy = nearest.originY;
-    double wz = nearest.originZ;
-    double vx = nearest.directionX;
-    double vy = nearest.directionY;
-    double vz = nearest.directionZ;
-    double dy = toWorld.inverseVectorY(vx, vy, vz);
+    double dy = nearest.localDirectionY(toWorld);
     if (dy >= 0 && !twoSided) {
       return false;
     }
-    double t = -toWorld.inversePointY(wx, wy, wz) / dy;
+    double t = -nearest.localOriginY(toWorld) / dy;
     if (!(t > 0 && t < nearest.t)) {
       return false;
     }

@@ -85,24 +85,18 @@ public final class Rectangle implements Shape {
 
   @Override
   public boolean intersect(NearestHit nearest) {
-    double wx = nearest.originX;
-    double wy = nearest.originY;
-    double wz = nearest.originZ;
-    double vx = nearest.directionX;
-    double vy = nearest.directionY;
-    double vz = nearest.directionZ;
-    double dy = toWorld.inverseVectorY(vx, vy, vz);
+    double dy = nearest.localDirectionY(toWorld);
     if (dy >= 0 && !twoSided) {
       return false;
     }
-    double t = -toWorld.inversePointY(wx, wy, wz) / dy;
+    double t = -nearest.localOriginY(toWorld) / dy;
     if (!(t > 0 && t < nearest.t)) {
       return false;
     }
-    double x = toWorld.inversePointX(wx, wy, wz);
-    x += t * toWorld.inverseVectorX(vx, vy, vz);
-    double z = toWorld.inversePointZ(wx, wy, wz);
-    z += t * toWorld.inverseVectorZ(vx, vy, vz);
+    double x = nearest.localOriginX(toWorld);
+    x += t * nearest.localDirectionX(toWorld);
+    double z = nearest.localOriginZ(toWorld);
+    z += t * nearest.localDirectionZ(toWorld);
     if (!(Math.abs(x) <= halfWidth && Math.abs(z) <= halfHeight)) {
       return false;
     }

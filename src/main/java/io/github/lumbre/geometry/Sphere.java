@@ -59,18 +59,12 @@ public final class Sphere implements Shape {
    */
   @Override
   public boolean intersect(NearestHit nearest) {
-    double wx = nearest.originX;
-    double wy = nearest.originY;
-    double wz = nearest.originZ;
-    double vx = nearest.directionX;
-    double vy = nearest.directionY;
-    double vz = nearest.directionZ;
-    double ox = toWorld.inversePointX(wx, wy, wz);
-    double oy = toWorld.inversePointY(wx, wy, wz);
-    double oz = toWorld.inversePointZ(wx, wy, wz);
-    double dx = toWorld.inverseVectorX(vx, vy, vz);
-    double dy = toWorld.inverseVectorY(vx, vy, vz);
-    double dz = toWorld.inverseVectorZ(vx, vy, vz);
+    double ox = nearest.localOriginX(toWorld);
+    double oy = nearest.localOriginY(toWorld);
+    double oz = nearest.localOriginZ(toWorld);
+    double dx = nearest.localDirectionX(toWorld);
+    double dy = nearest.localDirectionY(toWorld);
+    double dz = nearest.localDirectionZ(toWorld);
     double dd = dx * dx + dy * dy + dz * dz;
     double middle = -(ox * dx + oy * dy + oz * dz) / dd;
     double cx = ox + middle * dx;
