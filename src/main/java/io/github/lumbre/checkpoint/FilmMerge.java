@@ -4,6 +4,7 @@ import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -35,7 +36,11 @@ public final class FilmMerge {
     List<FilmPart> joined = joined(parts);
     int firstSample = joined.stream().mapToInt(FilmPart::first).min().orElse(0);
     Film sum = new Film(window, header.hasAlpha(), firstSample);
-    films.forEach(film -> sum.addAll(film.file().film()));
+    // In the order of their samples, so that the halves of the pixels stay known where they can.
+    films.stream()
+        .map(film -> film.file().film())
+        .sorted(Comparator.comparingInt(Film::firstSample))
+        .forEach(sum::addAll);
     RenderStatistics faults =
         films.stream()
             .map(film -> film.file().header().faults())

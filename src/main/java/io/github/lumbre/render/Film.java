@@ -132,6 +132,10 @@ public final class Film {
    * Adds the samples of another film of the same picture, exactly: they may be of other pixels, or
    * have other numbers, but none may be in both films.
    *
+   * <p>{@link #halves} stay known, as if one film had taken all samples, where the other film's
+   * samples follow on this one's and no power of two lies strictly between their number before and
+   * their number after; or where this film has none yet. Add films in the order of their samples.
+   *
    * @param other whose window lies inside this one's, and which has alpha just if this one has
    */
   public void addAll(Film other) {
@@ -148,7 +152,7 @@ public final class Film {
     for (int from = 0; from < other.counts.length; from++) {
       int to = index(part.x() + from % part.width(), part.y() + from / part.width());
       if (other.counts[from] != 0) {
-        firstMeans[to] = counts[to] == 0 ? other.firstMeans[from] : PackedRgb.NONE;
+        firstMeans[to] = firstMeanWith(other, from, to);
       }
       counts[to] = Math.addExact(counts[to], other.counts[from]);
       for (int i = 0; i < 3; i++) {
@@ -158,6 +162,29 @@ public final class Film {
         covered[to] += other.covered[from];
       }
     }
+  }
+
+  /**
+   * Returns the mean of a pixel's samples up to the last power of two before their number, once
+   * those of another film are added; {@link PackedRgb#NONE} if the sums do not contain it.
+   */
+  private long firstMeanWith(Film other, int from, int to) {
+    int count = counts[to];
+    if (count == 0) {
+      return other.firstMeans[from];
+    }
+    int power = Integer.highestOneBit(count + other.counts[from] - 1);
+    if (other.firstSample != firstSample + count || power > count) {
+      return PackedRgb.NONE;
+    }
+    return power == count ? mean(to) : firstMeans[to];
+  }
+
+  /** Returns the mean of all samples of a pixel that has some, packed. */
+  private long mean(int pixel) {
+    int count = counts[pixel];
+    return PackedRgb.of(
+        sum(3 * pixel) / count, sum(3 * pixel + 1) / count, sum(3 * pixel + 2) / count);
   }
 
   /** Returns another film that holds what this one does, and does not change with it. */
@@ -276,9 +303,7 @@ public final class Film {
   void add(int pixel, Rgb value, boolean covers) {
     int count = counts[pixel];
     if ((count & count - 1) == 0 && count != 0) {
-      firstMeans[pixel] =
-          PackedRgb.of(
-              sum(3 * pixel) / count, sum(3 * pixel + 1) / count, sum(3 * pixel + 2) / count);
+      firstMeans[pixel] = mean(pixel);
     }
     addSilently(pixel, value, covers);
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.checkpoint;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.render.Film;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
@@ -37,9 +38,21 @@ class FilmMergeTest {
       }
       Collections.shuffle(pieces, random);
       FilmFile sum = FilmMerge.of(pieces);
-      assertThat(FilmFixture.pixels(sum.film())).isEqualTo(FilmFixture.pixels(whole.film()));
+      assertThat(FilmFixture.sums(sum.film())).isEqualTo(FilmFixture.sums(whole.film()));
       assertThat(sum.header()).isEqualTo(whole.header());
     }
+  }
+
+  /** Parts that end at powers of two, in any order, keep the estimate of the noise. */
+  @Test
+  void halvesStayKnownBetweenPowersOfTwo() throws FilmMismatchException {
+    FilmFile whole = FilmFixture.file(FilmFixture.FRAME, 0, (x, y) -> 12);
+    List<FilmMerge.Named> parts = new ArrayList<>();
+    for (int[] range : new int[][] {{8, 2}, {2, 2}, {10, 2}, {4, 4}, {0, 2}}) {
+      parts.add(named("from " + range[0], FilmFixture.FRAME, range[0], range[1]));
+    }
+    Film sum = FilmMerge.of(parts).film();
+    assertThat(sum.halves(3, 4)).isPresent().isEqualTo(whole.film().halves(3, 4));
   }
 
   @Test

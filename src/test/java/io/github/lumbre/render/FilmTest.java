@@ -403,7 +403,7 @@ class FilmTest {
     }
   }
 
-  /** What came from two films has no known order, so that its halves are not known. */
+  /** Films that both begin at sample 0 do not follow on each other. */
   @Test
   void halvesAreKnownOfPixelsWhoseSamplesComeFromOneFilm() {
     Film sum = row(Rgb.WHITE, 4, 0, 4, 0);
@@ -413,6 +413,45 @@ class FilmTest {
     assertThat(sum.halves(4, 3)).isEmpty();
     assertThat(sum.halves(5, 3)).isEmpty();
     assertThat(sum.samples(4, 3)).isEqualTo(8);
+  }
+
+  /**
+   * Halves of a sum are those of one film with all samples, unless a power of two lies strictly
+   * between the numbers of samples before and after a part is added.
+   */
+  @Test
+  void filmsThatFollowOnEachOtherKnowTheirHalves() {
+    Crop pixel = new Crop(0, 0, 1, 1);
+    Random random = new Random(12);
+    int known = 0;
+    int unknown = 0;
+    for (int run = 0; run < 2000; run++) {
+      Film whole = new Film(pixel, false, 0);
+      Film sum = new Film(pixel, false, 0);
+      boolean isKnown = true;
+      while (sum.samples(0, 0) < 40) {
+        int before = sum.samples(0, 0);
+        Film part = new Film(pixel, false, before);
+        int count = 1 + random.nextInt(20);
+        for (int i = 0; i < count; i++) {
+          Rgb sample = new Rgb(random.nextDouble(), random.nextDouble(), random.nextDouble());
+          whole.add(0, sample, true);
+          part.add(0, sample, true);
+        }
+        sum.addAll(part);
+        int last = Integer.highestOneBit(before + count - 1);
+        isKnown = before == 0 || last == before || last < before && isKnown;
+        if (isKnown) {
+          assertThat(sum.halves(0, 0)).isEqualTo(whole.halves(0, 0));
+          known++;
+        } else {
+          assertThat(sum.halves(0, 0)).isEmpty();
+          unknown++;
+        }
+      }
+    }
+    assertThat(known).isGreaterThan(1000);
+    assertThat(unknown).isGreaterThan(1000);
   }
 
   @Test
