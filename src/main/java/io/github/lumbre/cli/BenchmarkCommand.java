@@ -98,7 +98,8 @@ final class BenchmarkCommand implements Callable<Integer> {
       paramLabel = "N",
       defaultValue = "1",
       description =
-          "Render each row N times untimed first, with 1 sample per pixel (${DEFAULT-VALUE}).")
+          "Render each row N times with 1 sample per pixel before the timed renders"
+              + " (${DEFAULT-VALUE}).")
   private int warmup;
 
   @Option(

@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
     header = "Measure the error of a picture against a reference.",
     description =
         "Read PNG, JPEG, PFM, and OpenEXR in the form that 'lumbre render' writes. Pictures are"
-            + " compared in linear light: PNG and JPEG are decoded from sRGB, and alpha is"
+            + " compared in linear light: PNG and JPEG are decoded from sRGB, and their alpha is"
             + " ignored.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
@@ -89,8 +89,8 @@ final class CompareCommand implements Callable<Integer> {
       paramLabel = "NAME=LIMIT",
       split = ",",
       description = {
-        "Largest accepted values of metrics (ssim: smallest; bias: absolute value).",
-        "Otherwise the exit code is 1."
+        "Exit with code 1 if a metric is above its limit",
+        "(ssim: below; bias: in absolute value)."
       })
   private Map<String, Double> tolerance = new LinkedHashMap<>();
 

@@ -23,7 +23,7 @@ final class HelpLayout {
   /** Lists with more flags than this are grouped. */
   private static final int LONG = 18;
 
-  private static final String REST = "Help";
+  private static final String REST = "Other";
 
   static {
     COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop"));

@@ -36,7 +36,7 @@ import picocli.CommandLine.Spec;
  */
 @Command(
     name = "lumbre",
-    header = "Lumbre, a CPU path tracer: render a JSON scene to a picture.",
+    header = "Lumbre, a CPU path tracer: renders JSON scenes to pictures.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,

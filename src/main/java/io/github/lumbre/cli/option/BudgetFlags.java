@@ -27,8 +27,7 @@ public final class BudgetFlags {
       converter = FlagConverters.OfDuration.class,
       description =
           "Take as many samples as fit into this time, loading and saving included, but at least 1"
-              + " per pixel: 90s, 5m, 2h. Without --samples, this replaces the scene's number of"
-              + " samples.")
+              + " per pixel: 90s, 5m, 2h. Without --samples, the number of samples is unlimited.")
   private Optional<Duration> time = Optional.empty();
 
   @Option(

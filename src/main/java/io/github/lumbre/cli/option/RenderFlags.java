@@ -24,14 +24,13 @@ public final class RenderFlags {
       names = "--mode",
       paramLabel = "MODE",
       converter = FlagConverters.OfMode.class,
-      description =
-          "Render mode: ray (Whitted) or path (path tracing). Default: the scene's, or else path.")
+      description = "Render mode: ray (Whitted) or path (path tracing). Default: scene or path.")
   private Optional<Mode> mode;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = "Samples per pixel. Default: the scene's, or else 100.")
+      description = "Samples per pixel (scene or 100).")
   private Optional<Integer> samples;
 
   @Option(
@@ -72,7 +71,7 @@ public final class RenderFlags {
       names = "--crop",
       paramLabel = "x,y,w,h",
       converter = FlagConverters.OfCrop.class,
-      description = "Render only this part of the full frame; its pixels are unchanged.")
+      description = "Render only this window of the full frame, with the same pixel values.")
   private Optional<Crop> crop;
 
   @Option(

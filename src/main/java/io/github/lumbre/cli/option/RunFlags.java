@@ -40,8 +40,8 @@ public final class RunFlags {
       paramLabel = "STYLE",
       converter = FlagConverters.OfProgressStyle.class,
       description =
-          "Show progress on standard error: bar, none or json (one JSON object per line and"
-              + " second). Default: bar on a terminal, else none.")
+          "Show progress on standard error: bar, none or json (one JSON object per second and"
+              + " line). Default: bar on a terminal, else none.")
   private Optional<ProgressStyle> progress;
 
   @Option(names = "--json", description = "Print a summary as one line of JSON.")

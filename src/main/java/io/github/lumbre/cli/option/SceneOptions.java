@@ -107,7 +107,7 @@ public final class SceneOptions {
       int count = file.warnings().size();
       String warnings = count == 1 ? "1 warning" : count + " warnings";
       throw new TaskException(
-          Kind.WARNINGS, scene + ": " + warnings + ", treated as errors because of --strict");
+          Kind.WARNINGS, scene + ": " + warnings + "; --strict treats warnings as errors");
     }
     return file;
   }

@@ -110,7 +110,7 @@ public final class SettingFlags {
         setting.missing().equals(Double.POSITIVE_INFINITY)
             ? "none"
             : setting.type().format(setting.missing());
-    String from = setting.isInScenes() ? "the scene's, or else " + missing : missing;
+    String from = setting.isInScenes() ? "scene or " + missing : missing;
     return setting.meaning() + " Default: " + from + ".";
   }
 

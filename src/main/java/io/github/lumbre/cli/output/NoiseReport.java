@@ -58,7 +58,7 @@ public record NoiseReport(
       messages.line(
           "warning: 0.1 % of the pixels carry "
               + percent(noise.get().tailShare())
-              + " of the noise, so its bound may be too low; take more samples");
+              + " of the noise, so the noise may be underestimated; take more samples");
     }
     if (isMissed()) {
       messages.line(

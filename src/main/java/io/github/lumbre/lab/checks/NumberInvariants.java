@@ -32,7 +32,7 @@ final class NumberInvariants {
     return List.of(
         new Invariant(
             "transform-inverse",
-            "distance of M⁻¹ M p from p, in 2^-52 × the condition number × |p|",
+            "distance of M⁻¹ M p from p, in 2^-52 × the condition number × the length of p",
             "products of translations, rotations and scales from 1e-4 to 1e4",
             64,
             NumberInvariants::inverses),
