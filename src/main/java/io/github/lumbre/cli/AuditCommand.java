@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
 /** {@code lumbre audit}: reports questionable values in a valid scene. */
 @Command(
     name = "audit",
-    header = "Report what is physically or numerically questionable in a scene.",
+    header = "Report physically or numerically questionable values in a scene.",
     description =
         "Trace a few thousand paths and check materials, lights, glass, textures, scale and depth."
             + " Each finding states its place in the file, what was found, the effect and the fix.",

@@ -108,7 +108,7 @@ final class PerfCommand implements Callable<Integer> {
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
-      description = "Frame size in pixels (the scene's, scaled down to at most 320 pixels a side).")
+      description = "Frame size in pixels (the scene's, scaled down to a side of 320).")
   private Optional<Size> size;
 
   @Option(
@@ -143,7 +143,7 @@ final class PerfCommand implements Callable<Integer> {
 
   @Option(
       names = "--without",
-      paramLabel = "SPECIALIZATION",
+      paramLabel = "NAME",
       split = ",",
       description = {
         "Switch specializations off: ${COMPLETION-CANDIDATES}.",

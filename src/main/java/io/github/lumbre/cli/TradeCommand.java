@@ -42,10 +42,9 @@ import picocli.CommandLine.Spec;
     subcommands = {TradeTableCommand.class, TradeQualityCommand.class},
     header = "Measure the time and error of render settings, for one scene.",
     description =
-        "Render a reference, then vary one setting at a time (sampler, light sampler, MIS"
-            + " heuristic, Russian roulette, path splitting, depth, mode, texture filter, clamp,"
-            + " adaptive sampling) with several seeds and increasing samples. Write a page of error"
-            + " against time, and the same data as .csv and .json.",
+        "Render a reference, then vary one setting at a time (see --knobs) with several seeds and"
+            + " increasing samples. Write a page of error against time, and the same data as .csv"
+            + " and .json.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,

@@ -44,8 +44,8 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
   }
 
   /**
-   * Returns whether a scene that has just been read can be rendered on this heap with a second
-   * film, so that one can be saved while the other receives samples.
+   * Returns whether this heap can hold a second film for a scene that has just been read. One film
+   * can then be saved while the other receives samples.
    */
   public static boolean leavesRoomForCopy(RenderSettings settings) {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();

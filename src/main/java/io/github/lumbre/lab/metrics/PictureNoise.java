@@ -9,9 +9,10 @@ import java.util.List;
  * The noise of a picture, estimated without a reference from pairs of renders that differ only in
  * their seeds.
  *
- * <p>For values a and b of a pair, (a − b)²/2 is an unbiased estimate of their variance, which is
- * the mean squared error of an unbiased renderer. Divided by m² + 0.01, where m is the mean of all
- * pictures, and averaged over pixels and channels, it is the relative mean squared error.
+ * <p>For values a and b of a pair, (a − b)²/2 is an unbiased estimate of their variance. The
+ * variance is the mean squared error of an unbiased renderer. Divided by m² + 0.01, where m is the
+ * mean of all pictures, and averaged over pixels and channels, it is the relative mean squared
+ * error.
  *
  * @param relativeMses one estimate per pair
  */

@@ -15,9 +15,9 @@ public final class RasterHash {
   private RasterHash() {}
 
   /**
-   * Returns the SHA-256, in hexadecimal, of width and height as 32-bit integers followed by the
-   * picture's red, green and blue floats row by row from the top, all little-endian. Alpha is not
-   * included.
+   * Returns the SHA-256 of a picture in hexadecimal. The hashed bytes are width and height as
+   * 32-bit integers, then the red, green and blue floats row by row from the top, all
+   * little-endian. Alpha is not included.
    */
   public static String of(Image image) {
     MessageDigest digest = sha256();

@@ -18,8 +18,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Measures the error of pictures whose renders end at a target error and a depth, with several
- * seeds each, against a reference with a large depth.
+ * Measures the error of renders that end at a target error, with a given depth and several seeds.
+ * The reference has a large depth.
  */
 public final class QualityStudy {
   /** Differs from all seeds of the study. */

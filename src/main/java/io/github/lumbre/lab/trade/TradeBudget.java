@@ -71,7 +71,7 @@ public record TradeBudget(
   private static final int STEP = 4;
 
   /**
-   * Returns settings with the frame of a study: the given size, or else the scene's frame scaled
+   * Returns settings with the frame of a study. Without a given size, the scene's frame is scaled
    * down to a side of 160 pixels (96 for a quick study), or less if time is short.
    *
    * @param rate samples per second of all threads

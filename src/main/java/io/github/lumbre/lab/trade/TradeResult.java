@@ -77,8 +77,8 @@ public record TradeResult(
   }
 
   /**
-   * Returns whether another row of the same kind takes no more CPU time and has no more error, and
-   * less of at least one of them.
+   * Returns whether another row of the same kind dominates a row: it has at most its CPU time and
+   * error, and less of at least one.
    */
   public boolean isDominated(TradeRow row) {
     double time = row.cpuTime().value();
