@@ -266,7 +266,7 @@ public record RenderJob(
     return file.settings().adaptive() && film.mostSamples() <= FilmRenderer.ADAPTIVE_PILOT
         ? Optional.of(
             ("warning: --adaptive had no effect: all pixels get the first %d samples, and the"
-                 + " render ended with %d samples per pixel")
+                    + " render ended with %d samples per pixel")
                 .formatted(FilmRenderer.ADAPTIVE_PILOT, film.mostSamples()))
         : Optional.empty();
   }

@@ -64,7 +64,7 @@ public final class TradePage {
 
   private String lead() {
     return ("%s pixels, %d seeds of each setting, compared with a reference of %s samples per"
-                + " pixel. The relative RMSE of the reference itself is about %s.")
+            + " pixel. The relative RMSE of the reference itself is about %s.")
         .formatted(
             facts.get("size"),
             result.seeds(),
