@@ -24,14 +24,13 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre audit}: tells what is questionable in a scene that can be rendered. */
+/** {@code lumbre audit}: reports questionable values in a valid scene. */
 @Command(
     name = "audit",
-    header = "Tell what is physically or numerically questionable in a scene.",
+    header = "Report physically or numerically questionable values in a scene.",
     description =
-        "Follows a few thousand paths and looks at materials, lights, glass, textures, scale and"
-            + " depth. Each finding tells where in the file, what was found, what it means and what"
-            + " to do.",
+        "Trace a few thousand paths and check materials, lights, glass, textures, scale and depth."
+            + " Each finding states its place in the file, what was found, the effect and the fix.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -41,16 +40,16 @@ import picocli.CommandLine.Spec;
     footer = {"", "Examples:", "  lumbre audit scene.json", "  lumbre audit --strict scene.json"},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
-      "0:Done, whatever was found",
-      "1:There are warnings, and --strict makes them errors",
-      "2:The command line is wrong",
+      "0:Done, with or without findings",
+      "1:There are warnings under --strict",
+      "2:The command line is invalid",
       "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
-      "7:A fault of the program"
+      "4:A mesh or image of the scene cannot be decoded",
+      "5:A limit or the available memory is exceeded",
+      "7:Internal error"
     })
 final class AuditCommand implements Callable<Integer> {
-  /** What tells the JSON from others; it changes when older readers would misunderstand. */
+  /** The JSON format's identifier; it changes with every incompatible change of the format. */
   static final String FORMAT = "lumbre-audit-1";
 
   private static final Gson GSON =
@@ -60,7 +59,7 @@ final class AuditCommand implements Callable<Integer> {
 
   @Mixin private RenderFlags flags;
 
-  @Option(names = "--json", description = "Print JSON, for programs.")
+  @Option(names = "--json", description = "Print the findings as JSON.")
   private boolean json;
 
   @Spec private CommandSpec spec;
@@ -82,8 +81,8 @@ final class AuditCommand implements Callable<Integer> {
     for (Finding finding : findings) {
       String severity = SettingType.nameOf(finding.severity());
       out.append(String.format("%-8s %s: %s\n", severity, finding.path(), finding.found()))
-          .append(String.format("         means: %s\n", finding.means()))
-          .append(finding.advice().isEmpty() ? "" : "         to do: " + finding.advice() + "\n");
+          .append(String.format("         effect: %s\n", finding.means()))
+          .append(finding.advice().isEmpty() ? "" : "         fix: " + finding.advice() + "\n");
     }
     long warnings = SceneAudit.warnings(findings);
     return out

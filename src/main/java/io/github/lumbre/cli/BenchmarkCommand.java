@@ -41,13 +41,16 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre benchmark}: renders the report's table and tells the times beside its own. */
+/**
+ * {@code lumbre benchmark}: renders the scenes of the 2016 report's table and prints both sets of
+ * times.
+ */
 @Command(
     name = "benchmark",
-    header = "Render the table of the 2016 report and tell how long that takes.",
+    header = "Render the scenes of the 2016 report and print how long each takes.",
     description =
-        "Prints the table in Markdown, a row as soon as it is rendered. What a row prescribes"
-            + " (size, mode, samples, bucket, depth) wins over its scene.",
+        "Print the table in Markdown, each row as soon as it is rendered. A row's size, mode,"
+            + " samples, bucket and depth override its scene's.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -64,13 +67,12 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "1:Under --check, a picture differs from what is stored, or nothing is stored for it",
-      "2:The command line is wrong: also a row or a scene that does not exist",
-      "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
+      "1:Under --check, a picture's hash differs from the stored one or is not stored",
+      "2:The command line is invalid, or a row or scene does not exist",
+      "3, 4, 5:A scene is invalid, an asset cannot be decoded, or a limit is exceeded",
       "6:The CSV file or the hashes cannot be written",
-      "7:A fault of the program",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is rendered by then is"
-          + " written"
+      "7:Internal error",
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; finished rows are written"
     })
 final class BenchmarkCommand implements Callable<Integer> {
   private static final int MAX_REPETITIONS = 1000;
@@ -79,7 +81,7 @@ final class BenchmarkCommand implements Callable<Integer> {
       names = "--rows",
       paramLabel = "N",
       split = ",",
-      description = "Rows of the table, such as 1,5,14. Default: all.")
+      description = "Render these rows of the table, such as 1,5,14 (all).")
   private List<Integer> rows = List.of();
 
   @ArgGroup private Amount amount = new Amount();
@@ -88,34 +90,36 @@ final class BenchmarkCommand implements Callable<Integer> {
       names = "--threads",
       paramLabel = "N",
       defaultValue = "0",
-      description = "Threads; 0 means one per processor (${DEFAULT-VALUE}).")
+      description = "Number of threads; 0: one per processor (${DEFAULT-VALUE}).")
   private int threads;
 
   @Option(
       names = "--warmup",
       paramLabel = "N",
       defaultValue = "1",
-      description = "Renders of one sample per pixel before each row, untimed (${DEFAULT-VALUE}).")
+      description =
+          "Render each row N times with 1 sample per pixel before the timed renders"
+              + " (${DEFAULT-VALUE}).")
   private int warmup;
 
   @Option(
       names = "--repeat",
       paramLabel = "N",
       defaultValue = "1",
-      description = "Timed renders of each row; the median counts (${DEFAULT-VALUE}).")
+      description = "Render each row N times and report the median time (${DEFAULT-VALUE}).")
   private int repeat;
 
   @Option(
       names = "--csv",
       paramLabel = "FILE",
-      description = "Write the table as comma-separated values too.")
+      description = "Also write the table as comma-separated values.")
   private Optional<Path> csv;
 
   @Option(
       names = "--scenes",
       paramLabel = "DIR",
       description = {
-        "The folder of the scenes, of " + ReportTable.FILE + " and of " + TableHashes.FILE + ".",
+        "Folder of the scenes, " + ReportTable.FILE + " and " + TableHashes.FILE + ".",
         "Default: scenes, beside the launcher."
       })
   private Optional<Path> scenes;
@@ -124,33 +128,33 @@ final class BenchmarkCommand implements Callable<Integer> {
 
   @ArgGroup private Hashes hashes = new Hashes();
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Mixin private OverwriteFlag overwrite;
 
   @Spec private CommandSpec spec;
 
-  /** How much of the work to do; one of the two at most. */
+  /** The share of the samples to render; at most one of the two flags. */
   static final class Amount {
     @Option(
         names = "--scale",
         paramLabel = "SHARE",
-        description = "Share of each row's samples, rounded up. Default: 0.01.")
+        description = "Render this share of each row's samples, rounded up (0.01).")
     private BigDecimal scale = new BigDecimal("0.01");
 
-    @Option(names = "--full", description = "Render all samples, which takes days.")
+    @Option(names = "--full", description = "Render all samples; this takes days.")
     private boolean full;
   }
 
-  /** What to do with the pictures' hashes; one of the two at most. */
+  /** The use of the pictures' hashes; at most one of the two flags. */
   static final class Hashes {
     @Option(
         names = "--check",
-        description = "Compare the pictures' hashes with those stored beside the scenes.")
+        description = "Compare the pictures' hashes with those in the folder of scenes.")
     private boolean check;
 
-    @Option(names = "--store", description = "Store the pictures' hashes beside the scenes.")
+    @Option(names = "--store", description = "Store the pictures' hashes in the folder of scenes.")
     private boolean store;
   }
 
@@ -220,12 +224,12 @@ final class BenchmarkCommand implements Callable<Integer> {
       Path file = folder.file(row.scene());
       new FlagChecks(spec)
           .require(
-              Files.isRegularFile(file), "row " + row.number() + ": there is no scene " + file);
+              Files.isRegularFile(file), "row " + row.number() + ": scene does not exist: " + file);
     }
     return selected;
   }
 
-  /** Renders and prints the rows; returns false if that was stopped. */
+  /** Renders and prints the rows. Returns whether all are complete; false if stopped. */
   private boolean run(List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report)
       throws SceneFormatException, TaskException {
     try (TextOutput output = TextOutput.reserve(csv)) {
@@ -250,13 +254,13 @@ final class BenchmarkCommand implements Callable<Integer> {
       Thread.currentThread().interrupt();
       return false;
     } finally {
-      // Keep what is known already, however the others ended.
+      // Keep the finished rows even if a later one fails.
       report.end();
       output.write(new BenchmarkCsv(Hardware.here(), runner.plan()).text(report.results()));
     }
   }
 
-  /** Compares or stores the hashes, if that is wanted; returns the exit code. */
+  /** Compares or stores the hashes, as the flags demand, and returns the exit code. */
   private int settle(TableHashes stored, List<BenchmarkResult> results) throws TaskException {
     if (hashes.store && !results.isEmpty()) {
       results.forEach(stored::put);

@@ -19,10 +19,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre check}: reads a scene as a render would, and tells what it holds. */
+/** {@code lumbre check}: reads a scene as a render would, and prints its contents. */
 @Command(
     name = "check",
-    header = "Validate a scene and tell what it holds, without rendering it.",
+    header = "Validate a scene and print its contents without rendering it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -31,24 +31,22 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:The scene is valid",
-      "1:There are warnings, and --strict makes them errors",
-      "2:The command line is wrong",
+      "1:There are warnings under --strict",
+      "2:The command line is invalid",
       "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
-      "7:A fault of the program"
+      "4:A mesh or image of the scene cannot be decoded",
+      "5:A limit or the available memory is exceeded",
+      "7:Internal error"
     })
 final class CheckCommand implements Callable<Integer> {
   @Mixin private SceneOptions options;
 
-  @Option(
-      names = "--json",
-      description = "Print what the scene holds as a JSON object, on one line of standard output.")
+  @Option(names = "--json", description = "Print the contents as one line of JSON.")
   private boolean json;
 
   @Option(
       names = "--plan",
-      description = "Tell also what the scene does not require, and so is left out of its render.")
+      description = "Also print which rendering steps this scene does not need and skips.")
   private boolean plan;
 
   @Spec private CommandSpec spec;

@@ -35,22 +35,23 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre compare}: tells how far a picture is from a reference. */
+/** {@code lumbre compare}: measures the error of a picture against a reference. */
 @Command(
     name = "compare",
-    header = "Tell how far a picture is from a reference.",
+    header = "Measure the error of a picture against a reference.",
     description =
-        "Reads PNG, JPEG, PFM, and OpenEXR as render writes it. All is compared in linear light:"
-            + " PNG and JPEG are decoded from sRGB, without their alpha.",
+        "Read PNG, JPEG, PFM, and OpenEXR in the form that 'lumbre render' writes. Pictures are"
+            + " compared in linear light: PNG and JPEG are decoded from sRGB, and their alpha is"
+            + " ignored.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
     sortOptions = false,
     footer = {
       "",
-      "Figures: rmse, relmse (mean of (x-r)^2/(r^2+0.01)), bias (mean of x-r), p99.9 and max of"
+      "Metrics: rmse, relmse (mean of (x-r)^2/(r^2+0.01)), bias (mean of x-r), p99.9 and max of"
           + " the",
-      "absolute error, ssim (1: same), flip (0: same; LDR-FLIP, 67 pixels a degree).",
+      "absolute error, ssim (1: identical), flip (0: identical; LDR-FLIP at 67 pixels per degree).",
       "",
       "Examples:",
       "  lumbre compare draft.exr reference.exr",
@@ -58,26 +59,29 @@ import picocli.CommandLine.Spec;
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
-      "0:Done; all is within the tolerance",
-      "1:Something is beyond the tolerance",
-      "2:The command line is wrong, a picture does not exist, or sizes differ",
-      "4:A picture cannot be decoded, or has values that are not finite",
-      "5:A picture is larger than a limit or than memory",
-      "6:The map cannot be written",
-      "7:A fault of the program"
+      "0:Done; all metrics are within their tolerances",
+      "1:A metric is outside its tolerance",
+      "2:The command line is invalid, a picture does not exist, or sizes differ",
+      "4:A picture cannot be decoded, or has NaN or infinite values",
+      "5:A picture exceeds a limit or the available memory",
+      "6:The error map cannot be written",
+      "7:Internal error"
     })
 final class CompareCommand implements Callable<Integer> {
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
   private static final String LIKENESS = "ssim";
 
-  /** The names of all figures. */
+  /** The names of all metrics. */
   private static final List<String> NAMES =
       List.copyOf(new PictureError(0, 0, 0, 0, 0, 0, 0).byName().keySet());
 
-  @Parameters(index = "0", paramLabel = "PICTURE", description = "The picture to be judged.")
+  @Parameters(index = "0", paramLabel = "PICTURE", description = "Picture to compare.")
   private Path picture;
 
-  @Parameters(index = "1", paramLabel = "REFERENCE", description = "What it should be.")
+  @Parameters(
+      index = "1",
+      paramLabel = "REFERENCE",
+      description = "Reference picture of the same size.")
   private Path reference;
 
   @Option(
@@ -85,8 +89,8 @@ final class CompareCommand implements Callable<Integer> {
       paramLabel = "NAME=LIMIT",
       split = ",",
       description = {
-        "Figures and what each may be at most (ssim: at least; bias: in absolute value).",
-        "If one is beyond, the exit code is 1."
+        "Exit with code 1 if a metric is above its limit",
+        "(ssim: below; bias: in absolute value)."
       })
   private Map<String, Double> tolerance = new LinkedHashMap<>();
 
@@ -94,14 +98,14 @@ final class CompareCommand implements Callable<Integer> {
       names = "--error-map",
       paramLabel = "OUT.png",
       description =
-          "A picture of each pixel's relative error: black 0.001 and less, purple 0.01, orange 0.1,"
-              + " pale yellow 1 and more.")
+          "Write a picture of each pixel's relative error: black up to 0.001, purple 0.01, orange"
+              + " 0.1, pale yellow from 1.")
   private Optional<Path> errorMap = Optional.empty();
 
-  @Option(names = "--json", description = "Print one JSON object instead of lines.")
+  @Option(names = "--json", description = "Print the metrics as a JSON object.")
   private boolean json;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Mixin private OverwriteFlag overwrite;
@@ -120,7 +124,7 @@ final class CompareCommand implements Callable<Integer> {
     if (a.width() != b.width() || a.height() != b.height()) {
       throw new TaskException(
           Kind.USAGE,
-          "%s has %dx%d pixels, %s has %dx%d: expected pictures of one size"
+          "%s has %dx%d pixels, %s has %dx%d: expected pictures of the same size"
               .formatted(picture, a.width(), a.height(), reference, b.width(), b.height()));
     }
     PictureError error = PictureError.of(a, b);
@@ -172,7 +176,7 @@ final class CompareCommand implements Callable<Integer> {
       for (float value : image.rgb()) {
         if (!Float.isFinite(value)) {
           throw new TaskException(
-              Kind.ASSET, file + ": has values that are not finite, which no figure can judge");
+              Kind.ASSET, file + ": has NaN or infinite values, so no metric can be computed");
         }
       }
       return image;
@@ -209,7 +213,7 @@ final class CompareCommand implements Callable<Integer> {
     if (!tolerance.containsKey(name)) {
       return text;
     }
-    String verdict = beyond.contains(name) ? "beyond" : "within";
+    String verdict = beyond.contains(name) ? "outside" : "within";
     return text
         + String.format(Locale.ROOT, "  %s the tolerance of %s", verdict, tolerance.get(name));
   }

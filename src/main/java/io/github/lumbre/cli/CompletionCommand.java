@@ -9,7 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre completion}: prints what a shell needs to complete the command line. */
+/** {@code lumbre completion}: prints a shell completion script. */
 @Command(
     name = "completion",
     header = "Print a completion script for bash and zsh.",

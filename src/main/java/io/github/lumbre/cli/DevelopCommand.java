@@ -20,10 +20,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre develop}: makes a picture of a film, without rendering. */
+/** {@code lumbre develop}: makes a picture from a checkpoint file, without rendering. */
 @Command(
     name = "develop",
-    header = "Make a picture of a film, without rendering.",
+    header = "Make a picture from a checkpoint file, without rendering.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -34,19 +34,21 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "2:The command line is wrong",
-      "3:The film is missing, unreadable or damaged",
+      "2:The command line is invalid",
+      "3:The checkpoint file is missing, unreadable or damaged",
       "6:The picture cannot be written"
     })
 final class DevelopCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "FILM", description = "What 'lumbre render --checkpoint' wrote.")
+  @Parameters(
+      paramLabel = "FILM",
+      description = "Checkpoint file from 'lumbre render --checkpoint'.")
   private Path film;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
-      description = "The picture: .png or .jpg for the screen, .exr or .pfm for linear light.")
+      description = "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light.")
   private Path output;
 
   @Mixin private DevelopFlags flags;

@@ -39,10 +39,10 @@ import picocli.CommandLine.Spec;
 /** {@code lumbre gallery}: renders a folder of scenes into a folder of pictures. */
 @Command(
     name = "gallery",
-    header = "Render all scenes of a folder to pictures, and write a page about them.",
+    header = "Render all scenes of a folder and write a page of the pictures.",
     description =
-        "Each picture gets as many samples as fit into the given time, whatever its scene asks for:"
-            + " a multiple of 16, at least 64.",
+        "Give each picture as many samples per pixel as fit into --seconds: a multiple of 16, at"
+            + " least 64. This overrides the scene's samples.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -56,11 +56,11 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "2:The command line is wrong: also a scene that does not exist",
-      "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
+      "2:The command line is invalid, or a scene does not exist",
+      "3, 4, 5:A scene is invalid, an asset cannot be decoded, or a limit is exceeded",
       "6:A picture or the page cannot be written",
-      "7:A fault of the program",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; pictures that are complete stay"
+      "7:Internal error",
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; complete pictures are kept"
     })
 final class GalleryCommand implements Callable<Integer> {
   private static final int BITS = 8;
@@ -68,38 +68,38 @@ final class GalleryCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "NAME",
       arity = "0..*",
-      description = "Scenes, without folder and ending. Default: all.")
+      description = "Scene names without folder and extension (all).")
   private List<String> names = List.of();
 
   @Option(
       names = "--scenes",
       paramLabel = "DIR",
-      description = "The folder of the scenes. Default: scenes, beside the launcher.")
+      description = "Folder of the scenes (scenes, beside the launcher).")
   private Optional<Path> scenes;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "The folder of the pictures. Default: renders, beside the launcher.")
+      description = "Folder of the pictures (renders, beside the launcher).")
   private Optional<Path> out;
 
   @Option(
       names = "--seconds",
-      paramLabel = "N",
+      paramLabel = "SECONDS",
       defaultValue = "180",
       description =
-          "About how long each picture may take (${DEFAULT-VALUE}). 64 samples per pixel are"
-              + " rendered in any case; a warning names the scenes for which they take longer.")
+          "Approximate time per picture in seconds (${DEFAULT-VALUE}). A warning names scenes whose"
+              + " first 64 samples per pixel take longer.")
   private int seconds;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       defaultValue = "0",
-      description = "Threads; 0 means one per processor (${DEFAULT-VALUE}).")
+      description = "Number of threads; 0: one per processor (${DEFAULT-VALUE}).")
   private int threads;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Mixin private OverwriteFlag overwrite;
@@ -131,7 +131,7 @@ final class GalleryCommand implements Callable<Integer> {
     }
   }
 
-  /** Renders the scenes, and brings the page up to date after each; returns false if stopped. */
+  /** Renders the scenes and updates the page after each. Returns false if stopped. */
   private static boolean render(
       SceneFolder folder,
       List<String> selected,
@@ -168,7 +168,7 @@ final class GalleryCommand implements Callable<Integer> {
     summary.print(output.target(), messages);
   }
 
-  /** Pictures must not replace files of the selected scenes, nor of the others in the folder. */
+  /** Checks that no picture replaces a file of any scene in the folder. */
   private void checkOutputs(SceneFolder folder, List<String> selected, Path directory)
       throws TaskException {
     OutputGuard guard = overwrite.guard();
@@ -200,7 +200,7 @@ final class GalleryCommand implements Callable<Integer> {
       Files.createDirectories(directory);
     } catch (IOException e) {
       throw new TaskException(
-          Kind.OUTPUT, directory + ": expected a folder, or a place for one", e);
+          Kind.OUTPUT, directory + ": cannot be created; expected a writable folder", e);
     }
   }
 }

@@ -12,7 +12,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
-/** The order of help texts: commands by purpose, and the flags of long lists by subject. */
+/** The layout of help texts: commands grouped by purpose, flags of long lists by subject. */
 final class HelpLayout {
   /** The commands under each heading. */
   static final Map<String, List<String>> COMMANDS = new LinkedHashMap<>();
@@ -20,10 +20,10 @@ final class HelpLayout {
   /** The flags under each heading, by their long names. */
   static final Map<String, List<String>> FLAGS = new LinkedHashMap<>();
 
-  /** Lists of more flags than this are divided. */
+  /** Lists with more flags than this are grouped. */
   private static final int LONG = 18;
 
-  private static final String REST = "Help";
+  private static final String REST = "Other";
 
   static {
     COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop"));
@@ -65,13 +65,13 @@ final class HelpLayout {
 
   private HelpLayout() {}
 
-  /** Divides the help texts of a command and of its subcommands. */
+  /** Groups the flags in the help texts of a command and its subcommands. */
   static void apply(CommandLine command) {
     command.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, HelpLayout::options);
     command.getSubcommands().values().forEach(HelpLayout::apply);
   }
 
-  /** Divides the list of commands of the program. */
+  /** Groups the program's list of commands. */
   static void applyToProgram(CommandLine program) {
     apply(program);
     program.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST_HEADING, help -> "");
@@ -103,7 +103,7 @@ final class HelpLayout {
     divided(help.commandSpec())
         .forEach(
             (heading, flags) -> {
-              // All flags set the width of the columns, so that every part has the same.
+              // All flags set the column width, so that it is the same in every group.
               Help.Layout layout = help.createDefaultLayout(all, List.of(), help.colorScheme());
               layout.addOptions(flags, help.parameterLabelRenderer());
               text.append(String.format("%n%s:%n%s", heading, layout));
@@ -115,7 +115,7 @@ final class HelpLayout {
     return command.options().stream().filter(option -> !option.hidden()).toList();
   }
 
-  /** Returns the flags of a command under their headings, in order; none twice. */
+  /** Returns the flags of a command under their headings, in order, each flag once. */
   static Map<String, List<OptionSpec>> divided(CommandSpec command) {
     Set<OptionSpec> left = new LinkedHashSet<>(visible(command));
     Map<String, List<OptionSpec>> divided = new LinkedHashMap<>();

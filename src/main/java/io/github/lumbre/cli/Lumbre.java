@@ -31,10 +31,12 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
-/** The program: finds the command, runs it, and ends with one of {@link ExitCodes}. */
+/**
+ * The program: runs the command that the arguments name and exits with one of {@link ExitCodes}.
+ */
 @Command(
     name = "lumbre",
-    header = "Lumbre, a CPU path tracer: turns a JSON scene into a picture.",
+    header = "Lumbre, a CPU path tracer: renders JSON scenes to pictures.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -71,10 +73,10 @@ import picocli.CommandLine.Spec;
       "  lumbre help render"
     })
 public final class Lumbre implements Runnable {
-  /** What Java makes of bytes that the locale's encoding does not know. */
+  /** The character that Java substitutes for bytes that are invalid in the locale's encoding. */
   private static final char GARBLED = '\ufffd';
 
-  /** Commands by the names that they had before 0.2, which will go with 0.3. */
+  /** Current commands by their names before 0.2; these names will be removed in 0.3. */
   private static final Map<String, List<String>> RENAMED =
       Map.of(
           "bench", List.of("perf"),
@@ -83,7 +85,7 @@ public final class Lumbre implements Runnable {
 
   @Spec private CommandSpec spec;
 
-  /** Runs the command that the arguments name, and ends the program. */
+  /** Runs the command that the arguments name and exits. */
   public static void main(String[] args) {
     redirectErrors();
     Interruption.install();
@@ -100,15 +102,15 @@ public final class Lumbre implements Runnable {
     System.exit(Interruption.exitCode(exitCode));
   }
 
-  /** Returns how to print: ASCII lacks letters of names, and UTF-8 has all of its own. */
+  /** Returns the output encoding: the locale's, but UTF-8, a superset, instead of ASCII. */
   private static Charset charset(Charset fromLocale) {
     return fromLocale.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : fromLocale;
   }
 
   /**
-   * Prints errors to the descriptor that the launcher names, past its filter of the virtual
-   * machine's own. Opening {@code /dev/fd/3} would not do: that is another place in a file that the
-   * shell, too, writes to, and one of the two would write over what the other has written.
+   * Prints errors to the descriptor that the launcher names. This bypasses the launcher's filter
+   * for messages of the JVM. Opening {@code /dev/fd/3} would create a second file offset: if the
+   * shell writes to the same file, the two would overwrite each other's output.
    */
   private static void redirectErrors() {
     Integer number = Integer.getInteger("lumbre.errors");
@@ -120,7 +122,7 @@ public final class Lumbre implements Runnable {
         FileDescriptor descriptor = constructor.newInstance(number);
         System.setErr(new PrintStream(new FileOutputStream(descriptor), true));
       } catch (ReflectiveOperationException | InaccessibleObjectException e) {
-        // A virtual machine that does not open this class to the program: then through the filter.
+        // This JVM does not open the class to the program, so errors pass through the filter.
       }
     }
   }
@@ -132,7 +134,7 @@ public final class Lumbre implements Runnable {
     return command;
   }
 
-  /** Returns arguments with the command's present name, if they name it by an earlier one. */
+  /** Returns the arguments with an earlier command name replaced by the current one. */
   private static String[] renamed(String[] args, Messages messages) {
     List<String> present = args.length == 0 ? null : RENAMED.get(args[0]);
     if (present == null) {
@@ -142,7 +144,7 @@ public final class Lumbre implements Runnable {
     return Stream.concat(present.stream(), Arrays.stream(args).skip(1)).toArray(String[]::new);
   }
 
-  /** Runs the command that the arguments name and returns its exit code. */
+  /** Runs the command that the arguments name, and returns its exit code. */
   static int run(String[] args, PrintWriter out, PrintWriter err) {
     CommandLine command = commandLine();
     Failures failures = new Failures();
@@ -156,9 +158,9 @@ public final class Lumbre implements Runnable {
         new Messages(err)
             .error(
                 arg
-                    + ": the locale's encoding of arguments, "
+                    + ": the locale's encoding, "
                     + System.getProperty("sun.jnu.encoding")
-                    + ", lacks letters of it; "
+                    + ", cannot represent this argument; "
                     + FileFailure.REMEDY);
         return ExitCodes.USAGE;
       }

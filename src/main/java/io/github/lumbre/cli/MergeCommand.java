@@ -29,14 +29,15 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre merge}: joins films of one picture. */
+/** {@code lumbre merge}: merges checkpoint files of one picture. */
 @Command(
     name = "merge",
-    header = "Join films of one picture, rendered at different places.",
+    header = "Merge checkpoint files of one picture that were rendered separately.",
     description =
-        "Films of other samples (render --samples-from, --samples-to) or of other parts (render"
-            + " --crop) give the bits of one render of all. Films that have a sample in common, or"
-            + " are of different scenes or settings, are refused.",
+        "Merge files with different samples (render --samples-from, --samples-to) or different"
+            + " parts of the frame (render --crop). The result is bit-identical to a single render."
+            + " Files that share a sample, or come from different scenes or settings, are"
+            + " rejected.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -54,22 +55,24 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "2:The command line is wrong",
-      "3:A film is missing or damaged, or films do not belong together",
+      "2:The command line is invalid",
+      "3:A checkpoint file is missing or damaged, or the files do not match",
       "6:The result cannot be written"
     })
 final class MergeCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "FILM",
       arity = "1..*",
-      description = "What 'lumbre render --checkpoint' wrote.")
+      description = "Checkpoint file from 'lumbre render --checkpoint'.")
   private List<Path> films;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
-      description = "A picture, if its name ends in .png, .jpg, .exr or .pfm; otherwise a film.")
+      description =
+          "Picture to write (.png, .jpg, .exr or .pfm); with any other extension, a checkpoint"
+              + " file.")
   private Path output;
 
   @Mixin private DevelopFlags flags;

@@ -44,14 +44,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre perf}: measures what scenes take, and compares two such measurements. */
+/** {@code lumbre perf}: measures rendering speed, and compares two such measurements. */
 @Command(
     name = "perf",
     header = "Measure how fast scenes render, or compare two measurements.",
     description =
-        "Prints a table in Markdown: rates, CPU time, memory allocated, warm-up and noise of each"
-            + " scene with each number of threads. With --compare, prints how two measurements"
-            + " differ instead.",
+        "Print a table in Markdown: throughput, CPU time, allocated memory, warm-up and noise of"
+            + " each scene with each number of threads. With --compare, print how two measurements"
+            + " differ.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -69,25 +69,24 @@ import picocli.CommandLine.Spec;
     exitCodeList = {
       "0:Done",
       "1:Under --compare, a scene is slower or a picture differs",
-      "2:The command line is wrong: also a scene or measurement that does not exist",
-      "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
+      "2:The command line is invalid, or a scene or measurement does not exist",
+      "3, 4, 5:A scene is invalid, an asset cannot be decoded, or a limit is exceeded",
       "6:The JSON file cannot be written",
-      "7:A fault of the program",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; what is measured by then is"
-          + " written"
+      "7:Internal error",
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; finished measurements are written"
     })
 final class PerfCommand implements Callable<Integer> {
   private static final int DEFAULT_REPETITIONS = 5;
   private static final int MAX_REPETITIONS = 1000;
 
-  @Parameters(paramLabel = "SCENE", arity = "0..*", description = "Scenes, JSON files.")
+  @Parameters(paramLabel = "SCENE", arity = "0..*", description = "JSON scene files.")
   private List<Path> scenes = List.of();
 
   @Option(
       names = "--compare",
       paramLabel = "FILE",
       arity = "2",
-      description = "Tell whether the second file's measurement is faster than the first's.")
+      description = "Compare two measurements and print whether the second is faster.")
   private List<Path> compared = List.of();
 
   @Option(
@@ -95,7 +94,7 @@ final class PerfCommand implements Callable<Integer> {
       paramLabel = "CLOCK",
       converter = FlagConverters.OfClock.class,
       defaultValue = "cpu",
-      description = "Compare by cpu time or by time on the wall (${DEFAULT-VALUE}).")
+      description = "Compare by CPU time or wall-clock time: cpu or wall (${DEFAULT-VALUE}).")
   private Clock clock;
 
   @Option(
@@ -109,83 +108,82 @@ final class PerfCommand implements Callable<Integer> {
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
-      description = "Size of the frame. Default: the scene's, shrunk to 320 pixels at most.")
+      description = "Frame size in pixels (the scene's, scaled down to a side of 320).")
   private Optional<Size> size;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       split = ",",
-      description = "Numbers of threads, such as 1,2; 0 means one per processor (1,0).")
+      description = "Numbers of threads, such as 1,2; 0: one per processor (1,0).")
   private List<Integer> threads = List.of(1, 0);
 
   @Option(
       names = "--warmup",
       paramLabel = "N",
       defaultValue = "10",
-      description = "Renders of one sample per pixel before the timed ones (${DEFAULT-VALUE}).")
+      description =
+          "Render N times with 1 sample per pixel before the timed renders (${DEFAULT-VALUE}).")
   private int warmup;
 
   @Option(
       names = "--repeat",
       paramLabel = "N",
       description =
-          "Timed renders; the median counts (5). With --paired or --loading, how many pairs (12;"
-              + " 6), which are the fewest.")
+          "Render N times and report the median (5). With --paired, at least 12 pairs (12); with"
+              + " --loading, at least 6 pairs (6).")
   private Optional<Integer> repeat = Optional.empty();
 
   @Option(
       names = "--pairs",
       paramLabel = "N",
       defaultValue = "2",
-      description = "Pairs of seeds that tell the noise (${DEFAULT-VALUE}).")
+      description = "Pairs of seeds that the noise is measured from (${DEFAULT-VALUE}).")
   private int pairs;
 
   @Option(
       names = "--without",
-      paramLabel = "SHORTCUT",
+      paramLabel = "NAME",
       split = ",",
       description = {
-        "Do the work that a scene does not require: ${COMPLETION-CANDIDATES}.",
-        "With --paired, tells what a shortcut saves."
+        "Switch specializations off: ${COMPLETION-CANDIDATES}.",
+        "With --paired, print what they save."
       })
   private Set<Specialization> without = Set.of();
 
   @Option(
       names = "--adaptive",
-      description = "Give more of the samples to noisy pixels, as 'render --adaptive' does.")
+      description = "Give noisy pixels more samples, as 'render --adaptive' does.")
   private boolean adaptive;
 
   @Option(
       names = "--split",
       paramLabel = "N",
       defaultValue = "1",
-      description = "Let paths go on in so many ways, as 'render --split' does.")
+      description = "Split each path into N branches, as 'render --split' does (${DEFAULT-VALUE}).")
   private int split;
 
   @Option(
       names = "--paired",
       description =
-          "Instead: render each scene in turn as it is and as --without, --adaptive or --split say,"
-              + " so many times as --repeat says, and print the ratios of CPU time, memory and"
-              + " squared error.")
+          "Render each scene alternately without and with --without, --adaptive or --split, and"
+              + " print the ratios of CPU time, memory and squared error.")
   private boolean paired;
 
   @Option(
       names = "--loading",
       description =
-          "Instead: read each scene in turn as it is and with meshes and textures decoded that"
-              + " nothing uses, so many times as --repeat says, and print time and memory that"
-              + " leaving them out saves.")
+          "Load each scene alternately without and with its unused meshes and textures, and print"
+              + " the time and memory that skipping them saves.")
   private boolean loading;
 
   @Option(
       names = "--json",
       paramLabel = "FILE",
-      description = "Write every repetition, for programs and for --compare.")
+      description = "Write every repetition as JSON, for --compare and for scripts.")
   private Optional<Path> json;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Mixin private OverwriteFlag overwrite;
@@ -196,7 +194,7 @@ final class PerfCommand implements Callable<Integer> {
   public Integer call() throws SceneFormatException, TaskException {
     FlagChecks checks = new FlagChecks(spec);
     checks.require(
-        scenes.isEmpty() != compared.isEmpty(), "expected scenes, or --compare and two files");
+        scenes.isEmpty() != compared.isEmpty(), "expected scenes, or --compare with two files");
     Messages out = new Messages(spec.commandLine().getOut());
     if (!compared.isEmpty()) {
       PerfComparison comparison =
@@ -233,15 +231,15 @@ final class PerfCommand implements Callable<Integer> {
     size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     threads.forEach(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
     checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    checks.require(!loading || !paired, "--loading: expected no --paired");
-    checks.require(!paired || json.isEmpty(), "--paired: expected no --json");
-    checks.require(!loading || json.isEmpty(), "--loading: expected no --json");
+    checks.require(!loading || !paired, "--loading: cannot be combined with --paired");
+    checks.require(!paired || json.isEmpty(), "--paired: cannot be combined with --json");
+    checks.require(!loading || json.isEmpty(), "--loading: cannot be combined with --json");
     checks.requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
     checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
     checks.requireIn("--split", 1, RenderSettings.MAX_SPLIT, split);
     checks.require(
         !paired || adaptive || split > 1 || !without.isEmpty(),
-        "--paired: expected --without, --adaptive or --split");
+        "--paired: requires --without, --adaptive or --split");
     int processors = Runtime.getRuntime().availableProcessors();
     List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
     return new PerfPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive, split);
@@ -258,13 +256,14 @@ final class PerfCommand implements Callable<Integer> {
     return loading ? PairedLoads.FEWEST_PAIRS : 1;
   }
 
-  /** Results bear their scene's name, so no two may have the same. */
+  /** Requires distinct scene names, because results are identified by them. */
   private void requireDistinctFiles(FlagChecks checks) {
     Set<String> names = new HashSet<>();
     for (Path scene : scenes) {
-      checks.require(Files.isRegularFile(scene), "there is no scene " + scene);
+      checks.require(Files.isRegularFile(scene), "scene does not exist: " + scene);
       String name = SceneFolder.name(scene);
-      checks.require(names.add(name), "expected scenes of different names, found two " + name);
+      checks.require(
+          names.add(name), "expected scenes with different names, found two named " + name);
     }
   }
 
@@ -278,7 +277,7 @@ final class PerfCommand implements Callable<Integer> {
     return ExitCodes.OK;
   }
 
-  /** Measures scenes in two ways and prints the ratios; returns false if that was stopped. */
+  /** Measures scenes with two settings and prints the ratios. Returns false if stopped. */
   private boolean runPairs(PairedRenders bench, Messages out)
       throws SceneFormatException, TaskException {
     bench.head().forEach(out::line);
@@ -297,7 +296,7 @@ final class PerfCommand implements Callable<Integer> {
     }
   }
 
-  /** Measures and prints the scenes; returns false if that was stopped. */
+  /** Measures the scenes and prints the results. Returns false if stopped. */
   private boolean run(PerfRunner runner, PerfPlan plan, Messages out, TextOutput output)
       throws SceneFormatException, TaskException {
     PerfMachine machine = PerfMachine.here();
@@ -318,7 +317,7 @@ final class PerfCommand implements Callable<Integer> {
       Thread.currentThread().interrupt();
       return false;
     } finally {
-      // Keep what is known already, however the others ended.
+      // Keep the finished measurements even if a later one fails.
       output.write(PerfJson.text(machine, plan, results));
     }
   }

@@ -27,14 +27,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre pixel}: repeats the samples of one pixel and tells how they came about. */
+/** {@code lumbre pixel}: repeats the samples of one pixel and prints how they arise. */
 @Command(
     name = "pixel",
-    header = "Repeat the samples of one pixel, and tell how they came about.",
+    header = "Repeat the samples of one pixel and explain its value.",
     description =
-        "With --sample, prints the path of that sample, vertex by vertex; without, the pixel's"
-            + " mean, variance and brightest samples. Scene, seed, size, mode and depth given"
-            + " alike, these are the samples of the render, to the bit.",
+        "Print the pixel's mean, variance and brightest samples; with --sample, the path of that"
+            + " sample, vertex by vertex. With the same scene, seed, size, mode and depth, the"
+            + " samples are bit-identical to those of the render.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -51,15 +51,15 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "1:There are warnings, and --strict makes them errors",
-      "2:The command line is wrong: also a pixel outside the frame",
+      "1:There are warnings under --strict",
+      "2:The command line is invalid, or the pixel is outside the frame",
       "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
-      "7:A fault of the program, or under --strict a sample that is not a number"
+      "4:A mesh or image of the scene cannot be decoded",
+      "5:A limit or the available memory is exceeded",
+      "7:Internal error, or rejected samples under --strict"
     })
 final class PixelCommand implements Callable<Integer> {
-  /** How many of the brightest samples are told. */
+  /** The number of brightest samples that are printed. */
   private static final int SHOWN = 8;
 
   @Mixin private SceneOptions options;
@@ -68,20 +68,20 @@ final class PixelCommand implements Callable<Integer> {
       index = "1",
       paramLabel = "x,y",
       converter = FlagConverters.OfPixel.class,
-      description = "The pixel of the full frame; 0,0 is the top left one.")
+      description = "Pixel of the full frame; 0,0 is the top left.")
   private PixelPlace pixel;
 
   @Option(
       names = "--sample",
       paramLabel = "N",
-      description = "The number of the sample; the first is 0.")
+      description = "Print the path of sample N; the first sample is 0.")
   private Optional<Integer> sample;
 
   @Mixin private RenderFlags flags;
 
   @Mixin private KernelFlag kernel;
 
-  @Option(names = "--json", description = "Print JSON, for programs.")
+  @Option(names = "--json", description = "Print the result as JSON.")
   private boolean json;
 
   @Spec private CommandSpec spec;

@@ -54,14 +54,14 @@ import picocli.CommandLine.Spec;
 /**
  * {@code lumbre render}: reads a scene, renders it and writes the picture.
  *
- * <p>What can be known to fail is tried first: flags, then the place of the picture, then the
- * scene, then memory.
+ * <p>The command fails before it renders if it can: it first checks the flags, then the output
+ * path, then the scene, then memory.
  */
 @Command(
     name = "render",
     header = "Render a scene to a picture.",
     description =
-        "A flag wins over the scene. The picture is the same, bit for bit, on every machine and"
+        "Flags override the scene's settings. The picture is bit-identical on every machine and"
             + " with any number of threads.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
@@ -84,14 +84,14 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done, or stopped by --timeout with a partial picture",
-      "1:There are warnings, and --strict makes them errors; or --target-error is not reached",
-      "2:The command line is wrong",
+      "1:There are warnings under --strict, or --target-error is not reached",
+      "2:The command line is invalid",
       "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something exceeds a limit or memory, or --timeout passed before anything was rendered",
-      "6:The picture or the film cannot be written",
-      "7:A fault of the program, or under --strict a sample that is not a number",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; a render begun saves what it has"
+      "4:A mesh or image of the scene cannot be decoded",
+      "5:A limit or the memory is exceeded, or --timeout ended before anything was rendered",
+      "6:The picture or the checkpoint file cannot be written",
+      "7:Internal error, or rejected samples under --strict",
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; a started render is saved"
     })
 final class RenderCommand implements Callable<Integer> {
   @Mixin private SceneOptions options;
@@ -100,7 +100,7 @@ final class RenderCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = {
-        "The picture: .png or .jpg for the screen, .exr or .pfm for linear light; - writes it to"
+        "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light; - for"
             + " standard output.",
         "Default: the scene's name with .png, in the working directory."
       })
@@ -110,7 +110,7 @@ final class RenderCommand implements Callable<Integer> {
       names = "--format",
       paramLabel = "NAME",
       converter = FlagConverters.OfImageFormat.class,
-      description = "With -o -: png, exr, pfm or jpg (png).")
+      description = "Format of the picture with -o -: png, exr, pfm or jpg (png).")
   private Optional<ImageFormat> format;
 
   @Mixin private RenderFlags flags;
@@ -139,15 +139,15 @@ final class RenderCommand implements Callable<Integer> {
 
   @Option(
       names = "--dry-run",
-      description = "Tell what the render would take of memory, and render nothing.")
+      description = "Print how much memory the render would need, and render nothing.")
   private boolean dryRun;
 
   @Option(
       names = "--checkpoint",
       paramLabel = "FILM",
       description =
-          "Keep the samples in this file: 'lumbre resume' goes on from it, 'lumbre merge' joins "
-              + "several, 'lumbre develop' makes other pictures of it. It must not exist yet.")
+          "Save the samples to this new checkpoint file, for 'lumbre resume', 'lumbre merge' and"
+              + " 'lumbre develop'.")
   private Optional<Path> checkpoint;
 
   @Mixin private CheckpointFlags checkpoints;
@@ -169,11 +169,12 @@ final class RenderCommand implements Callable<Integer> {
     kernel.validate();
     require(
         !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
-        "--adaptive: not with --checkpoint, --samples-from or --samples-to, since a film does not"
-            + " tell which samples were to come next");
+        "--adaptive: cannot be combined with --checkpoint, --samples-from or --samples-to, because"
+            + " a checkpoint file does not record which samples come next");
     require(
         !flags.isClamping() || checkpoint.isEmpty(),
-        "--clamp: not with --checkpoint, since a film does not tell what its samples lost");
+        "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"
+            + " the clamped energy");
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
     Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
@@ -215,8 +216,7 @@ final class RenderCommand implements Callable<Integer> {
     for (Path existing : List.of(path, OutputFile.previous(path))) {
       if (Files.exists(existing)) {
         throw new TaskException(
-            Kind.OUTPUT,
-            existing + ": exists already; 'lumbre resume " + path + "' goes on with it");
+            Kind.OUTPUT, existing + ": already exists; 'lumbre resume " + path + "' continues it");
       }
     }
     return checkpoints.keeper(path, messages);
@@ -263,14 +263,14 @@ final class RenderCommand implements Callable<Integer> {
     return output.equals(Optional.of(PictureOutput.STANDARD));
   }
 
-  /** Refuses combinations of flags that standard input and output exclude. */
+  /** Rejects flags that cannot be combined with standard input or output. */
   private void requireStreams() {
-    require(format.isEmpty() || isStandardOutput(), "--format: expected -o - with it");
+    require(format.isEmpty() || isStandardOutput(), "--format: requires -o -");
     require(
         checkpoint.isEmpty() || !options.isStandardInput() && !isStandardOutput(),
-        "--checkpoint: expected files for the scene and the picture, found -; 'lumbre resume' must"
-            + " find both again");
-    require(!isStandardOutput() || !run.isJson(), "-o -: expected no --json beside it");
+        "--checkpoint: expected files for the scene and the picture, found -; 'lumbre resume' needs"
+            + " both files");
+    require(!isStandardOutput() || !run.isJson(), "-o -: cannot be combined with --json");
     require(
         !isStandardOutput() || !StandardOutput.isTerminal(),
         "-o -: standard output is a terminal; expected a file or a pipe");
@@ -287,7 +287,7 @@ final class RenderCommand implements Callable<Integer> {
     if (!isStandardOutput()) {
       guard.writes("-o", target, OutputContent.PICTURE);
     }
-    // An existing film is refused later, with the advice to resume it.
+    // An existing checkpoint file is rejected later, with the advice to resume it.
     checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));
     guard.check();
   }

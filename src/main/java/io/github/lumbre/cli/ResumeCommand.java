@@ -49,13 +49,13 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre resume}: goes on with a render that was stopped, or adds samples to one. */
+/** {@code lumbre resume}: resumes a stopped render, or adds samples to a finished one. */
 @Command(
     name = "resume",
-    header = "Go on with a render from its checkpoint.",
+    header = "Resume a render from its checkpoint file.",
     description =
-        "The picture is the same, bit for bit, as that of a render that was never stopped. The"
-            + " scene and its files must be as they were.",
+        "Resume a stopped render or add samples to a finished one. The picture is bit-identical to"
+            + " that of an uninterrupted render. The scene and its files must be unchanged.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -74,39 +74,41 @@ import picocli.CommandLine.Spec;
     exitCodeList = {
       "0:Done, or stopped by --timeout with a partial picture",
       "1:The target error is not reached",
-      "2:The command line is wrong",
-      "3:The film is damaged or of another scene, or the scene cannot be used",
-      "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something exceeds a limit or memory, or --timeout passed before anything was rendered",
-      "6:The picture or the film cannot be written",
-      "7:A fault of the program",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; film and picture are saved"
+      "2:The command line is invalid",
+      "3:The checkpoint file is damaged or does not match the scene, or the scene is invalid",
+      "4:A mesh or image of the scene cannot be decoded",
+      "5:A limit or the memory is exceeded, or --timeout ended before anything was rendered",
+      "6:The picture or the checkpoint file cannot be written",
+      "7:Internal error",
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; checkpoint and picture are saved"
     })
 final class ResumeCommand implements Callable<Integer> {
-  /** Samples per pixel that do not limit a run. */
+  /** The number of samples per pixel that means no limit. */
   private static final int OPEN = RenderSettings.MAX_SAMPLES;
 
-  @Parameters(paramLabel = "FILM", description = "What 'lumbre render --checkpoint' wrote.")
+  @Parameters(
+      paramLabel = "FILM",
+      description = "Checkpoint file from 'lumbre render --checkpoint'.")
   private Path film;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       description =
-          "Samples per pixel, those that the film has included. Default: as before; if the film has"
-              + " them, and --time or --target-error is given, no limit.")
+          "Samples per pixel, including those already rendered (as before; if these are complete,"
+              + " no limit with --time or --target-error).")
   private Optional<Integer> samples;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
-      description = "The picture (as before).")
+      description = "Picture to write (as before).")
   private Optional<Path> output;
 
   @Option(
       names = "--scene",
       paramLabel = "SCENE",
-      description = "Where the scene is now, if it was moved.")
+      description = "Scene file, if it has moved (as before).")
   private Optional<Path> scene;
 
   @Mixin private SettingFlags work = new SettingFlags("", Group.EXECUTION);
@@ -119,7 +121,7 @@ final class ResumeCommand implements Callable<Integer> {
 
   @Mixin private CheckpointFlags checkpoints;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Mixin private OverwriteFlag overwrite;
@@ -192,7 +194,7 @@ final class ResumeCommand implements Callable<Integer> {
     }
   }
 
-  /** Returns the budget asked for; the film's own error is reached if nothing is asked for. */
+  /** Returns the budget that the flags set; without such flags, with the film's target error. */
   private RunBudget budget(
       FilmNotes notes, RenderSettings settings, Instant start, Duration startup)
       throws TaskException {
@@ -202,7 +204,7 @@ final class ResumeCommand implements Callable<Integer> {
       throw new TaskException(
           Kind.USAGE,
           film
-              + ": was rendered without a number of samples; expected --samples, --time or"
+              + ": was rendered without a sample limit; expected --samples, --time or"
               + " --target-error");
     }
     return budgets.since(start, startup, settings, error, notes.confidence());
@@ -212,11 +214,11 @@ final class ResumeCommand implements Callable<Integer> {
     List<FilmPart> parts = header.parts();
     if (parts.size() != 1 || !parts.get(0).window().equals(header.window())) {
       throw new TaskException(
-          Kind.SCENE, film + ": its samples have gaps, so it cannot be gone on with: " + parts);
+          Kind.SCENE, film + ": cannot be resumed, because its samples have gaps: " + parts);
     }
   }
 
-  /** Reads the film's scene, with the film's settings and what the flags change of them. */
+  /** Reads the film's scene with the film's settings, overridden by the flags. */
   private SceneFile parse(FilmNotes notes, FilmHeader header, Path path)
       throws TaskException, SceneFormatException {
     int most = header.parts().get(0).most();
@@ -224,7 +226,8 @@ final class ResumeCommand implements Callable<Integer> {
         samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
     if (limit < most) {
       throw new TaskException(
-          Kind.USAGE, "--samples: the film has " + most + " samples per pixel already");
+          Kind.USAGE,
+          "--samples: expected at least the " + most + " samples per pixel already rendered");
     }
     try {
       SceneFile file =
@@ -243,11 +246,13 @@ final class ResumeCommand implements Callable<Integer> {
       return file;
     } catch (IOException e) {
       throw new TaskException(
-          Kind.SCENE, path + ": the film's scene cannot be read: " + FileFailure.reason(e), e);
+          Kind.SCENE,
+          path + ": the checkpoint's scene cannot be read: " + FileFailure.reason(e),
+          e);
     }
   }
 
-  /** Passes if the scene and its files are those of the film. */
+  /** Requires that the scene and its files are those of the film. */
   private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
       throws TaskException {
     if (file.hash().equals(header.identity().get(FilmHeader.SCENE_HASH))) {
@@ -256,15 +261,15 @@ final class ResumeCommand implements Callable<Integer> {
     List<String> changed = notes.changedFiles(path, file);
     String what =
         changed.isEmpty()
-            ? path + ", or a file that it uses, has"
+            ? path + " or a file that it uses has"
             : String.join(", ", changed) + (changed.size() == 1 ? " has" : " have");
     throw new TaskException(
         Kind.SCENE,
         film
             + ": "
             + what
-            + " changed since the film was begun; to resume, restore what was there, or name a copy"
-            + " of the scene as it was: --scene COPY");
+            + " changed since the checkpoint file was created; to resume, restore the files, or"
+            + " name an unchanged copy of the scene with --scene COPY");
   }
 
   private void requireSame(FilmHeader header, SceneFile file, Path path) throws TaskException {
@@ -280,7 +285,7 @@ final class ResumeCommand implements Callable<Integer> {
     return film.resolveSibling(film.getFileName() + ".damaged");
   }
 
-  /** Gives a damaged film another name, lest the next save puts it in place of the good one. */
+  /** Renames a damaged film, so that the next save does not put it in place of the good one. */
   private void setDamagedAside(CheckpointFile.Loaded loaded) throws TaskException {
     if (loaded.problem().isEmpty() || !Files.exists(film)) {
       return;
@@ -292,6 +297,6 @@ final class ResumeCommand implements Callable<Integer> {
       throw new TaskException(
           Kind.OUTPUT, film + ": cannot be renamed to " + aside + ": " + e.getMessage(), e);
     }
-    run.errors().line("warning: " + film + ": is kept as " + aside);
+    run.errors().line("warning: " + film + ": damaged file kept as " + aside);
   }
 }

@@ -16,13 +16,13 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre selftest}: measures on this machine whether the laws hold at the extremes. */
+/** {@code lumbre selftest}: checks the renderer's invariants at extreme values on this machine. */
 @Command(
     name = "selftest",
-    header = "Measure on this machine whether the renderer's laws hold at the extremes.",
+    header = "Check the renderer's invariants at extreme values on this machine.",
     description =
-        "Prints a line for each law: whether it holds, the worst that was found, what it may be,"
-            + " and over which range it was tried. Takes about 20 seconds of processor time.",
+        "Print a line for each invariant: whether it holds, the largest deviation found, its limit"
+            + " and the tested range. This takes about 20 s of CPU time.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -35,19 +35,19 @@ import picocli.CommandLine.Spec;
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
-      "0:All laws hold",
-      "1:A law does not hold",
-      "2:The command line is wrong",
-      "7:A fault of the program"
+      "0:All invariants hold",
+      "1:An invariant does not hold",
+      "2:The command line is invalid",
+      "7:Internal error"
     })
 final class SelfTestCommand implements Callable<Integer> {
-  /** Four times what the tests of a build try. */
+  /** Four times the tries of the build's tests. */
   private static final Tries TRIES = new Tries(4, 0);
 
-  @Option(names = "--markdown", description = "Print the table of docs/stability.md instead.")
+  @Option(names = "--markdown", description = "Print the page docs/stability.md.")
   private boolean markdown;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Spec private CommandSpec spec;
@@ -57,7 +57,7 @@ final class SelfTestCommand implements Callable<Integer> {
     return run(Invariants.all(), markdown, new Messages(spec.commandLine().getOut()));
   }
 
-  /** Measures laws and prints a line for each as it is known. */
+  /** Checks invariants and prints a line for each as soon as its result is known. */
   static int run(List<Invariant> laws, boolean markdown, Messages out) {
     List<Invariant.Outcome> outcomes = new ArrayList<>();
     if (markdown) {
@@ -71,7 +71,7 @@ final class SelfTestCommand implements Callable<Integer> {
     boolean allHold = outcomes.stream().allMatch(Invariant.Outcome::holds);
     if (!markdown) {
       long held = outcomes.stream().filter(Invariant.Outcome::holds).count();
-      out.line(held + " of " + outcomes.size() + " laws hold");
+      out.line(held + " of " + outcomes.size() + " invariants hold");
     }
     return allHold ? ExitCodes.OK : ExitCodes.DIFFERENT;
   }

@@ -35,17 +35,16 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre trade}: measures what each setting costs and how wrong it is, for one scene. */
+/** {@code lumbre trade}: measures the time and error of each setting, for one scene. */
 @Command(
     name = "trade",
     modelTransformer = TradeCommand.SceneUnlessSubcommand.class,
     subcommands = {TradeTableCommand.class, TradeQualityCommand.class},
-    header = "Measure what settings cost and how wrong they are, for one scene.",
+    header = "Measure the time and error of render settings, for one scene.",
     description =
-        "Renders a reference of its own, then turns one knob at a time (random numbers, choice of"
-            + " lights, ways to find them, roulette, split paths, depth, mode, filter of textures,"
-            + " clamp) with several seeds and ever more samples, and writes a page that shows error"
-            + " against time; beside it, the same name with .csv and .json.",
+        "Render a reference, then vary one setting at a time (see --knobs) with several seeds and"
+            + " increasing samples. Write a page of error against time, and the same data as .csv"
+            + " and .json.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -54,17 +53,17 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "1:There are warnings under --strict; or threads or buckets have changed a picture",
-      "2:The command line is wrong",
+      "1:There are warnings under --strict, or threads or buckets changed a picture",
+      "2:The command line is invalid",
       "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or picture of the scene cannot be decoded",
-      "5:Something is larger than a limit or than memory",
+      "4:A mesh or image of the scene cannot be decoded",
+      "5:A limit or the available memory is exceeded",
       "6:The page cannot be written",
-      "7:A fault of the program",
+      "7:Internal error",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeCommand implements Callable<Integer> {
-  /** The most samples per pixel of settings beside one that goes on to an error. */
+  /** The largest number of samples per pixel of the other settings if there is a target error. */
   private static final int FEW = 16;
 
   @Mixin private SceneOptions options;
@@ -73,69 +72,72 @@ final class TradeCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT.html",
       description =
-          "The page. Default: the scene's name with -trade.html, in the working directory.")
+          "Page to write. Default: the scene's name with -trade.html, in the working directory.")
   private Optional<Path> output = Optional.empty();
 
-  @Option(names = "--quick", description = "About a minute: small pictures, few seeds.")
+  @Option(
+      names = "--quick",
+      description = "Use small pictures and few seeds; takes about one minute.")
   private boolean quick;
 
   @Option(
       names = "--time",
-      paramLabel = "T",
+      paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
-      description = "About how long to take (5m; with --quick 1m).")
+      description = "Approximate time for the study (5m; with --quick 1m).")
   private Optional<Duration> time = Optional.empty();
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = "Instead of a time: the most samples per pixel of a setting.")
+      description = "Largest number of samples per pixel of a setting, instead of --time.")
   private Optional<Integer> samples = Optional.empty();
 
   @Option(
       names = "--target-error",
-      paramLabel = "P",
+      paramLabel = "PERCENT",
       converter = FlagConverters.OfShare.class,
       description =
-          "Go on with the usual setting, to twice the samples again and again, until the error of"
-              + " every seed is at most so much, as relative root mean squared error (3.16%%), and"
-              + " with the reference until its own, squared, is at most an eighth of that; or until"
-              + " --time ends, if given. -s is 16 then, and --seeds 4, unless given.")
+          "Double the baseline's samples until the relative RMSE of every seed is at most this"
+              + " value, such as 3.16%%. Double the reference's samples until its squared error is"
+              + " at most 1/8 of the target's square. --time ends both earlier. Changes the"
+              + " defaults: -s 16, --seeds 4.")
   private Optional<Double> target = Optional.empty();
 
   @Option(
       names = "--reference",
       paramLabel = "N",
       description =
-          "Samples per pixel of the reference (64 times the most of a setting); with"
-              + " --target-error, those that it begins with.")
+          "Samples per pixel of the reference (64 times the largest number of a setting). With"
+              + " --target-error, the reference starts with these.")
   private Optional<Integer> reference = Optional.empty();
 
   @Option(
       names = "--knobs",
       paramLabel = "NAMES",
       description =
-          "Which knobs to turn, with commas between: sampler, lights, strategy, roulette, split,"
+          "Settings to vary, separated by commas: sampler, lights, strategy, roulette, split,"
               + " depth, mode, filter, clamp, adaptive (all).")
   private Optional<String> knobs = Optional.empty();
 
   @Option(
       names = "--seeds",
       paramLabel = "N",
-      description = "Renders of each setting, at least 3 (3 or more, as time allows).")
+      description = "Renders of each setting, at least 3 (at least 3, as time allows).")
   private Optional<Integer> seeds = Optional.empty();
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
-      description = "Size in pixels (the scene's, shrunk to a side of 160; with --quick 96).")
+      description =
+          "Frame size in pixels (the scene's, scaled down to a side of 160; with --quick 96).")
   private Optional<Size> size = Optional.empty();
 
   @Option(
       names = "--threads",
       paramLabel = "N",
-      description = "Threads; 0 means one per processor (0).")
+      description = "Number of threads; 0: one per processor (0).")
   private int threads;
 
   @Mixin private KernelFlag kernel;
@@ -144,7 +146,7 @@ final class TradeCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  /** Lets a subcommand stand where the scene would: the scene is demanded by {@link #call}. */
+  /** Makes the scene optional for picocli, for the subcommands; {@link #call} requires it. */
   static final class SceneUnlessSubcommand implements IModelTransformer {
     @Override
     public CommandSpec transform(CommandSpec command) {
@@ -156,7 +158,7 @@ final class TradeCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    require(options.scene() != null, "expected a SCENE, or table or quality");
+    require(options.scene() != null, "expected a SCENE or a subcommand: table or quality");
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));

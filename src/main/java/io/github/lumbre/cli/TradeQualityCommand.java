@@ -29,13 +29,13 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre trade quality}: measures the error that each quality of a render has. */
+/** {@code lumbre trade quality}: measures the error of each quality preset. */
 @Command(
     name = "quality",
-    header = "Measure how wrong each --quality of render is.",
+    header = "Measure the error of each --quality preset of 'lumbre render'.",
     description =
-        "Renders a reference of each scene, then the scene in each quality with several seeds, and"
-            + " prints a table in Markdown, a row as soon as it is known.",
+        "Render a reference of each scene, then the scene in each quality with several seeds. Print"
+            + " a table in Markdown, each row as soon as it is measured.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -44,25 +44,25 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "2:The command line is wrong",
-      "3, 4, 5:A scene is invalid, a mesh or picture of it is, or something is too large",
-      "7:A fault of the program",
+      "2:The command line is invalid",
+      "3, 4, 5:A scene is invalid, an asset cannot be decoded, or a limit is exceeded",
+      "7:Internal error",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeQualityCommand implements Callable<Integer> {
   private static final int SIDE = 48;
 
-  /** How many times less than the least squared error the reference's is to be. */
+  /** The ratio of the smallest squared target error to the reference's squared error. */
   private static final double REFERENCE_MARGIN = 8;
 
-  @Parameters(paramLabel = "SCENE", arity = "1..*", description = "Scenes, JSON files.")
+  @Parameters(paramLabel = "SCENE", arity = "1..*", description = "JSON scene files.")
   private List<Path> scenes = List.of();
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
-      description = "Size in pixels (the scene's, shrunk to a side of 48).")
+      description = "Frame size in pixels (the scene's, scaled down to a side of 48).")
   private Optional<Size> size = Optional.empty();
 
   @Option(
@@ -74,15 +74,15 @@ final class TradeQualityCommand implements Callable<Integer> {
 
   @Option(
       names = "--time",
-      paramLabel = "T",
+      paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
       defaultValue = "1m",
       description =
-          "The most for each scene, half of it for its reference (${DEFAULT-VALUE}). Qualities that"
-              + " do not fit are left out.")
+          "Time limit per scene, half of it for the reference (${DEFAULT-VALUE}). Qualities that do"
+              + " not fit are skipped.")
   private Duration time;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Spec private CommandSpec spec;

@@ -8,8 +8,8 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.lab.perf.PerfMachine;
 import io.github.lumbre.lab.perf.Hardware;
+import io.github.lumbre.lab.perf.PerfMachine;
 import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.lab.trade.TradeBudget;
 import io.github.lumbre.lab.trade.TradePage;
@@ -39,9 +39,9 @@ import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.DoubleFunction;
 
-/** The study of one scene: reads it in all ways that are compared, and measures. Not reusable. */
+/** The study of one scene: reads it with all compared settings, and measures. Single use. */
 final class TradeRun {
-  /** The shares of the time that pilots take at least, the first of which warms up, and limits. */
+  /** The share of the time for each pilot render; the first of the two warms up the JVM. */
   private static final double PILOT_SHARE = .008;
 
   private static final double LEAST_PILOT_SECONDS = .1;
@@ -63,7 +63,7 @@ final class TradeRun {
   private TradeResult result;
 
   /**
-   * @param threads 0 means one for each processor
+   * @param threads number of threads; 0 means one per processor
    */
   TradeRun(
       SceneOptions options, KernelFlag kernel, TradeBudget budget, int threads, Messages messages) {
@@ -74,7 +74,7 @@ final class TradeRun {
     this.messages = messages;
   }
 
-  /** Measures; tells what it is doing. */
+  /** Measures all settings and prints the progress. */
   TradeResult run(Set<String> knobs)
       throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser = kernel.over(options.parser()).inMode(Mode.PATH);
@@ -100,8 +100,8 @@ final class TradeRun {
   }
 
   /**
-   * Returns how many samples of the usual setting a second brings. What the first pilot tells is
-   * mostly how slowly the virtual machine begins.
+   * Returns the baseline's rate in samples per second, measured by a pilot render. The first pilot
+   * measures mostly the JVM's warm-up.
    */
   private double pilot() throws InterruptedException {
     RenderSettings usual = TradeSweep.usual(file.settings()).toBuilder().threads(threads).build();
@@ -122,7 +122,7 @@ final class TradeRun {
     return budget.framed(read.settings(), rate).toBuilder().threads(threads).build();
   }
 
-  /** Returns a scene with its double that counts. */
+  /** Returns a scene together with a copy that counts node visits and texture lookups. */
   private TradeScene counted(SceneFile read, SceneParser parser)
       throws SceneFormatException, TaskException {
     LongAdder nodes = new LongAdder();
@@ -131,7 +131,7 @@ final class TradeRun {
     return new TradeScene(read.scene(), again.scene().counting(nodes), nodes, lookUps);
   }
 
-  /** Adds the filters that make another picture than the scene's own. */
+  /** Adds the texture filters that change the picture. */
   private void addFilters(TradeSweep sweep, SceneParser parser)
       throws SceneFormatException, TaskException, InterruptedException {
     for (Filter filter : Filter.values()) {
@@ -160,17 +160,17 @@ final class TradeRun {
     facts.put("took", Math.round(spent()) + " s");
   }
 
-  /** Adds the command that was given to what is to be known of the study. */
+  /** Adds the command line to the facts about the study. */
   void tellCommand(String command) {
     facts.put("command", command);
   }
 
-  /** Returns what is to be known of the study, by name; after {@link #run}. */
+  /** Returns the facts about the study by name; call after {@link #run}. */
   Map<String, String> facts() {
     return facts;
   }
 
-  /** Returns the page; after {@link #run}. */
+  /** Returns the page; call after {@link #run}. */
   String page() throws TaskException {
     ImageWriter.Options visible =
         new ImageWriter.Options(

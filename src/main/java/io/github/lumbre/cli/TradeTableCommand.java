@@ -30,12 +30,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre trade table}: puts studies of several scenes side by side. */
+/** {@code lumbre trade table}: tabulates the studies of several scenes. */
 @Command(
     name = "table",
-    header = "Put what trade has measured of several scenes side by side.",
+    header = "Tabulate the studies of several scenes side by side.",
     description =
-        "Writes tables in Markdown, and beside them two charts: the same name with -noise.svg and"
+        "Write tables in Markdown, and two charts with the same name and -noise.svg and"
             + " -depth.svg.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
@@ -45,25 +45,25 @@ import picocli.CommandLine.Spec;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "2:The command line is wrong, or a study does not exist or is none",
+      "2:The command line is invalid, or a study does not exist or is invalid",
       "6:The tables cannot be written",
-      "7:A fault of the program"
+      "7:Internal error"
     })
 final class TradeTableCommand implements Callable<Integer> {
   @Parameters(
       arity = "1..*",
       paramLabel = "STUDY.json",
-      description = "What trade has written, in the order of the tables.")
+      description = "JSON files from 'lumbre trade', in the order of the tables.")
   private List<Path> studies = new ArrayList<>();
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT.md",
       required = true,
-      description = "The file of the tables.")
+      description = "Markdown file to write.")
   private Path output;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
   @Mixin private OverwriteFlag overwrite;
@@ -104,13 +104,16 @@ final class TradeTableCommand implements Callable<Integer> {
       TradeFile file = new Gson().fromJson(Files.readString(study), TradeFile.class);
       if (file == null || !TradeTables.FORMAT.equals(file.format)) {
         throw new TaskException(
-            Kind.USAGE, study + ": expected a study of trade, format " + TradeTables.FORMAT);
+            Kind.USAGE,
+            study
+                + ": expected a JSON file from 'lumbre trade' in the format "
+                + TradeTables.FORMAT);
       }
       return file.trade();
     } catch (IOException e) {
       throw new TaskException(Kind.USAGE, study + ": cannot be read: " + FileFailure.reason(e), e);
     } catch (JsonParseException e) {
-      throw new TaskException(Kind.USAGE, study + ": expected JSON of trade", e);
+      throw new TaskException(Kind.USAGE, study + ": expected a JSON file from 'lumbre trade'", e);
     }
   }
 }

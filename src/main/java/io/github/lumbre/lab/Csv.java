@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Lines of comma-separated values, by RFC 4180 but for values that run over several lines. */
+/** Lines of comma-separated values by RFC 4180, without values that span several lines. */
 public final class Csv {
   private Csv() {}
 
-  /** Returns the line, without its end; values that need quotes get them. */
+  /** Returns the values as a line without its line break, quoted where necessary. */
   public static String line(List<?> values) {
     return values.stream().map(String::valueOf).map(Csv::quoted).collect(Collectors.joining(","));
   }
@@ -21,7 +21,7 @@ public final class Csv {
   /**
    * Returns the values of a line.
    *
-   * @throws IllegalArgumentException if a quote is never closed
+   * @throws IllegalArgumentException if a closing quote is missing
    */
   public static List<String> values(String line) {
     List<String> values = new ArrayList<>();

@@ -6,19 +6,19 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Progress;
 import java.nio.file.Path;
 
-/** What a measurement needs of the program that runs it: scenes, and a display of its renders. */
+/** The services that a measurement needs: reading scenes, and displaying renders. */
 public interface LabHost {
   /**
    * Reads a scene and reports its warnings.
    *
-   * @throws TaskException if the file cannot be read, or if the program ends meanwhile
+   * @throws TaskException if the file cannot be read, or if the program is stopped
    */
   SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, TaskException;
 
-  /** Opens the display of one render, which can cancel the render as well. */
+  /** Opens the display of one render; it can also cancel the render. */
   Display display();
 
-  /** Reports something that the user should know, in one line. */
+  /** Reports a warning in one line. */
   void warn(String line);
 
   /** The display of one render. */

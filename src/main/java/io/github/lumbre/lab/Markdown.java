@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Texts of tables in Markdown. */
+/** Formats tables in Markdown. */
 public final class Markdown {
   private Markdown() {}
 
@@ -15,7 +15,9 @@ public final class Markdown {
         .collect(Collectors.joining(" | ", "| ", " |"));
   }
 
-  /** Returns a rate for people, three digits: {@code 1.25 M}; a whole number below a million. */
+  /**
+   * Returns a rate per second with three digits, {@code 1.25 M}; a whole number below 1 million.
+   */
   public static String rate(long count, double seconds) {
     double rate = seconds > 0 ? count / seconds : 0;
     if (rate >= 1e6) {

@@ -6,44 +6,46 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What a render will take of the heap, known before it begins.
+ * An estimate of the heap that a render needs, made before it starts.
  *
- * @param settings of the render
- * @param sceneBytes what the scene and the program take already
- * @param maxHeapBytes what the heap may grow to
+ * @param settings settings of the render
+ * @param sceneBytes bytes in use by the scene and the program
+ * @param maxHeapBytes maximum heap size in bytes
  */
 public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapBytes) {
-  /** The film takes at most 64 bytes a pixel, and the picture made from it 16. */
+  /** At most 64 bytes per pixel for the film, and 16 bytes per pixel for the developed picture. */
   private static final int BYTES_PER_PIXEL = 80;
 
-  /** What a copy of the film takes, beside the film but not beside the picture. */
+  /**
+   * Bytes per pixel of a copy of the film; the copy is released before the picture is developed.
+   */
   private static final int BYTES_PER_COPIED_PIXEL = 64;
 
-  /** What tells which pixels are to get more samples. */
+  /** Bytes per pixel for the distribution of adaptive samples. */
   private static final int BYTES_PER_ADAPTIVE_PIXEL = 10;
 
-  /** What a thread keeps, and the part of the heap that is set aside for it alone. */
+  /** Bytes per thread: its render context and its thread-local allocation buffer. */
   private static final long BYTES_PER_THREAD = 64 << 10;
 
   /** For the picture's encoding and the rest of the program. */
   private static final long MARGIN_BYTES = 8 << 20;
 
   /**
-   * Passes if a scene that has just been read can be rendered on this heap.
+   * Requires that a scene that has just been read can be rendered on this heap.
    *
-   * @throws TaskException telling what is needed and what there is
+   * @throws TaskException that states the needed and the available memory, if it cannot
    */
   public static void require(RenderSettings settings) throws TaskException {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();
     if (!new MemoryEstimate(settings, usedBytes(), maxHeapBytes).fits()) {
-      // Much of what is in use may be what reading the scene has left behind.
+      // Much of the used memory may be garbage from reading the scene.
       measured(settings).require();
     }
   }
 
   /**
-   * Tells whether a scene that has just been read can be rendered on this heap with a second film,
-   * so that one can be saved while the other grows.
+   * Returns whether this heap can hold a second film for a scene that has just been read. One film
+   * can then be saved while the other receives samples.
    */
   public static boolean leavesRoomForCopy(RenderSettings settings) {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();
@@ -51,7 +53,7 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
         || measured(settings).fitsWithCopy();
   }
 
-  /** Returns the estimate of a scene that has just been read, for this heap. Takes a moment. */
+  /** Returns the estimate for a scene that has just been read. Runs a full garbage collection. */
   public static MemoryEstimate measured(RenderSettings settings) {
     Runtime runtime = Runtime.getRuntime();
     runtime.gc();
@@ -75,13 +77,13 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
         : settings.threads();
   }
 
-  /** Returns what the sums of the samples and the picture made of them take. */
+  /** Returns the bytes of the film and of the developed picture. */
   public long filmBytes() {
     int more = settings.adaptive() ? BYTES_PER_ADAPTIVE_PIXEL : 0;
     return (BYTES_PER_PIXEL + more) * pixels();
   }
 
-  /** Returns what a second film takes, which checkpoints are saved from if there is room for it. */
+  /** Returns the bytes of a second film; checkpoints are saved from it if it fits. */
   public long copyBytes() {
     return BYTES_PER_COPIED_PIXEL * pixels();
   }
@@ -90,25 +92,25 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
     return BYTES_PER_THREAD * threads();
   }
 
-  /** Returns what all will take together. */
+  /** Returns the total number of bytes needed. */
   public long neededBytes() {
     return sceneBytes + filmBytes() + threadBytes() + MARGIN_BYTES;
   }
 
-  /** Tells whether the heap is large enough. */
+  /** Returns whether the heap is large enough. */
   public boolean fits() {
     return neededBytes() <= maxHeapBytes;
   }
 
-  /** Tells whether the heap is large enough for a second film too. */
+  /** Returns whether the heap is large enough for a second film. */
   boolean fitsWithCopy() {
     return neededBytes() + copyBytes() <= maxHeapBytes;
   }
 
   /**
-   * Passes if the heap is large enough.
+   * Requires that the heap is large enough.
    *
-   * @throws TaskException telling what is needed and what there is
+   * @throws TaskException that states the needed and the available memory, if it is not
    */
   public void require() throws TaskException {
     if (!fits()) {
@@ -117,8 +119,8 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
           Kind.LIMIT,
           String.format(
               Locale.ROOT,
-              "%dx%d pixels need %s of memory beside %s of the scene, but the heap is limited to %s"
-                  + " (LUMBRE_JAVA_OPTS=-Xmx8g raises that)",
+              "%dx%d pixels need %s of memory in addition to the scene's %s, but the maximum heap"
+                  + " size is %s; raise it with LUMBRE_JAVA_OPTS=-Xmx8g",
               window.width(),
               window.height(),
               mebibytes(neededBytes() - sceneBytes),
@@ -127,7 +129,7 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
     }
   }
 
-  /** Returns all figures, a line each. */
+  /** Returns all numbers, one per line. */
   public List<String> lines() {
     RenderSettings.Crop window = settings.window();
     long perPixel = settings.samples();
@@ -138,11 +140,11 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
         "scene    " + mebibytes(sceneBytes),
         "threads  " + mebibytes(threadBytes()) + ": " + threads(),
         "needed   " + mebibytes(neededBytes()),
-        "copy     " + mebibytes(copyBytes()) + " more for checkpoints, if there is room",
+        "copy     " + mebibytes(copyBytes()) + " more for checkpoints, if it fits",
         "heap     " + mebibytes(maxHeapBytes));
   }
 
-  /** Returns a number of bytes for people: {@code 512 MiB}. */
+  /** Returns a number of bytes in mebibytes, rounded up: {@code 512 MiB}. */
   public static String mebibytes(long bytes) {
     return (bytes + (1 << 20) - 1 >> 20) + " MiB";
   }

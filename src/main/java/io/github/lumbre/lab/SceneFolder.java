@@ -16,7 +16,7 @@ public record SceneFolder(Path directory) {
   private static final String ENDING = ".json";
 
   /**
-   * Returns the names of all scenes without their ending, in order.
+   * Returns the names of all scenes without their file extension, in order.
    *
    * @throws TaskException if the folder cannot be read
    */
@@ -35,7 +35,7 @@ public record SceneFolder(Path directory) {
     }
   }
 
-  /** Returns the name of a scene file, without its ending. */
+  /** Returns the name of a scene file without its extension. */
   public static String name(Path file) {
     String name = String.valueOf(file.getFileName());
     return name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name;
@@ -47,7 +47,7 @@ public record SceneFolder(Path directory) {
   }
 
   /**
-   * Reads a scene of any folder.
+   * Reads a scene from any folder.
    *
    * @throws TaskException if the file cannot be read
    */

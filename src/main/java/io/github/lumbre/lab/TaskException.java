@@ -1,32 +1,32 @@
 package io.github.lumbre.lab;
 
-/** A task of the lab or of the command line that cannot be done, with a line that explains why. */
+/** Reports that a task of the lab or the command line failed, with a line that explains why. */
 public final class TaskException extends Exception {
   private static final long serialVersionUID = 1;
 
   private final Kind kind;
 
-  /** Why a task cannot be done. */
+  /** The reason for the failure. */
   public enum Kind {
-    /** There are warnings, which count as errors. */
+    /** There are warnings, and they are treated as errors. */
     WARNINGS,
 
-    /** The request itself is wrong. */
+    /** The request is invalid. */
     USAGE,
 
-    /** The scene is missing, unreadable or invalid; or a film is, or does not belong to it. */
+    /** A scene or checkpoint file is missing, unreadable or invalid, or the two do not match. */
     SCENE,
 
-    /** A mesh or picture of the scene cannot be decoded. */
+    /** A mesh or image of the scene cannot be decoded. */
     ASSET,
 
-    /** Something is larger than a limit or than memory. */
+    /** A limit or the available memory is exceeded. */
     LIMIT,
 
     /** A result cannot be written. */
     OUTPUT,
 
-    /** A fault of the program. */
+    /** Internal error. */
     INTERNAL,
 
     /** The task was stopped. */
@@ -34,7 +34,7 @@ public final class TaskException extends Exception {
   }
 
   /**
-   * @param message one line, which names the file or the setting that is wrong
+   * @param message one line that names the invalid file or setting
    */
   public TaskException(Kind kind, String message) {
     super(message);
@@ -42,7 +42,7 @@ public final class TaskException extends Exception {
   }
 
   /**
-   * @param message one line, which names the file or the setting that is wrong
+   * @param message one line that names the invalid file or setting
    */
   public TaskException(Kind kind, String message, Throwable cause) {
     super(message, cause);

@@ -12,14 +12,14 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 
-/** Files of text in UTF-8, read and written whole. */
+/** Reads and writes whole text files in UTF-8. */
 public final class TextFile {
   private TextFile() {}
 
   /**
    * Returns the lines of a file.
    *
-   * @throws TaskException with the exit code of a wrong command line, if it cannot be read
+   * @throws TaskException with the exit code of an invalid command line, if it cannot be read
    */
   public static List<String> lines(Path file) throws TaskException {
     try {
@@ -32,7 +32,7 @@ public final class TextFile {
   }
 
   /**
-   * Writes a file, which appears complete or not at all.
+   * Writes a file atomically: it appears complete or not at all.
    *
    * @throws TaskException if that fails
    */
@@ -44,7 +44,7 @@ public final class TextFile {
     }
   }
 
-  /** Writes a file reserved before, and commits it. */
+  /** Writes and commits a reserved file. */
   public static void write(OutputFile output, String text) throws IOException {
     SeekableByteChannel channel = output.restart();
     ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));

@@ -1,2 +1,2 @@
-/** What all measurements of the lab share: reading scenes, files of text, and errors of a task. */
+/** Classes shared by all measurements of the lab: scene folders, text files, and task errors. */
 package io.github.lumbre.lab;

@@ -20,7 +20,7 @@ class AuditCommandTest {
     assertThat(relaxed.exitCode()).isZero();
     assertThat(relaxed.err()).isEmpty();
     assertThat(relaxed.out())
-        .contains("warning  $.objects[2].colour: unknown key", "means: ", "to do: ")
+        .contains("warning  $.objects[2].colour: unknown key", "effect: ", "fix: ")
         .contains("warnings 1, notes ");
     assertThat(Outcome.of("audit", scene, "--strict").exitCode()).isEqualTo(ExitCodes.WARNINGS);
   }

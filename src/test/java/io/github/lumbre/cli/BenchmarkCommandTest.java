@@ -85,7 +85,7 @@ class BenchmarkCommandTest {
     assertThat(changed.exitCode()).isEqualTo(ExitCodes.DIFFERENT);
     assertThat(rows(changed)).hasSize(1);
     assertThat(changed.err())
-        .startsWith("row 3: tiny, 16x12, 3 samples: the picture differs, stored ")
+        .startsWith("row 3: tiny, 16x12, 3 samples: the picture differs: expected ")
         .hasLineCount(1);
   }
 
@@ -139,7 +139,7 @@ class BenchmarkCommandTest {
   void missingScenesAreFoundBeforeTheWork() throws IOException {
     Path table = directory.resolve(ReportTable.FILE);
     Files.writeString(table, Files.readString(table).replace("Second,tiny", "Second,gone"));
-    benchmark().assertFailed(ExitCodes.USAGE, "row 4: there is no scene", "gone.json");
+    benchmark().assertFailed(ExitCodes.USAGE, "row 4: scene does not exist: ", "gone.json");
     assertThat(benchmark("--rows", "3").exitCode()).isZero();
     Files.delete(table);
     benchmark().assertFailed(ExitCodes.USAGE, "table.csv: does not exist");

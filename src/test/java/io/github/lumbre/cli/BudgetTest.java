@@ -108,7 +108,7 @@ class BudgetTest {
     JsonObject clamped = json(outcome).getAsJsonObject("light_clamped");
     double share = clamped.get("share").getAsDouble();
     assertThat(share).isBetween(.01, .99);
-    assertThat(outcome.err()).contains("light clamped: ", " samples above 0.3");
+    assertThat(outcome.err()).contains("energy lost to clamping: ", " samples above 0.3");
 
     // What is missing in the picture is what the clamp took.
     double all = light("plain.pfm");
@@ -135,7 +135,7 @@ class BudgetTest {
     Outcome outcome = render("a.png", "-s", "11000", "--depth", "1", "--json");
     JsonObject cut = json(outcome).getAsJsonObject("light_beyond_depth");
     assertThat(cut.get("share").getAsDouble()).isBetween(0.0, 1.0);
-    assertThat(outcome.err()).contains("light beyond the depth: ");
+    assertThat(outcome.err()).contains("energy lost to the path length limit: ");
   }
 
   @Test
@@ -162,7 +162,7 @@ class BudgetTest {
   void theTimeToAnErrorIsForecast() {
     Outcome outcome = render("a.png", "--target-error", "4%");
     assertThat(outcome.err())
-        .containsPattern("forecast: the error takes about \\d+ samples per pixel \\(");
+        .containsPattern("forecast: the target error takes about \\d+ samples per pixel \\(");
     assertThat(render("a.png", "-s", "64").err()).doesNotContain("forecast");
     assertThat(render("a.png", "-s", "64", "--target-error", "0.1%").err())
         .containsPattern("forecast: .*; it will not be reached");
@@ -184,8 +184,8 @@ class BudgetTest {
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TARGET);
     assertThat(outcome.err())
         .contains(
-            "a frame of fewer than 64 pixels has no bound of its noise;"
-                + " the render ends after 4096 samples per pixel",
+            "frames of fewer than 64 pixels have no noise bound; the render ends after 4096 samples"
+                + " per pixel",
             "is not reached: no bound: too few pixels");
     JsonObject summary = json(outcome);
     assertThat(summary.get("complete").getAsBoolean()).isTrue();
@@ -229,13 +229,15 @@ class BudgetTest {
     assertThat(samples.get("max").getAsInt()).isEqualTo(1);
     assertThat(json(outcome).get("ended_by").getAsString()).isEqualTo("time");
     assertThat(outcome.err())
-        .contains("--time was too short for more than the first pass, one sample per pixel");
+        .contains("--time was too short: only the first pass of 1 sample per pixel was rendered");
   }
 
   @Test
   void adaptiveRendersThatEndInTheirFirstSamplesSaySo() {
     assertThat(render("a.png", "--adaptive", "-s", "32").err())
-        .contains("--adaptive had no effect: the first 32 samples", "the render ended with 32");
+        .contains(
+            "--adaptive had no effect: all pixels get the first 32 samples",
+            "the render ended with 32");
     assertThat(render("a.png", "--adaptive", "-s", "32", "--quiet").err()).isEmpty();
     Outcome more = render("a.png", "--adaptive", "-s", "33", "--json");
     assertThat(more.err()).doesNotContain("no effect");
@@ -270,9 +272,9 @@ class BudgetTest {
     render("a.png", "--target-error", "2%", "--confidence", "100%")
         .assertFailed(ExitCodes.USAGE, "--confidence: expected 50% to less than 100%");
     render("a.png", "--adaptive", "--checkpoint", directory.resolve("a.film").toString())
-        .assertFailed(ExitCodes.USAGE, "--adaptive: not with --checkpoint");
+        .assertFailed(ExitCodes.USAGE, "--adaptive: cannot be combined with --checkpoint");
     render("a.png", "--adaptive", "--samples-from", "5")
-        .assertFailed(ExitCodes.USAGE, "--adaptive: not with --checkpoint");
+        .assertFailed(ExitCodes.USAGE, "--adaptive: cannot be combined with --checkpoint");
     render("a.png", "--time", "0s").assertFailed(ExitCodes.USAGE, "--time");
   }
 }

@@ -20,8 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** {@code lumbre resume} after somebody has changed the scene or its files. */
 class ChangedFilesTest {
   private static final String ADVICE =
-      " changed since the film was begun; to resume, restore what was there, or name a copy of the"
-          + " scene as it was: --scene COPY";
+      " changed since the checkpoint file was created; to resume, restore the files, or name an"
+          + " unchanged copy of the scene with --scene COPY";
 
   @TempDir private Path directory;
   private String film;
@@ -105,7 +105,7 @@ class ChangedFilesTest {
     assertThat(resumed.exitCode()).as(resumed.err()).isZero();
     forgetFiles();
     paint("stone.png", 0x808081);
-    assertRefused(directory.resolve("tiny.json") + ", or a file that it uses, has");
+    assertRefused(directory.resolve("tiny.json") + " or a file that it uses has");
   }
 
   private void forgetFiles() throws IOException {

@@ -40,13 +40,13 @@ class CheckCommandTest {
     assertThat(check(TinyScene.JSON, "--plan").out().lines().skip(12))
         .containsExactly(
             "plan       assets: all are used",
-            "           materials: 3 of 3 surfaces scatter everywhere alike, which is worked out"
-                + " once and not at every hit",
-            "           normals: left out, no map bends them",
-            "           meshes: left out, there are none",
-            "           choice of light: left out, there is one",
-            "           lens: left out, the camera has none",
-            "           coverage of pixels: left out, every sample covers its pixel");
+            "           materials: 3 of 3 surfaces have a uniform BSDF, computed once instead of at"
+                + " every hit",
+            "           normals: skipped, there are no normal maps",
+            "           meshes: skipped, there are none",
+            "           light selection: skipped, there is a single light",
+            "           lens: skipped, the camera has no lens",
+            "           pixel coverage: skipped, every sample covers its pixel");
   }
 
   @Test
@@ -56,7 +56,7 @@ class CheckCommandTest {
             "{\"id\": 8, \"assetType\": \"Mesh\", \"file\": \"none.obj\"},"
                 + " {\"id\": 9, \"assetType\": \"Texture\", \"file\": \"none.png\"}");
     assertThat(check(scene, "--plan").out())
-        .contains("assets: left undecoded, nothing uses them: mesh 1, texture 1");
+        .contains("assets: not decoded, because unused: mesh 1, texture 1");
   }
 
   @Test

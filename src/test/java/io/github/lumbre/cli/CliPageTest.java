@@ -39,18 +39,18 @@ Every command, its flags by group, and its exit codes. `lumbre help COMMAND` pri
 
 ## Exit codes
 
-All commands use the same codes; a command's own list says what they mean for it.
+All commands use the same codes. Each command below lists its own meanings.
 
 | code | meaning |
 |--:|---|
 | 0 | Done |
 | 1 | Done, but a condition is not met: warnings under `--strict`, a difference, a target error not reached |
-| 2 | The command line is wrong |
+| 2 | The command line is invalid |
 | 3 | The scene or checkpoint file is missing, unreadable or invalid |
-| 4 | A mesh or picture of the scene cannot be decoded |
-| 5 | Something exceeds a limit or memory, or nothing was rendered in time |
-| 6 | An output cannot be written |
-| 7 | A fault of the program |
+| 4 | A mesh or image of the scene cannot be decoded |
+| 5 | A limit or the available memory is exceeded, or nothing was rendered in time |
+| 6 | An output file cannot be written |
+| 7 | Internal error |
 | 129, 130, 143 | Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM |
 
 """;

@@ -73,7 +73,7 @@ class FilmCommandsTest {
     Outcome.of("merge", path("a.film"), path("c.film"), "-o", path("d.film"))
         .assertFailed(ExitCodes.SCENE, "split: ", "has 3", "has 1");
     render("e.pfm", "--split", "2", "--mode", "ray")
-        .assertFailed(ExitCodes.USAGE, "--split: expected path mode, found ray");
+        .assertFailed(ExitCodes.USAGE, "--split: requires path mode, found ray");
   }
 
   @Test
@@ -138,7 +138,7 @@ class FilmCommandsTest {
     assertThat(summary.get("rejected").getAsInt()).isEqualTo(2);
     assertThat(summary.get("first_rejected").toString()).isEqualTo("[[3,1,0],[2,5,1]]");
     assertThat(summary.get("saturated").getAsInt()).isEqualTo(4);
-    assertThat(outcome.err()).contains("warning: 2 samples were negative or not finite");
+    assertThat(outcome.err()).contains("warning: 2 samples are negative, NaN or infinite");
     assertThat(FilmFile.read(directory.resolve("a.film")).header().faults()).isEqualTo(faults);
   }
 
@@ -264,10 +264,10 @@ class FilmCommandsTest {
     assertDone(render("a.pfm", "--checkpoint", path("a.film")));
     byte[] film = bytes("a.film");
     render("a.pfm", "--checkpoint", path("a.film"))
-        .assertFailed(ExitCodes.OUTPUT, "a.film: exists already", "lumbre resume");
+        .assertFailed(ExitCodes.OUTPUT, "a.film: already exists", "lumbre resume");
     assertThat(bytes("a.film")).isEqualTo(film);
     Outcome.of("resume", path("a.film"), "-s", "1")
-        .assertFailed(ExitCodes.USAGE, "has 2 samples per pixel already");
+        .assertFailed(ExitCodes.USAGE, "at least the 2 samples per pixel already rendered");
   }
 
   @Test
@@ -279,7 +279,7 @@ class FilmCommandsTest {
     Files.write(directory.resolve("a.film"), damaged);
     Outcome outcome = Outcome.of("resume", path("a.film"), "-s", "20");
     assertDone(outcome);
-    assertThat(outcome.err()).contains("a.film: is damaged", "uses ", "a.film.bak instead");
+    assertThat(outcome.err()).contains("a.film: is damaged", "using ", "a.film.bak instead");
     assertThat(bytes("a.film.damaged")).isEqualTo(damaged);
     assertSamePicture("a.pfm");
   }

@@ -111,8 +111,8 @@ class GalleryCommandTest {
     renderer.warnIfTooShort("a-scene", settings, 6400);
     assertThat(text.toString().strip())
         .isEqualTo(
-            "warning: a-scene: --seconds 1 is too short for 64 samples per pixel, the fewest of a"
-                + " gallery; they take about 2 s");
+            "warning: a-scene: --seconds 1 is too short for the minimum of 64 samples per pixel,"
+                + " which take about 2 s");
   }
 
   @ParameterizedTest

@@ -147,14 +147,14 @@ class HostilePictureFilesTest {
     for (float value : new float[] {Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY}) {
       byte[] map = Files.readAllBytes(Path.of(sound));
       ByteBuffer.wrap(map).order(ByteOrder.LITTLE_ENDIAN).putFloat(map.length - 4, value);
-      assertRefused(map, 4, "not finite");
-      assertRefused(uncompressed(1, value), 4, "not finite");
+      assertRefused(map, 4, "has NaN or infinite values");
+      assertRefused(uncompressed(1, value), 4, "has NaN or infinite values");
       assertRefused(uncompressed(value, 1), 4, "expected alpha of 0 to 1");
     }
     assertRefused(uncompressed(-1e-30f, 1), 4, "expected alpha of 0 to 1");
     assertRefused(uncompressed(1.5f, 1), 4, "expected alpha of 0 to 1");
     // Divided by this alpha, the colour is beyond floats.
-    assertRefused(uncompressed(1e-30f, 1e30f), 4, "not finite");
+    assertRefused(uncompressed(1e-30f, 1e30f), 4, "has NaN or infinite values");
     Path file = Files.write(directory.resolve("half"), uncompressed(.5f, .5f));
     assertThat(Outcome.of("compare", file.toString(), sound).out()).contains("bias    0.00000\n");
   }

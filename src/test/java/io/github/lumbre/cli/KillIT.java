@@ -230,7 +230,7 @@ class KillIT {
     Outcome outcome = Program.await(directory, process);
     assertThat(outcome.err())
         .contains("lost/a.film: cannot be written", "lost/a.pfm: cannot be written")
-        .contains("the film is saved as elsewhere/lumbre-", "saved as elsewhere/lumbre-");
+        .contains("the checkpoint is saved as elsewhere/lumbre-", "saved as elsewhere/lumbre-");
     try (Stream<Path> files = Files.list(elsewhere)) {
       List<Path> kept = files.filter(file -> file.toString().endsWith("-a.film")).toList();
       assertThat(kept).hasSize(1);

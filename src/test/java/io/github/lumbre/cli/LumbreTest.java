@@ -106,7 +106,7 @@ class LumbreTest {
   void everyFlagHasAHeading(String name) {
     CommandLine command = Lumbre.commandLine().getSubcommands().get(name);
     Map<String, List<OptionSpec>> divided = HelpLayout.divided(command.getCommandSpec());
-    assertThat(divided.get("Help"))
+    assertThat(divided.get("Other"))
         .extracting(OptionSpec::longestName)
         .containsOnly("--help", "--version");
     assertThat(divided.values().stream().flatMap(List::stream))

@@ -164,7 +164,7 @@ class OutputGuardTest {
     "render T/wood.json -o T/x.png --checkpoint T/mesh.obj, a file of the scene",
     "render T/wood.json -o T/x.png --checkpoint T/x.png, is written twice",
     "resume T/a.film -o T/wood.png, a file of the scene",
-    "merge T/a.film -o T/a.film, is a film",
+    "merge T/a.film -o T/a.film, is a checkpoint file",
     "compare T/a.png T/wood.png --error-map T/wood.png, is the reference",
     "trade T/wood.json -o T/wood.html, is the scene",
     "trade table T/a.png -o T/a.png, is a study",
@@ -179,8 +179,8 @@ class OutputGuardTest {
   })
   void inputsAreNeverOverwritten(String line, String reason) throws IOException {
     Files.writeString(directory.resolve("x-noise.svg"), "");
-    assertRefused(line, reason, "choose another place with");
-    assertRefused(line + " --overwrite", reason, "choose another place with");
+    assertRefused(line, reason, "choose another path with");
+    assertRefused(line + " --overwrite", reason, "choose another path with");
   }
 
   @ParameterizedTest
@@ -207,13 +207,13 @@ class OutputGuardTest {
       Files.createSymbolicLink(link, input);
     }
     String real = line.replace("LINK", "T/links/wood");
-    assertRefused(real, "links/wood", victim, "choose another place");
+    assertRefused(real, "links/wood", victim, "choose another path");
     for (String ending : new String[] {"png", "html", "csv", "json", "film"}) {
       Path link = links.resolve("wood." + ending);
       Files.delete(link);
       Files.createLink(link, input);
     }
-    assertRefused(real, "links/wood", victim, "choose another place");
+    assertRefused(real, "links/wood", victim, "choose another path");
   }
 
   @Test

@@ -126,8 +126,8 @@ class PerfCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "gone.json            | there is no scene gone.json",
-        "--compare a b        | expected scenes, or --compare and two files",
+        "gone.json            | scene does not exist: gone.json",
+        "--compare a b        | expected scenes, or --compare with two files",
         "--compare a          | --compare",
         "-s 0                 | --samples: expected 1 to 1073741824, found 0",
         "--size 0x4           | --size: expected 1 to 65535, found 0",
@@ -149,7 +149,7 @@ class PerfCommandTest {
 
   @Test
   void scenesOfOneNameAreRefused() {
-    bench(scene.toString()).assertFailed(ExitCodes.USAGE, "different names, found two tiny");
+    bench(scene.toString()).assertFailed(ExitCodes.USAGE, "different names, found two named tiny");
   }
 
   @Test
@@ -166,13 +166,13 @@ class PerfCommandTest {
   void pairsTellWhatAdaptiveSamplingBrings() {
     Outcome outcome = bench("--paired", "--adaptive", "-s", "128");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    assertThat(rows(outcome).get(0)).contains("| 16x12 | 128 | ").endsWith("| other |");
+    assertThat(rows(outcome).get(0)).contains("| 16x12 | 128 | ").endsWith("| different |");
     bench("--paired", "--adaptive", "--json", "a.json")
-        .assertFailed(ExitCodes.USAGE, "--paired: expected no --json");
+        .assertFailed(ExitCodes.USAGE, "--paired: cannot be combined with --json");
     bench("--paired", "--adaptive", "--repeat", "11")
         .assertFailed(ExitCodes.USAGE, "--repeat: expected 12 to ");
     bench("--paired")
-        .assertFailed(ExitCodes.USAGE, "--paired: expected --without, --adaptive or --split");
+        .assertFailed(ExitCodes.USAGE, "--paired: requires --without, --adaptive or --split");
   }
 
   @Test
@@ -180,7 +180,7 @@ class PerfCommandTest {
     Outcome outcome = bench("--paired", "--split", "3", "-s", "2");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     assertThat(outcome.out()).contains("Paths split into 3.");
-    assertThat(rows(outcome).get(0)).contains("| 16x12 | 2 | ").endsWith("| other |");
+    assertThat(rows(outcome).get(0)).contains("| 16x12 | 2 | ").endsWith("| different |");
     bench("--split", "0").assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 0");
   }
 
@@ -197,6 +197,6 @@ class PerfCommandTest {
     assertThat(cells[2].strip()).isEqualTo("1");
     assertThat(Double.parseDouble(cells[6].strip().split(" ")[0])).isBetween(.1, 10.);
     bench("--loading", "--paired", "--adaptive", "--repeat", "12")
-        .assertFailed(ExitCodes.USAGE, "--loading: expected no --paired");
+        .assertFailed(ExitCodes.USAGE, "--loading: cannot be combined with --paired");
   }
 }

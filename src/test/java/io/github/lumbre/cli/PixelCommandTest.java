@@ -32,7 +32,7 @@ class PixelCommandTest {
     assertThat(outcome.out().lines())
         .contains("pixel 8,6, sample 1, seed 0", "vertex 0", "vertex 1")
         .anyMatch(line -> line.startsWith("  hits       $.objects[2]"))
-        .anyMatch(line -> line.startsWith("  made of    $.assets[1]"))
+        .anyMatch(line -> line.startsWith("  material   $.assets[1]"))
         .anyMatch(line -> line.startsWith("film         ("));
   }
 
@@ -128,7 +128,7 @@ class PixelCommandTest {
     assertThat(replay.exitCode()).isZero();
     assertThat(replay.out())
         .contains(
-            "Infinity", "rejected     negative or not finite", "film         (0.0, 0.0, 0.0)");
+            "Infinity", "rejected     negative, NaN or infinite", "film         (0.0, 0.0, 0.0)");
     Outcome strict = Outcome.of((command + " --strict").split(" "));
     assertThat(strict.exitCode()).isEqualTo(ExitCodes.INTERNAL);
     assertThat(Outcome.of((command + " --json").split(" ")).out()).contains("\"Infinity\"");

@@ -45,7 +45,7 @@ class RunnableJarIT {
   @Test
   void withoutTheVectorModuleTheScalarKernelRuns() throws IOException, InterruptedException {
     String reason = "Java runs without --add-modules jdk.incubator.vector";
-    assertThat(lumbre("--version").out()).contains("Kernel: scalar, since " + reason);
+    assertThat(lumbre("--version").out()).contains("Kernel: scalar, because " + reason);
     TinyScene.write(directory, TinyScene.JSON);
     Outcome outcome = lumbre("render", "tiny.json", "--kernel", "vector");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);

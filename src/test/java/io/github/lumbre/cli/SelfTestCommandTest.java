@@ -35,7 +35,7 @@ class SelfTestCommandTest {
         .containsExactly(
             "ok     one                    0.000200 (limit 0.00100): share; everywhere",
             "BROKEN two                    3 (limit 0): leaks; 1 to 2",
-            "1 of 2 laws hold");
+            "1 of 2 invariants hold");
     assertThat(run(false, HOLDING).exitCode()).isZero();
   }
 

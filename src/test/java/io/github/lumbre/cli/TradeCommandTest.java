@@ -42,7 +42,7 @@ class TradeCommandTest {
 
     String html = Files.readString(page);
     assertThat(html)
-        .contains("For this error pick these settings", "the same bits", "data:image/png;base64,")
+        .contains("Recommended settings for a target error", "identical", "data:image/png;base64,")
         .doesNotContain("NaN", "Infinity", "DIFFERENT", "http://", "https://", "<script");
     assertThat(parsedDrawings(html)).isGreaterThanOrEqualTo(7);
 
@@ -95,7 +95,7 @@ class TradeCommandTest {
         .containsEntry("samplerindependent", "noise")
         .containsEntry("depth1000", "noise")
         .containsEntry("depth16", "bias");
-    assertThat(Files.readString(page)).contains("the same again");
+    assertThat(Files.readString(page)).contains("no change (control)");
 
     Path table = directory.resolve("table.md");
     String study = directory.resolve("out.json").toString();
@@ -206,7 +206,7 @@ class TradeCommandTest {
     Path other = Files.writeString(directory.resolve("other.json"), "{\"format\": \"else\"}");
     String table = directory.resolve("table.md").toString();
     Outcome.of("trade", "table", other.toString(), "-o", table)
-        .assertFailed(ExitCodes.USAGE, "other.json: expected a study of trade");
+        .assertFailed(ExitCodes.USAGE, "other.json: expected a JSON file from 'lumbre trade'");
     Outcome.of("trade", "table", directory + "/none.json", "-o", table)
         .assertFailed(ExitCodes.USAGE, "none.json: cannot be read");
     assertThat(directory.resolve("table.md")).doesNotExist();

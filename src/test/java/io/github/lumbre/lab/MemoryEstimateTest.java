@@ -19,8 +19,8 @@ class MemoryEstimateTest {
     assertThat(thrown.kind()).isEqualTo(TaskException.Kind.LIMIT);
     assertThat(thrown)
         .hasMessageContaining("16384x16384 pixels need 20489 MiB")
-        .hasMessageContaining("100 MiB of the scene")
-        .hasMessageContaining("limited to 512 MiB");
+        .hasMessageContaining("in addition to the scene's 100 MiB")
+        .hasMessageContaining("maximum heap size is 512 MiB");
   }
 
   @Test

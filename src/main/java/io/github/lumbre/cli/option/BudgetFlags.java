@@ -13,9 +13,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The flags that end a render otherwise than by a number of samples; what comes first ends it. */
+/** The flags that end a render by time or noise; the first limit that is reached ends it. */
 public final class BudgetFlags {
-  /** The property that tells when the program was started, in milliseconds since 1970. */
+  /** The system property with the program's start time, in milliseconds since 1970. */
   public static final String START = "lumbre.start";
 
   @Spec(Spec.Target.MIXEE)
@@ -23,36 +23,34 @@ public final class BudgetFlags {
 
   @Option(
       names = "--time",
-      paramLabel = "T",
+      paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
       description =
-          "Take as many samples as fit into such a time, reading and writing "
-              + "included: 90s, 5m, 2h, but at least one for each pixel. "
-              + "Without --samples there is no other limit.")
+          "Take as many samples as fit into this time, loading and saving included, but at least 1"
+              + " per pixel: 90s, 5m, 2h. Without --samples, the number of samples is unlimited.")
   private Optional<Duration> time = Optional.empty();
 
   @Option(
       names = "--target-error",
-      paramLabel = "P",
+      paramLabel = "PERCENT",
       converter = FlagConverters.OfShare.class,
       description =
-          "Take samples until the noise is at most so much, as relative root "
-              + "mean squared error: 2%%. If something else ends the render before, "
-              + "the exit code is 1. Frames of fewer than 64 pixels never reach it: without "
-              + "--samples and --time they end after 4096 samples per pixel.")
+          "Sample until the noise, as relative RMSE, is at most this value, such as 2%%; otherwise"
+              + " exit with code 1. Frames of fewer than 64 pixels never reach a target: without"
+              + " --samples and --time they end after 4096 samples per pixel.")
   private Optional<Double> targetError = Optional.empty();
 
   @Option(
       names = "--confidence",
-      paramLabel = "P",
+      paramLabel = "PERCENT",
       converter = FlagConverters.OfShare.class,
-      description = "How sure the bound of the noise is to be (95%%).")
+      description = "Confidence level of the noise bound (95%%).")
   private Optional<Double> sureness = Optional.empty();
 
   /**
-   * Complains about values out of range.
+   * Checks the ranges of the values.
    *
-   * @throws ParameterException naming the flag
+   * @throws ParameterException that names the flag, if a value is out of range
    */
   public void validate() {
     sureness.ifPresent(
@@ -64,28 +62,28 @@ public final class BudgetFlags {
         });
   }
 
-  /** Returns when the time of this command began: when the program did, if it runs this alone. */
+  /** Returns the start of this command's time: the program's start, where it is known. */
   public static Instant start() {
     Long millis = Long.getLong(START);
     return millis == null ? Instant.now() : Instant.ofEpochMilli(millis);
   }
 
-  /** Returns the time that the whole command is to take; empty if none limits it. */
+  /** Returns the time limit of the whole command; empty if there is none. */
   public Optional<Duration> time() {
     return time;
   }
 
-  /** Tells whether a time or an error is to end the render. */
+  /** Returns whether a time limit or a target error is given. */
   public boolean areGiven() {
     return time.isPresent() || targetError.isPresent();
   }
 
   /**
-   * Returns the budget of a command that began some time ago.
+   * Returns the budget of a command that has already started.
    *
-   * @param startup that passed before it could do anything
-   * @param error to be reached if these flags name none
-   * @param confidence if these flags name none
+   * @param startup time between the start and the first line of the command
+   * @param error target error if the flags set none
+   * @param confidence confidence level if the flags set none
    */
   public RunBudget since(
       Instant start,

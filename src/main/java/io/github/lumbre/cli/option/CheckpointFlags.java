@@ -16,29 +16,29 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The flags that say how a render is kept from being lost. */
+/** The flags that protect a render against loss. */
 public final class CheckpointFlags {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
 
   @Option(
       names = "--checkpoint-interval",
-      paramLabel = "T",
+      paramLabel = "DURATION",
       defaultValue = "60s",
       converter = FlagConverters.OfDuration.class,
-      description = "Time between two checkpoints (${DEFAULT-VALUE}).")
+      description = "Time between two saves of the checkpoint file (${DEFAULT-VALUE}).")
   private Duration interval;
 
   @Option(
       names = "--fallback-dir",
       paramLabel = "DIR",
       description = {
-        "Where the picture and the film go if they cannot be written where they should be.",
+        "Write the picture and the checkpoint file here if their own folder cannot be written.",
         "Default: the directory for temporary files."
       })
   private Optional<Path> fallback;
 
-  /** Complains about values that cannot be, before anything is read. */
+  /** Checks the values before anything is read. */
   public void validate() {
     Path directory = fallback().directory();
     if (!Files.isDirectory(directory)) {
@@ -52,7 +52,7 @@ public final class CheckpointFlags {
   }
 
   /**
-   * Reserves a file for films.
+   * Reserves a checkpoint file.
    *
    * @throws TaskException if it cannot be written
    */

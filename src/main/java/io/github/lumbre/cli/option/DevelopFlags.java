@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The flags that say how a film becomes a picture. */
+/** The flags that set how a film becomes a picture. */
 public final class DevelopFlags {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
@@ -38,15 +38,15 @@ public final class DevelopFlags {
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
   private int jpegQuality;
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
-  /** Where a film comes from. */
+  /** A source of a film. */
   public interface Source {
     FilmFile film() throws TaskException;
   }
 
-  /** Complains about values out of range before anything is read. */
+  /** Checks the ranges of the values before anything is read. */
   public void validate() {
     new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
     if (bits.isPresent() && bits.get() != 8 && bits.get() != 16) {
@@ -56,7 +56,7 @@ public final class DevelopFlags {
   }
 
   /**
-   * Develops a film and writes the picture, whose place is reserved before the film is read.
+   * Develops a film and writes the picture. The picture's file is reserved before the film is read.
    *
    * @param name of the film, for messages
    */

@@ -3,12 +3,12 @@ package io.github.lumbre.cli.option;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** Complaints about a command line that could be read but makes no sense. */
+/** Checks of a command line that is syntactically valid. */
 public record FlagChecks(CommandSpec spec) {
   /**
-   * Passes if a condition holds.
+   * Requires a condition.
    *
-   * @throws ParameterException with the message otherwise
+   * @throws ParameterException with the message if the condition does not hold
    */
   public void require(boolean condition, String message) {
     if (!condition) {
@@ -17,9 +17,9 @@ public record FlagChecks(CommandSpec spec) {
   }
 
   /**
-   * Passes if a flag's value lies between two others or is one of them.
+   * Requires a flag's value to lie in a closed range.
    *
-   * @throws ParameterException naming the flag otherwise
+   * @throws ParameterException that names the flag if the value does not
    */
   public void requireIn(String flag, int low, int high, int found) {
     require(

@@ -20,11 +20,11 @@ import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Values of flags from text; what cannot be read is told together with what was expected. */
+/** Converters of flag values from text; errors state what was expected and what was found. */
 public final class FlagConverters {
   private FlagConverters() {}
 
-  /** Lets a command tell in its own words what it expected instead of a text that is no number. */
+  /** Registers converters of numbers whose errors state what was expected. */
   public static void registerNumbers(CommandLine command) {
     String integer = "an integer up to ";
     ITypeConverter<Integer> ofInt =
@@ -93,7 +93,7 @@ public final class FlagConverters {
     }
   }
 
-  /** {@code 90s}, {@code 5m}, {@code 2h} or {@code 1.5h}; always longer than nothing. */
+  /** {@code 90s}, {@code 5m}, {@code 2h} or {@code 1.5h}; always longer than 0. */
   public static final class OfDuration implements ITypeConverter<Duration> {
     private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)([smh])");
     private static final Map<String, Double> SECONDS = Map.of("s", 1., "m", 60., "h", 3600.);
@@ -105,13 +105,13 @@ public final class FlagConverters {
           found.matches() ? Double.parseDouble(found.group(1)) * SECONDS.get(found.group(2)) : 0;
       Duration duration = Duration.ofNanos((long) Math.min(seconds * 1e9, Long.MAX_VALUE / 2));
       if (duration.isZero()) {
-        throw unexpected("a time longer than nothing, such as 90s, 5m or 2h", text);
+        throw unexpected("a duration above 0, such as 90s, 5m or 2h", text);
       }
       return duration;
     }
   }
 
-  /** {@code 2%}: a share above nothing. */
+  /** {@code 2%}: a share above 0. */
   public static final class OfShare implements ITypeConverter<Double> {
     private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)%");
 
@@ -166,7 +166,7 @@ public final class FlagConverters {
     }
   }
 
-  /** How a render tells how far it is. */
+  /** How a render shows its progress. */
   enum ProgressStyle {
     BAR,
     JSON,

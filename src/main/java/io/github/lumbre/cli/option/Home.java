@@ -2,13 +2,13 @@ package io.github.lumbre.cli.option;
 
 import java.nio.file.Path;
 
-/** Where the program lives, with its scenes and pictures beside it. */
+/** The program's folder, which also holds its scenes and pictures. */
 public final class Home {
   private Home() {}
 
   /**
-   * Returns the path of a file beside the launcher; without a launcher, of one in the working
-   * directory.
+   * Returns the path of a file beside the launcher, or in the working directory if there is no
+   * launcher.
    */
   public static Path resolve(String name) {
     return Path.of(System.getProperty("lumbre.home", "")).resolve(name);

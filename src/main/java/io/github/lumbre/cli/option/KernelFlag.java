@@ -9,12 +9,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The flag that chooses how hierarchies are searched. */
+/** The flag that selects the traversal kernel of the BVH. */
 public final class KernelFlag {
   /**
-   * In less time, plain Java takes more samples. Until the virtual machine has compiled it, the
-   * vector kernel is about a hundred times slower, for 2 s to 4 s on two processors; then it is 10
-   * % to 30 % faster.
+   * The shortest time limit with which the vector kernel is used. In less time, the scalar kernel
+   * takes more samples. Until the JIT has compiled it, the vector kernel is about 100× slower, for
+   * 2 s to 4 s on two processors; then it is 10&nbsp;% to 30&nbsp;% faster.
    */
   private static final Duration FIRST_FOR_VECTORS = Duration.ofSeconds(20);
 
@@ -26,12 +26,12 @@ public final class KernelFlag {
       paramLabel = "NAME",
       converter = FlagConverters.OfKernel.class,
       description =
-          "How rays find what they hit: vector, scalar or auto (auto: vector where it is faster,"
-              + " not with --time below 20s). Changes no bit of the picture.")
+          "Ray traversal kernel: vector, scalar or auto (auto: vector where it is faster, but not"
+              + " with --time below 20s). The picture is bit-identical.")
   private Optional<Kernel> kernel;
 
   /**
-   * Returns a parser of scenes that are searched by the chosen kernel.
+   * Returns a parser whose scenes use the selected kernel.
    *
    * @throws ParameterException as {@link #validate}
    */
@@ -40,26 +40,26 @@ public final class KernelFlag {
   }
 
   /**
-   * Returns a parser of scenes for one render, which has no time to compile the vector kernel if it
-   * is a short one.
+   * Returns a parser of scenes for one render. A short render has no time to compile the vector
+   * kernel and uses the scalar one.
    *
-   * @param time of the whole command; empty if no time limits it
+   * @param time limit of the whole command; empty if there is none
    * @throws ParameterException as {@link #validate}
    */
   public SceneParser over(SceneParser parser, Optional<Duration> time) {
     return parser.searchedBy(within(time, chosen()));
   }
 
-  /** Returns the kernel that takes the most samples in a time. */
+  /** Returns the kernel that takes the most samples within a time limit. */
   public static Kernel within(Optional<Duration> time, Kernel chosen) {
     boolean isShort = time.filter(t -> t.compareTo(FIRST_FOR_VECTORS) < 0).isPresent();
     return chosen == Kernel.AUTO && isShort ? Kernel.SCALAR : chosen;
   }
 
   /**
-   * Checks the choice before any work.
+   * Checks the flag before any work.
    *
-   * @throws ParameterException if vectors are chosen and not available
+   * @throws ParameterException if the vector kernel is selected but not available
    */
   public void validate() {
     chosen();

@@ -7,10 +7,10 @@ import picocli.CommandLine.Option;
 public final class OverwriteFlag {
   @Option(
       names = "--overwrite",
-      description = "Replace an existing output even if it is a file of a different kind.")
+      description = "Replace an existing output file even if it is of a different kind.")
   private boolean overwrite;
 
-  /** Returns a guard that knows no files yet. */
+  /** Returns a guard without files. */
   public OutputGuard guard() {
     return new OutputGuard(overwrite);
   }

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.option;
 
 /**
- * How good a picture is to be, as the noise that ends its render and the depth of its paths;
- * docs/trade.md tells what each leaves wrong.
+ * Quality presets: a target error that ends the render, and a maximum path depth. docs/trade.md
+ * lists the error that each one leaves.
  */
 public enum Quality {
   DRAFT(.2, 3),
@@ -18,12 +18,12 @@ public enum Quality {
     this.depth = depth;
   }
 
-  /** Returns the relative root mean squared error to be reached. */
+  /** Returns the target error, a relative root mean squared error. */
   public double targetError() {
     return targetError;
   }
 
-  /** Returns how many vertices of a path may scatter. */
+  /** Returns the largest number of scattering vertices of a path. */
   public int depth() {
     return depth;
   }

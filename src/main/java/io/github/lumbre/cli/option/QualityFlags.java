@@ -5,36 +5,35 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import picocli.CommandLine.Option;
 
-/** The flags that say how good a picture is to be by other flags, and which pixels need most. */
+/** The flags that set quality presets and adaptive sampling. */
 public final class QualityFlags {
   @Option(
       names = "--quality",
       paramLabel = "NAME",
       converter = FlagConverters.OfQuality.class,
       description =
-          "draft: --target-error 20%% --depth 3; preview: 10%%, 5; final: 3%%, 16; "
-              + "reference: 1%%, 1000. Flags of those names win.")
+          "Set --target-error and --depth together: draft (20%%, 3), preview (10%%, 5), final (3%%,"
+              + " 16), reference (1%%, 1000). These flags override the preset.")
   private Optional<Quality> quality = Optional.empty();
 
   @Option(
       names = "--adaptive",
       description =
-          "Give more of the samples to pixels where they take off more noise; "
-              + "--samples is the mean then, and must exceed 32, the samples that all pixels "
-              + "get first. Not with --checkpoint.")
+          "Give more samples to pixels where they reduce the noise most. --samples is then the mean"
+              + " and must exceed 32, the first samples of every pixel. Not with --checkpoint.")
   private boolean adaptive;
 
-  /** Tells whether noisy pixels are to get more samples. */
+  /** Returns whether noisy pixels get more samples. */
   public boolean isAdaptive() {
     return adaptive;
   }
 
-  /** Returns the depth of paths that goes with the quality asked for; empty if none was. */
+  /** Returns the path depth of the given preset; empty if none is given. */
   public OptionalInt depth() {
     return quality.map(q -> OptionalInt.of(q.depth())).orElseGet(OptionalInt::empty);
   }
 
-  /** Returns the error that goes with the quality asked for; empty if none was. */
+  /** Returns the target error of the given preset; empty if none is given. */
   public OptionalDouble targetError() {
     return quality.map(q -> OptionalDouble.of(q.targetError())).orElseGet(OptionalDouble::empty);
   }

@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The flags that say how to render; each that is given wins over the scene. */
+/** The flags that override a scene's render settings. */
 public final class RenderFlags {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
@@ -24,35 +24,35 @@ public final class RenderFlags {
       names = "--mode",
       paramLabel = "MODE",
       converter = FlagConverters.OfMode.class,
-      description = "ray (Whitted) or path (all light). Default: the scene's, or else path.")
+      description = "Render mode: ray (Whitted) or path (path tracing). Default: scene or path.")
   private Optional<Mode> mode;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = "Samples per pixel, in either mode. Default: the scene's, or else 100.")
+      description = "Samples per pixel (scene or 100).")
   private Optional<Integer> samples;
 
   @Option(
       names = "--samples-from",
       paramLabel = "N",
       description =
-          "Number of each pixel's first sample (0): films whose samples follow on each other "
-              + "make one by 'lumbre merge'.")
+          "Index of each pixel's first sample (0). 'lumbre merge' joins checkpoint files with"
+              + " consecutive samples.")
   private Optional<Integer> samplesFrom;
 
   @Option(
       names = "--samples-to",
       paramLabel = "M",
-      description = "Instead of --samples: the number after that of each pixel's last sample.")
+      description = "End index of each pixel's samples, exclusive; instead of --samples.")
   private Optional<Integer> samplesTo;
 
   @Option(
       names = "--depth",
       paramLabel = "N",
       description = {
-        "Path mode: how many vertices of a path may scatter (scene or 5).",
-        "Ray mode: how many mirrors, and how many glass surfaces, a path may meet (scene or 2)."
+        "Path mode: maximum number of scattering vertices of a path (scene or 5).",
+        "Ray mode: maximum number of mirror hits, and of glass hits, of a path (scene or 2)."
       })
   private Optional<Integer> depth;
 
@@ -71,19 +71,19 @@ public final class RenderFlags {
       names = "--crop",
       paramLabel = "x,y,w,h",
       converter = FlagConverters.OfCrop.class,
-      description = "Render this part of the full frame only, with the same pixels.")
+      description = "Render only this window of the full frame, with the same pixel values.")
   private Optional<Crop> crop;
 
   @Option(
       names = "--max-pixels",
       paramLabel = "N",
-      description = "Refuse a full frame of more pixels (268435456, which is 2^28).")
+      description = "Reject frames with more pixels (268435456, which is 2^28).")
   private Optional<Integer> maxPixels;
 
   /**
-   * Complains about values out of range before anything is read.
+   * Checks the ranges of the values before anything is read.
    *
-   * @throws ParameterException naming the flag
+   * @throws ParameterException that names the flag, if a value is out of range
    */
   public void validate() {
     samples.ifPresent(n -> require("--samples", 1, RenderSettings.MAX_SAMPLES, n));
@@ -92,7 +92,7 @@ public final class RenderFlags {
         n -> require("--samples-to", firstSample() + 1, RenderSettings.MAX_SAMPLES, n));
     if (samples.isPresent() && samplesTo.isPresent()) {
       throw new ParameterException(
-          spec.commandLine(), "--samples and --samples-to: expected one of them");
+          spec.commandLine(), "--samples and --samples-to: expected only one of them");
     }
     depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
     settings.validate(spec);
@@ -102,17 +102,17 @@ public final class RenderFlags {
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
   }
 
-  /** Returns whether bright samples are to be scaled down. */
+  /** Returns whether bright samples are clamped. */
   public boolean isClamping() {
     return settings.isGiven(Setting.CLAMP);
   }
 
-  /** Tells whether only some of the pixels' samples are asked for, by their numbers. */
+  /** Returns whether the flags select a range of sample indices. */
   public boolean hasSampleRange() {
     return samplesFrom.isPresent() || samplesTo.isPresent();
   }
 
-  /** Returns the number of each pixel's first sample. */
+  /** Returns the index of each pixel's first sample. */
   public int firstSample() {
     return samplesFrom.orElse(0);
   }
@@ -136,17 +136,17 @@ public final class RenderFlags {
     }
   }
 
-  /** Returns a parser that lets the flags win over the scene. */
+  /** Returns a parser that overrides the scene's settings with the flags. */
   public SceneParser over(SceneParser parser) {
     return over(parser, false, false, OptionalInt.empty());
   }
 
   /**
-   * Returns a parser that lets the flags win over the scene.
+   * Returns a parser that overrides the scene's settings with the flags.
    *
-   * @param isOpen whether something else ends the render, so that the scene's samples do not
+   * @param isOpen whether another limit ends the render and replaces the scene's samples
    * @param adaptive whether noisy pixels get more samples
-   * @param pathDepth that wins over the scene's in path mode
+   * @param pathDepth overrides the scene's depth in path mode
    */
   public SceneParser over(
       SceneParser parser, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
@@ -184,7 +184,7 @@ public final class RenderFlags {
   private void requirePathsFor(Setting<?> setting, Mode mode) {
     if (mode == Mode.RAY && settings.isGiven(setting)) {
       throw new ParameterException(
-          spec.commandLine(), setting.flag() + ": expected path mode, found ray");
+          spec.commandLine(), setting.flag() + ": requires path mode, found ray");
     }
   }
 

@@ -19,19 +19,19 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The flags that say when a run is to be stopped, and what is told of it meanwhile and after. */
+/** The flags for a run's timeout and its reports. */
 public final class RunFlags {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
 
   @Option(
       names = "--timeout",
-      paramLabel = "T",
+      paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
       description = {
-        "Stop after such a time, reading the scene included: 90s, 5m, 2h.",
-        "The picture is what was rendered until then, marked as partial; exit code 5 if that is",
-        "nothing."
+        "Stop after this time, loading included: 90s, 5m, 2h. The unfinished picture is written"
+            + " and",
+        "marked as partial; exit code 5 if nothing was rendered."
       })
   private Optional<Duration> timeout;
 
@@ -40,37 +40,37 @@ public final class RunFlags {
       paramLabel = "STYLE",
       converter = FlagConverters.OfProgressStyle.class,
       description =
-          "How to tell the progress on standard error: bar, none, or json, which is an object on a "
-              + "line of its own every second. Default: bar on a terminal, else none.")
+          "Show progress on standard error: bar, none or json (one JSON object per second and"
+              + " line). Default: bar on a terminal, else none.")
   private Optional<ProgressStyle> progress;
 
-  @Option(
-      names = "--json",
-      description = "Print a summary as a JSON object, on one line of standard output.")
+  @Option(names = "--json", description = "Print a summary as one line of JSON.")
   private boolean json;
 
-  @Option(names = "--quiet", description = "No progress bar, no summary.")
+  @Option(names = "--quiet", description = "Print no progress bar and no summary.")
   private boolean quiet;
 
-  @Option(names = "--stats", description = "Tell rays, rates, threads and memory at the end.")
+  @Option(
+      names = "--stats",
+      description = "Print ray counts, throughput, threads and memory at the end.")
   private boolean stats;
 
-  /** Returns the moment that is a timeout from now. */
+  /** Returns the deadline that the timeout sets, counted from now. */
   public Deadline deadline() {
     return Deadline.after(timeout);
   }
 
-  /** Tells whether results are for programs. */
+  /** Returns whether the results are printed as JSON. */
   public boolean isJson() {
     return json;
   }
 
-  /** Returns where results go. */
+  /** Returns the printer of results, standard output. */
   public Messages out() {
     return new Messages(spec.commandLine().getOut());
   }
 
-  /** Returns where everything else goes. */
+  /** Returns the printer of everything else, standard error. */
   public Messages errors() {
     return new Messages(spec.commandLine().getErr());
   }
@@ -91,16 +91,16 @@ public final class RunFlags {
   }
 
   /**
-   * Returns what is written and told at the end.
+   * Returns the options of the picture and the summary.
    *
    * @param bits per channel of a PNG
-   * @param strict whether samples that are no numbers make an error
+   * @param strict whether rejected samples are an error
    */
   public RenderJob.How how(int bits, boolean strict) {
     return new RenderJob.How(bits, ImageWriter.Options.DEFAULT_JPEG_QUALITY, quiet, stats, strict);
   }
 
-  /** Runs what a command does and returns its exit code, after a summary if one was asked for. */
+  /** Runs a command, prints its JSON summary under {@code --json}, and returns its exit code. */
   public int summarized(JsonSummary report, JsonSummary.Action action)
       throws SceneFormatException, TaskException {
     return json ? report.around(() -> printed(report, action.run()), out()) : action.run();

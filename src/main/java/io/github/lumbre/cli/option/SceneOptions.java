@@ -16,31 +16,31 @@ import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** What all commands that read a scene take. */
+/** The flags and arguments of all commands that read a scene. */
 public final class SceneOptions {
   private Optional<byte[]> text = Optional.empty();
 
   @Parameters(
       index = "0",
       paramLabel = "SCENE",
-      description = "The scene, a JSON file; - reads standard input.")
+      description = "JSON scene file; - for standard input.")
   private Path scene;
 
   @ArgGroup private Strictness strictness = new Strictness();
 
-  @Option(names = "--debug", description = "Show the stack trace of an error.")
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
-  /** How to take what is doubtful; one of the two at most. */
+  /** The treatment of warnings; at most one of the two flags. */
   static final class Strictness {
     @Option(
         names = "--strict",
-        description = "Make every warning an error, and every sample that is not a number.")
+        description = "Treat warnings and rejected samples (negative, NaN or infinite) as errors.")
     private boolean strict;
 
     @Option(
         names = "--lenient",
-        description = "Make references to missing assets warnings instead of errors.")
+        description = "Treat references to missing assets as warnings instead of errors.")
     private boolean lenient;
   }
 
@@ -53,7 +53,7 @@ public final class SceneOptions {
   }
 
   /**
-   * Adds the scene and all files that its assets name to the files that a command reads.
+   * Adds the scene and its asset files to the files that a command reads.
    *
    * @throws TaskException if standard input cannot be read
    */
@@ -87,7 +87,7 @@ public final class SceneOptions {
     return strictness.lenient;
   }
 
-  /** Returns a parser that is as lenient as asked for. */
+  /** Returns a parser, lenient if the flags say so. */
   public SceneParser parser() {
     SceneParser parser = new SceneParser();
     return strictness.lenient ? parser.lenient() : parser;
@@ -107,13 +107,13 @@ public final class SceneOptions {
       int count = file.warnings().size();
       String warnings = count == 1 ? "1 warning" : count + " warnings";
       throw new TaskException(
-          Kind.WARNINGS, scene + ": " + warnings + ", which --strict makes errors");
+          Kind.WARNINGS, scene + ": " + warnings + "; --strict treats warnings as errors");
     }
     return file;
   }
 
   /**
-   * Reads the scene and keeps its warnings for the caller.
+   * Reads the scene without printing its warnings.
    *
    * @throws TaskException if the scene cannot be read
    */

@@ -19,10 +19,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 
 /**
- * The flags that each set one {@link Setting}, made from its declaration. Mutable: picocli stores
- * the values given on the command line here.
+ * The flags that set one {@link Setting} each, generated from its declaration. Mutable: picocli
+ * stores the values from the command line here.
  *
- * <p>A command that has this as a mixin must name {@link Adder} as its model transformer.
+ * <p>A command with this mixin must name {@link Adder} as its model transformer.
  */
 @Command
 public final class SettingFlags {
@@ -33,7 +33,7 @@ public final class SettingFlags {
   /**
    * Offers the flags of some groups of settings.
    *
-   * @param unlessGiven what applies without a flag, for the help text; empty for the scene's value
+   * @param unlessGiven description of the default, for the help text; empty for the scene's value
    */
   public SettingFlags(String unlessGiven, Group first, Group... others) {
     Set<Group> groups = EnumSet.of(first, others);
@@ -44,7 +44,7 @@ public final class SettingFlags {
             .toList();
   }
 
-  /** Adds the flags to each command that has such a mixin. */
+  /** Adds the flags to each command with this mixin. */
   public static final class Adder implements IModelTransformer {
     @Override
     public CommandSpec transform(CommandSpec command) {
@@ -87,7 +87,7 @@ public final class SettingFlags {
         .build();
   }
 
-  /** Reads what was given for a setting. */
+  /** Gets the value given for a setting. */
   private final class Getter implements IGetter {
     private final Setting<?> setting;
 
@@ -96,7 +96,7 @@ public final class SettingFlags {
     }
 
     @Override
-    @SuppressWarnings("unchecked") // Only picocli asks, for what it has set.
+    @SuppressWarnings("unchecked") // Only picocli calls this, with the type that it has set.
     public <V> V get() {
       return (V) given.get(setting);
     }
@@ -110,7 +110,7 @@ public final class SettingFlags {
         setting.missing().equals(Double.POSITIVE_INFINITY)
             ? "none"
             : setting.type().format(setting.missing());
-    String from = setting.isInScenes() ? "the scene's, or else " + missing : missing;
+    String from = setting.isInScenes() ? "scene or " + missing : missing;
     return setting.meaning() + " Default: " + from + ".";
   }
 
@@ -126,7 +126,7 @@ public final class SettingFlags {
    * Checks the ranges of the given values.
    *
    * @param command that has these flags
-   * @throws ParameterException naming the flag, what was expected and what was found
+   * @throws ParameterException that names the flag, the expected range and the value found
    */
   public void validate(CommandSpec command) {
     given.keySet().forEach(setting -> validate(setting, command));
@@ -147,7 +147,7 @@ public final class SettingFlags {
     return given.containsKey(setting);
   }
 
-  /** Sets all that was given. */
+  /** Sets all given values. */
   public void override(RenderSettings.Builder builder) {
     given.keySet().forEach(setting -> set(setting, builder));
   }
@@ -157,7 +157,7 @@ public final class SettingFlags {
     builder.set(setting, (T) given.get(setting));
   }
 
-  /** Returns the value given for a setting, or another. */
+  /** Returns the value given for a setting, or a default. */
   @SuppressWarnings("unchecked") // The converter made a value of the setting's type.
   <T> T valueOr(Setting<T> setting, T other) {
     return (T) given.getOrDefault(setting, other);

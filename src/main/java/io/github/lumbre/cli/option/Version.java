@@ -4,7 +4,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.lab.Release;
 import picocli.CommandLine.IVersionProvider;
 
-/** Which Lumbre this is, and what it runs on. */
+/** Prints the versions of Lumbre, the JVM and the operating system. */
 public final class Version implements IVersionProvider {
   @Override
   public String[] getVersion() {
@@ -16,11 +16,11 @@ public final class Version implements IVersionProvider {
     };
   }
 
-  /** Returns how rays would find what they hit, and why. */
+  /** Returns the default traversal kernel and the reason for it. */
   private static String kernel() {
     return Kernel.vectorObstacle()
-        .map(obstacle -> "scalar, since " + obstacle)
-        .orElse("vector, since Java and this processor have vectors of 8 floats");
+        .map(obstacle -> "scalar, because " + obstacle)
+        .orElse("vector, because Java and this processor support vectors of 8 floats");
   }
 
   private static String property(String key) {

@@ -7,14 +7,14 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * How far a render is, as a line of text. Immutable.
+ * The progress of a render, formatted as one line. Immutable.
  *
  * @param done samples
- * @param total samples; 0 if something else ends the render
- * @param seconds that the render has taken
+ * @param total samples; 0 if another limit ends the render
+ * @param seconds elapsed since the start of the render
  * @param secondsLeft until a time limit ends it
- * @param error relative to the picture
- * @param targetError that ends the render
+ * @param error current estimate of the relative error
+ * @param targetError relative error that ends the render
  */
 record BarStatus(
     long done,
@@ -30,7 +30,7 @@ record BarStatus(
    * Returns {@code 42 % [=====> ] 0:00:12 left, 1.5 M samples/s, noise 3.1 % (target 2.0 %)},
    * without the last parts if they do not fit.
    *
-   * @param columns that the line may take
+   * @param columns maximum length of the line
    */
   String line(int columns) {
     String percent = isOpen() ? "  ? %" : String.format(Locale.ROOT, "%3.0f %%", 100 * floored());
@@ -45,7 +45,7 @@ record BarStatus(
     return cut(percent + bar + rest, columns);
   }
 
-  /** Returns as much of a text as fits. */
+  /** Returns a text cut to a number of columns. */
   static String cut(String text, int columns) {
     return text.substring(0, Math.min(text.length(), Math.max(columns, 0)));
   }
@@ -81,12 +81,12 @@ record BarStatus(
     return Math.floor(100 * fraction()) / 100;
   }
 
-  /** Returns whether nothing is known that will end the render. */
+  /** Returns whether the end of the render cannot be estimated. */
   private boolean isOpen() {
     return total == 0 && secondsLeft.isEmpty() && ofError() == 0;
   }
 
-  /** Returns the share that is done, by the limit that will end the render first. */
+  /** Returns the finished share, by the limit that will end the render first. */
   private double fraction() {
     return Math.min(1, Math.max(Math.max(ofSamples(), ofTime()), ofError()));
   }
@@ -100,7 +100,10 @@ record BarStatus(
     return left == 0 ? 1 : seconds / (seconds + left);
   }
 
-  /** The squared error falls in proportion to the samples; used until their number is known. */
+  /**
+   * Returns the finished share by the target error; 0 if the number of samples is known. The
+   * squared error is inversely proportional to the number of samples.
+   */
   private double ofError() {
     double found = error.orElse(Double.POSITIVE_INFINITY);
     double ratio = targetError.orElse(0) / found;

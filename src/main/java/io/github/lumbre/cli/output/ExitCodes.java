@@ -2,50 +2,50 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.lab.TaskException;
 
-/** How the program's end is told to whoever started it. */
+/** The exit codes of the program. */
 public final class ExitCodes {
   /** Done. */
   public static final int OK = 0;
 
-  /** Warnings, and they were to count as errors. */
+  /** There are warnings under {@code --strict}. */
   public static final int WARNINGS = 1;
 
-  /** What was to be compared is not the same. */
+  /** A comparison found a difference. */
   public static final int DIFFERENT = 1;
 
-  /** The error that was asked for is not reached. */
+  /** The target error is not reached. */
   public static final int TARGET = 1;
 
-  /** The command line itself is wrong. */
+  /** The command line is invalid. */
   public static final int USAGE = 2;
 
-  /** The scene is missing, unreadable or invalid; or a film is, or does not belong to it. */
+  /** A scene or checkpoint file is missing, unreadable or invalid, or the two do not match. */
   public static final int SCENE = 3;
 
-  /** A mesh or picture of the scene cannot be decoded. */
+  /** A mesh or image of the scene cannot be decoded. */
   public static final int ASSET = 4;
 
-  /** Something is larger than a limit or than memory. */
+  /** A limit or the available memory is exceeded. */
   public static final int LIMIT = 5;
 
-  /** The picture or the film cannot be written. */
+  /** An output file cannot be written. */
   public static final int OUTPUT = 6;
 
-  /** A fault of the program, or samples that are no numbers although strictness was asked for. */
+  /** Internal error, or rejected samples under {@code --strict}. */
   public static final int INTERNAL = 7;
 
-  /** Stopped by SIGHUP, as when the terminal's window is closed. */
+  /** Stopped by SIGHUP, for example when the terminal is closed. */
   public static final int HUNG_UP = 129;
 
-  /** Stopped by SIGINT; the virtual machine itself ends with this code. */
+  /** Stopped by SIGINT; the JVM exits with this code on its own. */
   public static final int INTERRUPTED = 130;
 
-  /** Stopped by SIGTERM; the virtual machine itself ends with this code. */
+  /** Stopped by SIGTERM; the JVM exits with this code on its own. */
   public static final int TERMINATED = 143;
 
   private ExitCodes() {}
 
-  /** Returns the code for a task that could not be done. */
+  /** Returns the exit code for a failed task. */
   static int of(TaskException.Kind kind) {
     return switch (kind) {
       case WARNINGS -> WARNINGS;

@@ -14,13 +14,16 @@ import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 
-/** Puts what went wrong into words and an exit code: a line a problem, no stack trace unasked. */
+/**
+ * Reports failures: one line per problem, an exit code, and a stack trace only under {@code
+ * --debug}.
+ */
 public final class Failures implements IExecutionExceptionHandler, IParameterExceptionHandler {
   @Override
   public int handleParseException(ParameterException e, String[] args) {
     CommandLine command = e.getCommandLine();
     String help = command.getCommandSpec().qualifiedName() + " --help";
-    // Some messages of picocli begin or end in a way of their own.
+    // Some messages of picocli begin with "Error: " or end with a period.
     String message = e.getMessage().replaceFirst("^Error: ", "").replaceFirst("[.]$", "");
     new Messages(command.getErr()).error(message + " (see '" + help + "')");
     return ExitCodes.USAGE;
@@ -31,14 +34,14 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
     return report(e, command, isDebug(result));
   }
 
-  /** Reports anything thrown by a command and returns the exit code. */
+  /** Reports an exception or error thrown by a command, and returns the exit code. */
   public static int report(Throwable thrown, CommandLine command, boolean debug) {
     Messages messages = new Messages(command.getErr());
     if (thrown instanceof SceneFormatException) {
       problems(thrown).forEach(messages::line);
     } else {
       boolean unexplained = exitCode(thrown) == ExitCodes.INTERNAL && !debug;
-      String advice = unexplained ? " (--debug shows where)" : "";
+      String advice = unexplained ? " (--debug prints the stack trace)" : "";
       problems(thrown).forEach(problem -> messages.error(problem + advice));
     }
     if (debug) {
@@ -48,7 +51,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
     return exitCode(thrown);
   }
 
-  /** Returns how the program ends after this was thrown. */
+  /** Returns the exit code for an exception or error. */
   static int exitCode(Throwable thrown) {
     if (thrown instanceof TaskException e) {
       return ExitCodes.of(e.kind());
@@ -66,7 +69,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
     return rootIs(thrown, OutOfMemoryError.class) ? ExitCodes.LIMIT : ExitCodes.INTERNAL;
   }
 
-  /** Returns what went wrong when this was thrown, at least one line. */
+  /** Returns the problems that an exception or error reports, at least one line. */
   static List<String> problems(Throwable thrown) {
     if (thrown instanceof TaskException e) {
       return List.of(e.getMessage());
@@ -79,9 +82,9 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
     }
     if (rootIs(thrown, OutOfMemoryError.class)) {
       return List.of(
-          "out of memory: the heap is limited to "
+          "out of memory: the maximum heap size is "
               + MemoryEstimate.mebibytes(Runtime.getRuntime().maxMemory())
-              + " (LUMBRE_JAVA_OPTS=-Xmx8g raises that)");
+              + "; raise it with LUMBRE_JAVA_OPTS=-Xmx8g");
     }
     String what = thrown instanceof RenderException ? thrown.getMessage() : thrown.toString();
     return List.of("internal error: " + what);
@@ -95,7 +98,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
     return type.isInstance(root);
   }
 
-  /** Tells whether a command, or the one below it, was asked to show stack traces. */
+  /** Returns whether a command or its subcommand was given {@code --debug}. */
   public static boolean isDebug(ParseResult result) {
     for (ParseResult r = result; r != null; r = r.subcommand()) {
       if (r.hasMatchedOption("--debug")) {

@@ -5,16 +5,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Where files go that cannot be written where they should be.
+ * The directory for files that cannot be written to their own folder.
  *
- * @param directory which exists
+ * @param directory an existing directory
  */
 public record Fallback(Path directory) {
   /** Java's directory for temporary files. */
   public static final Fallback TEMPORARY =
       new Fallback(Path.of(System.getProperty("java.io.tmpdir")));
 
-  /** Makes an empty file whose name ends in that of a file which could not be written. */
+  /** Creates an empty file whose name ends with that of the file that could not be written. */
   public Path newFile(Path wanted) throws IOException {
     return Files.createTempFile(directory, "lumbre-", "-" + wanted.getFileName());
   }
@@ -26,7 +26,7 @@ public record Fallback(Path directory) {
         Files.delete(file);
       }
     } catch (IOException e) {
-      // The file is named in a message already, and nothing is lost with it.
+      // The file is empty and a message has already named it.
       return;
     }
   }

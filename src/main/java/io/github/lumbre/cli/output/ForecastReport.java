@@ -5,19 +5,21 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * What is told early of how long an error will take, and of whether the render will go on so long.
+ * An early forecast of the samples and time that a target error takes, and of whether the render
+ * reaches it.
  *
- * @param secondsPerSample what a sample of each pixel has taken so far
- * @param samples per pixel at which the render ends
- * @param secondsInAll after which the render ends, from its beginning; empty if no time ends it
+ * @param secondsPerSample mean time so far for one sample of every pixel
+ * @param samples limit of samples per pixel
+ * @param secondsInAll time limit since the start of the render; empty if there is none
  */
 public record ForecastReport(
     Forecast forecast, double secondsPerSample, int samples, OptionalDouble secondsInAll) {
-  /** Returns a line for people. */
+  /** Returns the forecast as a line of text. */
   public String line() {
     return String.format(
         Locale.ROOT,
-        "forecast: the error takes about %.0f samples per pixel (%.0f to %.0f), %s (%s to %s)%s",
+        "forecast: the target error takes about %.0f samples per pixel (%.0f to %.0f), %s (%s to"
+            + " %s)%s",
         forecast.likely(),
         forecast.least(),
         forecast.most(),
@@ -27,7 +29,7 @@ public record ForecastReport(
         verdict());
   }
 
-  /** Tells whether samples or time end the render before the error is reached. */
+  /** Returns a note if samples or time will or may end the render before the target error. */
   private String verdict() {
     if (endsBefore(forecast.least())) {
       return "; it will not be reached";

@@ -9,10 +9,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Supplier;
 
-/**
- * Progress for programs to read: a JSON object a line, at the beginning, every second and at the
- * end.
- */
+/** Prints progress as one JSON object per line: at the start, every second and at the end. */
 public final class JsonProgress implements ProgressDisplay {
   private static final long INTERVAL_MILLIS = 1000;
 
@@ -64,7 +61,7 @@ public final class JsonProgress implements ProgressDisplay {
     error = relativeError.get();
   }
 
-  /** Prints the last line; none follows. */
+  /** Prints the last line and stops. */
   @Override
   public void close() {
     clock.shutdownNow();
@@ -88,7 +85,7 @@ public final class JsonProgress implements ProgressDisplay {
    * total, time left and {@code relative_error} only if they are known.
    *
    * @param total 0 if it is not known
-   * @param limit in seconds from now; empty without one
+   * @param limit remaining seconds of the time limit; empty if there is none
    */
   static String line(
       long done, long total, double seconds, OptionalDouble limit, OptionalDouble relativeError) {

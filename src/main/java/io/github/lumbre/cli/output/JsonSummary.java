@@ -21,9 +21,9 @@ import java.util.Map;
 import picocli.CommandLine.ParameterException;
 
 /**
- * What a command did or why it failed, for programs to read: a JSON object on one line. Mutable.
+ * The summary of a command's result or failure as one line of JSON. Mutable.
  *
- * <p>Keys may be added; {@link #FORMAT} changes when older readers would misunderstand.
+ * <p>Keys may be added; {@link #FORMAT} changes with every incompatible change.
  */
 public final class JsonSummary {
   static final String FORMAT = "lumbre-summary-1";
@@ -32,23 +32,23 @@ public final class JsonSummary {
 
   private final Map<String, Object> values = new LinkedHashMap<>();
 
-  /** What a command does, and the exit code that it ends with. */
+  /** The work of a command; returns its exit code. */
   public interface Action {
     int run() throws SceneFormatException, TaskException;
   }
 
   /**
-   * @param command that was run
-   * @param scene that it was given
+   * @param command name of the command
+   * @param scene path of its scene
    */
   public JsonSummary(String command, Path scene) {
     this(command, "scene", scene);
   }
 
   /**
-   * @param command that was run
-   * @param key what it was given
-   * @param path of that
+   * @param command name of the command
+   * @param key JSON key of the command's input
+   * @param path path of the input
    */
   public JsonSummary(String command, String key, Path path) {
     values.put("format", FORMAT);
@@ -58,9 +58,9 @@ public final class JsonSummary {
   }
 
   /**
-   * Runs a command that prints its own summary if it succeeds, and prints one if it fails.
+   * Runs a command, and prints a summary if it fails. On success the command prints its own.
    *
-   * @throws ParameterException without a summary, if the command line is wrong
+   * @throws ParameterException without a summary, if the command line is invalid
    */
   public int around(Action action, Messages out) throws SceneFormatException, TaskException {
     try {
@@ -83,7 +83,7 @@ public final class JsonSummary {
     values.put(key, value);
   }
 
-  /** Adds what is known of a scene that has been read. */
+  /** Adds the settings and warnings of a scene. */
   public void putScene(SceneFile file) {
     RenderSettings settings = file.settings();
     values.put("scene_sha256", file.hash());
@@ -100,7 +100,7 @@ public final class JsonSummary {
     values.put("warnings", file.warnings().stream().map(Object::toString).toList());
   }
 
-  /** Returns a value as JSON has it: numbers and texts; null instead of an infinite limit. */
+  /** Returns a value for JSON: a number or a string; null instead of an infinite limit. */
   private static Object value(Object value) {
     if (value instanceof Double number) {
       return Double.isFinite(number) ? number : null;
@@ -108,7 +108,7 @@ public final class JsonSummary {
     return value instanceof Enum<?> constant ? SettingType.nameOf(constant) : value;
   }
 
-  /** Adds how much of everything a scene holds. */
+  /** Adds the counts of a scene's contents. */
   public void putContents(SceneContents contents) {
     values.put("camera", contents.camera());
     values.put("shapes", contents.shapes());
@@ -119,7 +119,7 @@ public final class JsonSummary {
     values.put("textures", contents.textures());
   }
 
-  /** Adds what a render will take of memory. */
+  /** Adds the estimated memory of a render. */
   public void putEstimate(MemoryEstimate estimate) {
     values.put("pixels", estimate.pixels());
     values.put("threads", estimate.threads());
@@ -133,9 +133,10 @@ public final class JsonSummary {
   }
 
   /**
-   * Adds what a render did. A rejected sample is column and row in the full frame, and number.
+   * Adds the result of a render. A rejected sample is listed as x and y in the full frame, and
+   * index.
    *
-   * @param seconds that rendering took
+   * @param seconds rendering time
    */
   public void putResult(RenderResult result, double seconds) {
     RenderStatistics statistics = result.statistics();

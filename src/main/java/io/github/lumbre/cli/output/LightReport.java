@@ -10,18 +10,18 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What is told of light that a picture lacks whatever the number of samples.
+ * Reports the bias of a picture: energy that it loses with any number of samples.
  *
- * @param cut beyond the greatest depth; empty if that was not estimated
- * @param clamp to which samples were darkened; infinite for none
- * @param clamped how many samples were
- * @param clampedShare of the light of all samples
+ * @param cut energy lost to the path length limit; empty if it was not estimated
+ * @param clamp largest component of a sample; infinite if samples are not clamped
+ * @param clamped number of clamped samples
+ * @param clampedShare share of the energy of all samples that clamping removed
  */
 public record LightReport(Optional<DepthCut> cut, double clamp, long clamped, double clampedShare) {
-  /** The estimate is to take less than this of a render's time. */
+  /** The largest share of a render's time that the estimate may take. */
   private static final double LARGEST_COST = .01;
 
-  /** Returns what is to be told of a film that is done, rendered in one run. */
+  /** Returns the report on a finished film that was rendered in one run. */
   public static LightReport of(
       SceneFile file, Film film, RenderStatistics statistics, boolean isQuiet)
       throws InterruptedException {
@@ -39,11 +39,11 @@ public record LightReport(Optional<DepthCut> cut, double clamp, long clamped, do
     return clamp < Double.POSITIVE_INFINITY;
   }
 
-  /** Prints a line for each kind of light that is estimated. */
+  /** Prints one line for each loss that is known. */
   public void print(Messages messages) {
-    cut.ifPresent(c -> messages.line("light beyond the depth: " + text(c)));
+    cut.ifPresent(c -> messages.line("energy lost to the path length limit: " + text(c)));
     if (isClamped()) {
-      messages.line("light clamped: " + clampedText());
+      messages.line("energy lost to clamping: " + clampedText());
     }
   }
 
@@ -57,10 +57,10 @@ public record LightReport(Optional<DepthCut> cut, double clamp, long clamped, do
 
   private String clampedText() {
     return String.format(
-        Locale.ROOT, "%.2g %%, of %d samples above %s", 100 * clampedShare, clamped, clamp);
+        Locale.ROOT, "%.2g %%, in %d samples above %s", 100 * clampedShare, clamped, clamp);
   }
 
-  /** Adds what the picture's file is to tell. */
+  /** Adds the metadata for the picture's file. */
   public void putInto(Map<String, String> metadata) {
     cut.ifPresent(c -> metadata.put("LightBeyondDepth", text(c)));
     if (isClamped()) {
@@ -68,7 +68,7 @@ public record LightReport(Optional<DepthCut> cut, double clamp, long clamped, do
     }
   }
 
-  /** Adds what programs are to hear. */
+  /** Adds the values to the JSON summary. */
   public void putInto(JsonSummary report) {
     cut.ifPresent(
         c -> {

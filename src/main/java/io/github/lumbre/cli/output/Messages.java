@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Lines for people, a line each, whatever they contain: characters that could move the cursor,
- * colour the terminal, or feign another line are written as {@code \\u001b}.
+ * Prints messages, one line each. Characters that could move the cursor, color the terminal or fake
+ * another line are escaped, as in {@code \\u001b}.
  */
 public final class Messages {
   private final PrintWriter out;
@@ -25,7 +25,7 @@ public final class Messages {
         });
   }
 
-  /** Prints a line in the program's name. */
+  /** Prints a line that begins with the program's name. */
   public void error(String text) {
     line("lumbre: " + text);
   }

@@ -9,10 +9,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What is told of a picture's samples and noise.
+ * Reports a picture's samples and noise.
  *
- * @param noise empty if it is not known
- * @param target that the error was to reach, if one was asked for
+ * @param noise estimate of the noise; empty if it is not known
+ * @param target target error, if one was given
  * @param end what ended the render: {@code samples}, {@code time} or {@code error}
  */
 public record NoiseReport(
@@ -22,7 +22,8 @@ public record NoiseReport(
     boolean reachedTarget,
     String end) {
   /**
-   * Returns {@code 64}, or {@code 32 to 64 (median 64, mean 50.1)} if pixels have different ones.
+   * Returns the samples per pixel: {@code 64}, or {@code 32 to 64 (median 64, mean 50.1)} if they
+   * differ between pixels.
    */
   String samples() {
     int fewest = film.fewestSamples();
@@ -38,7 +39,7 @@ public record NoiseReport(
             film.meanSamples());
   }
 
-  /** Returns {@code noise about 1.6 % (at most 1.8 %), }; nothing if it is not known. */
+  /** Returns {@code noise about 1.6 % (at most 1.8 %), }; empty if the noise is not known. */
   String line() {
     return noise
         .map(n -> "noise about %s (%s), ".formatted(percent(n.relativeRmse()), bound(n)))
@@ -51,13 +52,13 @@ public record NoiseReport(
         : "at most " + percent(noise.upperRelativeRmse());
   }
 
-  /** Prints what is doubtful about the noise, or was not reached. */
+  /** Prints warnings about a heavy-tailed noise estimate and a missed target error. */
   public void printDoubts(Messages messages) {
     if (noise.filter(NoiseEstimate::hasHeavyTail).isPresent()) {
       messages.line(
-          "warning: a thousandth of the pixels carries "
+          "warning: 0.1 % of the pixels carry "
               + percent(noise.get().tailShare())
-              + " of the noise; more bright spots may be to come than its bound knows of");
+              + " of the noise, so the noise may be underestimated; take more samples");
     }
     if (isMissed()) {
       messages.line(
@@ -68,12 +69,12 @@ public record NoiseReport(
     }
   }
 
-  /** Tells whether an error was asked for that the picture has not reached. */
+  /** Returns whether a target error was given but not reached. */
   public boolean isMissed() {
     return target.isPresent() && !reachedTarget;
   }
 
-  /** Adds what the picture's file is to tell. */
+  /** Adds the metadata for the picture's file. */
   public void putInto(Map<String, String> metadata) {
     metadata.put("Samples", samples());
     noise.ifPresent(
@@ -81,13 +82,12 @@ public record NoiseReport(
           metadata.put("Noise", percent(n.relativeRmse()));
           metadata.put("NoiseBound", bound(n) + " with a confidence of " + percent(n.confidence()));
           if (n.hasHeavyTail()) {
-            metadata.put(
-                "NoiseTail", percent(n.tailShare()) + " of it in a thousandth of the pixels");
+            metadata.put("NoiseTail", percent(n.tailShare()) + " of it in 0.1 % of the pixels");
           }
         });
   }
 
-  /** Adds what programs are to hear. */
+  /** Adds the values to the JSON summary. */
   public void putInto(JsonSummary report) {
     Map<String, Object> samples = new LinkedHashMap<>();
     samples.put("min", film.fewestSamples());
@@ -114,7 +114,7 @@ public record NoiseReport(
         });
   }
 
-  /** Returns a share as a percentage of two digits, or three for all of it. */
+  /** Returns a share as a percentage with two digits, or three for 100 %. */
   public static String percent(double share) {
     return String.format(Locale.ROOT, share >= .1 ? "%.0f %%" : "%.2g %%", 100 * share);
   }

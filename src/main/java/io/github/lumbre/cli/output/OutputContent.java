@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Predicate;
 
-/** The kinds of files that commands write, and how an existing one is recognized. */
+/** The kinds of files that commands write, and tests that recognize existing ones. */
 public enum OutputContent {
   PICTURE("a PNG, JPEG, OpenEXR, PFM or HDR picture", ImageFormat::startsPicture),
   FILM("a checkpoint file", FilmFile::startsIn),
@@ -27,8 +27,7 @@ public enum OutputContent {
       "a chart of 'lumbre trade table'",
       text(start -> start.startsWith("<svg") && start.contains("system-ui,sans-serif\"><title>"))),
   BENCH_JSON(
-      "a JSON file of 'lumbre perf'",
-      text(start -> start.contains("\"format\": \"lumbre-bench-"))),
+      "a JSON file of 'lumbre perf'", text(start -> start.contains("\"format\": \"lumbre-bench-"))),
   BENCHMARK_CSV(
       "a CSV file of 'lumbre benchmark'", text(start -> start.startsWith("row,name,scene,size,"))),
   HASHES(
@@ -52,14 +51,14 @@ public enum OutputContent {
     return start -> isStart.test(new String(start, StandardCharsets.UTF_8));
   }
 
-  /** Returns what the kind is called in a message, with its article. */
+  /** Returns the name of the kind for messages, with its article. */
   String description() {
     return description;
   }
 
   /**
-   * Returns whether a new file of this kind may replace an existing file: it is empty, or begins as
-   * files of this kind do.
+   * Returns whether a new file of this kind may replace an existing file: it is empty or begins
+   * like a file of this kind.
    *
    * @throws IOException if the file cannot be read
    */

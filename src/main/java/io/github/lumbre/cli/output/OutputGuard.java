@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The files that a command reads and writes. {@link #check} refuses the command before it begins if
- * it would overwrite a file that it reads, write one file twice, or replace a file of a different
- * kind. Symbolic links and hard links are followed. Mutable.
+ * The files that a command reads and writes. {@link #check} rejects a command before it starts if
+ * it would overwrite an input, write one file twice, or replace a file of a different kind.
+ * Symbolic links and hard links are followed. Mutable.
  */
 public final class OutputGuard {
   private final boolean overwrite;
@@ -43,8 +43,8 @@ public final class OutputGuard {
   private record Input(Path path, String role) {}
 
   /**
-   * @param flag that names another place
-   * @param isOwn whether the command checks the file's present content itself
+   * @param flag flag that sets the path
+   * @param isOwn whether the command itself checks the file's current content
    */
   private record Output(String flag, Path path, OutputContent content, boolean isOwn) {}
 
@@ -65,12 +65,13 @@ public final class OutputGuard {
     return this;
   }
 
-  /** Adds a film that the command reads, or the previous one beside it. */
+  /** Adds a checkpoint file that the command reads, and its previous version. */
   public OutputGuard readsFilm(Path film) {
-    return reads(film, "a film").reads(OutputFile.previous(film), "the previous version of a film");
+    return reads(film, "a checkpoint file")
+        .reads(OutputFile.previous(film), "the previous version of a checkpoint file");
   }
 
-  /** Adds a scene, with all files that its assets name. */
+  /** Adds a scene and its asset files. */
   public OutputGuard readsScene(Path scene) {
     return reads(scene, "the scene").readsAssets(scene, () -> SceneParser.files(scene));
   }
@@ -84,7 +85,7 @@ public final class OutputGuard {
   /**
    * Adds a file that the command writes.
    *
-   * @param flag that names the file, for messages
+   * @param flag flag that sets the path, for messages
    */
   public OutputGuard writes(String flag, Path path, OutputContent content) {
     outputs.add(new Output(flag, path, content, false));
@@ -97,7 +98,7 @@ public final class OutputGuard {
     return this;
   }
 
-  /** Adds a film that the command replaces, and the previous one beside it. */
+  /** Adds a checkpoint file that the command replaces, and its previous version. */
   public OutputGuard updatesFilm(String flag, Path film) {
     return updates(flag, film, OutputContent.FILM)
         .updates(flag, OutputFile.previous(film), OutputContent.FILM);
@@ -126,7 +127,7 @@ public final class OutputGuard {
     }
   }
 
-  /** Reads the scenes' lists of files only where an output exists: only then can it be an asset. */
+  /** Reads the scenes' asset lists only if an output exists: only then can it be an asset. */
   private void checkAssets() throws TaskException {
     List<Output> existing =
         outputs.stream().filter(o -> written(o.path).stream().anyMatch(Files::exists)).toList();
@@ -200,7 +201,7 @@ public final class OutputGuard {
   }
 
   private static String advice(String flag) {
-    return "choose another place with " + flag;
+    return "choose another path with " + flag;
   }
 
   private static TaskException refused(String message) {

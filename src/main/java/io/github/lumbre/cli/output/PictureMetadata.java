@@ -16,11 +16,11 @@ public final class PictureMetadata {
   private PictureMetadata() {}
 
   /**
-   * Returns texts by keyword, a map that more can be put into.
+   * Returns the metadata by keyword, in a mutable map.
    *
    * @param scene the scene's path
-   * @param settings by which it was rendered
-   * @param seconds that rendering took
+   * @param settings settings of the render
+   * @param seconds rendering time
    */
   public static Map<String, String> of(
       Path scene, SceneFile file, RenderSettings settings, double seconds) {

@@ -14,9 +14,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Where the picture goes: reserved before the work begins, filled when it has ended. Mutable. */
+/** The picture file: reserved before the render starts, written when it ends. Mutable. */
 public final class PictureOutput implements AutoCloseable {
-  /** The name that means standard input or output. */
+  /** The path that denotes standard input or output. */
   public static final Path STANDARD = Path.of("-");
 
   /** The name of a scene from standard input: its assets are relative to the working directory. */
@@ -33,8 +33,8 @@ public final class PictureOutput implements AutoCloseable {
   }
 
   /**
-   * Returns where a scene's picture goes by default: its name with another ending, in the working
-   * directory; {@code stdin.png} for a scene from standard input.
+   * Returns the default path of a scene's picture: the scene's name with {@code .png}, in the
+   * working directory; {@code stdin.png} for a scene from standard input.
    */
   public static Path defaultFor(Path scene) {
     Path name = scene.equals(STANDARD) ? STDIN : scene.getFileName();
@@ -44,7 +44,7 @@ public final class PictureOutput implements AutoCloseable {
     return Path.of((base.isEmpty() ? "picture" : base) + ImageFormat.PNG.ending());
   }
 
-  /** Returns whether two paths lead to the same file, which need not exist. */
+  /** Returns whether two paths denote the same file, which need not exist. */
   static boolean isSame(Path one, Path other) {
     try {
       return Files.isSameFile(one, other);
@@ -53,7 +53,7 @@ public final class PictureOutput implements AutoCloseable {
     }
   }
 
-  /** Returns a path whose symbolic links are resolved; the file itself need not exist. */
+  /** Returns a path with symbolic links resolved; the file itself need not exist. */
   private static Path real(Path path) {
     Path absolute = path.toAbsolutePath();
     Path parent = absolute.getParent();
@@ -67,19 +67,19 @@ public final class PictureOutput implements AutoCloseable {
   }
 
   /**
-   * Reserves a place for a picture.
+   * Reserves a file for a picture.
    *
-   * @throws TaskException if it cannot be written there
+   * @throws TaskException if the file cannot be written
    */
   public static PictureOutput reserve(Path target) throws TaskException {
     return reserve(target, Fallback.TEMPORARY);
   }
 
   /**
-   * Reserves a place for a picture.
+   * Reserves a file for a picture.
    *
-   * @param fallback where the picture goes if it turns out that it cannot be written there
-   * @throws TaskException if that is known already
+   * @param fallback directory for the picture if the file cannot be written later
+   * @throws TaskException if the file cannot be written now
    */
   public static PictureOutput reserve(Path target, Fallback fallback) throws TaskException {
     try {
@@ -90,11 +90,11 @@ public final class PictureOutput implements AutoCloseable {
   }
 
   /**
-   * Returns an output that writes to standard output. The picture is collected in a temporary file,
-   * which stays if standard output cannot be written.
+   * Returns an output that writes to standard output. The picture is first written to a temporary
+   * file, which is kept if standard output cannot be written.
    *
-   * @param fallback where the temporary file is
-   * @throws TaskException if it cannot be made
+   * @param fallback directory of the temporary file
+   * @throws TaskException if the temporary file cannot be created
    */
   public static PictureOutput toStandardOutput(ImageFormat format, Fallback fallback)
       throws TaskException {
@@ -112,7 +112,7 @@ public final class PictureOutput implements AutoCloseable {
     return target;
   }
 
-  /** Returns whether the picture is for the screen. */
+  /** Returns whether the picture's format is for the screen (PNG or JPEG). */
   public boolean isForScreen() {
     return ImageFormat.of(file.target()).filter(ImageFormat::isForScreen).isPresent();
   }
@@ -146,9 +146,9 @@ public final class PictureOutput implements AutoCloseable {
   }
 
   /**
-   * Writes the picture; if that fails, into the other directory, lest it be lost.
+   * Writes the picture; if that fails, writes it to the fallback directory instead.
    *
-   * @throws TaskException if that failed, naming the path where the picture is instead
+   * @throws TaskException if that failed; it names the path of the rescued picture
    */
   public void write(Image image, ImageWriter.Options options) throws TaskException {
     try {
@@ -189,11 +189,11 @@ public final class PictureOutput implements AutoCloseable {
       }
       return "saved as " + other + " instead";
     } catch (IOException e) {
-      return "nor could " + fallback.directory() + ": " + e.getMessage();
+      return "nor could it be saved in " + fallback.directory() + ": " + e.getMessage();
     }
   }
 
-  /** Releases the place if nothing was written. */
+  /** Releases the reserved file if nothing was written. */
   @Override
   public void close() {
     try {

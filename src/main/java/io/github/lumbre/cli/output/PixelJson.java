@@ -18,11 +18,11 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The samples of a pixel, for programs to read. Numbers that JSON does not have are the texts
- * {@code Infinity}, {@code -Infinity} and {@code NaN}.
+ * Formats the samples of a pixel as JSON. Numbers that JSON cannot represent are the strings {@code
+ * Infinity}, {@code -Infinity} and {@code NaN}.
  */
 public final class PixelJson {
-  /** Identifies the format; it changes when older readers would misunderstand. */
+  /** Identifies the format; it changes with every incompatible change. */
   public static final String FORMAT = "lumbre-pixel-2";
 
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
@@ -40,7 +40,9 @@ public final class PixelJson {
     return GSON.toJson(values);
   }
 
-  /** Returns what all samples have in common, and the outstanding ones with their paths. */
+  /**
+   * Returns the statistics of all samples, and the rejected and brightest samples with their paths.
+   */
   public static String text(PixelReport report, PixelReplay.Pixel pixel) {
     PixelJson json = new PixelJson(report);
     Map<String, Object> values = head(report);

@@ -3,8 +3,8 @@ package io.github.lumbre.cli.output;
 /**
  * A pixel of the full frame.
  *
- * @param x its column, from the left
- * @param y its row, from the top
+ * @param x column, from the left
+ * @param y row, from the top
  */
 public record PixelPlace(int x, int y) {
   @Override

@@ -12,7 +12,9 @@ import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.render.PixelReplay;
 
-/** The samples of a pixel as text. Numbers have all their digits, so that bits can be compared. */
+/**
+ * Formats the samples of a pixel as text. Numbers have all digits, so that bits can be compared.
+ */
 public record PixelReport(SceneFile file, PixelPlace pixel) {
   /** Returns the path of a sample, vertex by vertex. */
   public String text(PixelReplay.Sample sample) {
@@ -32,14 +34,14 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
         sum = sum.plus(contribution.amount());
       }
       line(out, "  sum        " + shown(sum));
-      line(out, "  then       " + end(vertex.end()));
+      line(out, "  next       " + end(vertex.end()));
     }
     if (sample.vertices().isEmpty()) {
-      line(out, "the camera images nothing here");
+      line(out, "the camera has no ray for this sample");
     }
     line(out, "radiance     " + shown(sample.radiance()));
     if (sample.rejected()) {
-      line(out, "rejected     negative or not finite: added to the film as black");
+      line(out, "rejected     negative, NaN or infinite: added to the film as black");
     }
     if (sample.clamped()) {
       line(out, "clamped      to " + file.settings().clamp());
@@ -53,7 +55,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     StringBuilder out = new StringBuilder();
     line(out, "pixel " + pixel + ", " + all.samples() + " samples, seed " + seed());
     line(out, "mean         " + shown(all.mean()));
-    line(out, "variance     " + shown(all.variance()) + " of one sample");
+    line(out, "variance     " + shown(all.variance()) + " per sample");
     line(out, "rejected     " + all.rejected() + " samples");
     for (PixelReplay.Sample sample : all.firstRejected()) {
       line(out, "rejected     sample " + sample.number() + ": " + shown(sample.radiance()));
@@ -86,7 +88,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
 
   private void describe(Hit hit, StringBuilder out) {
     line(out, "  hits       " + primitive(hit.primitive()));
-    line(out, "  made of    " + material(hit));
+    line(out, "  material   " + material(hit));
     line(out, "  position   " + shown(hit.position()));
     line(out, "  normal     " + shown(hit.geometricNormal()));
     if (!hit.shadingNormal().equals(hit.geometricNormal())) {
@@ -96,7 +98,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
 
   private String material(Hit hit) {
     Origin origin = file.origins().materials().get(hit.primitive());
-    String what = origin.equals(Origin.NONE) ? "no material of the file" : origin.toString();
+    String what = origin.equals(Origin.NONE) ? "no material in the scene file" : origin.toString();
     return hit.bsdf().isEmpty() ? what : what + " (" + hit.bsdf() + ")";
   }
 
@@ -110,7 +112,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     line(out, "  light      " + source(light.source()) + of);
     line(out, "             radiance " + shown(light.radiance()));
     if (light.source() == Source.LIGHT) {
-      line(out, "             from " + shown(light.wi()) + ", f·cos " + shown(light.f()));
+      line(out, "             direction " + shown(light.wi()) + ", f·cos " + shown(light.f()));
     }
     if (light.source() != Source.AMBIENT) {
       line(
@@ -141,12 +143,12 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     }
   }
 
-  /** Returns where an object stands. */
+  /** Returns the place of an object in the scene file. */
   String primitive(int number) {
     return file.origins().primitives().get(number).toString();
   }
 
-  /** Returns where an emitter stands. */
+  /** Returns the place of a light in the scene file. */
   String emitter(int number) {
     return file.origins().emitters().get(number).toString();
   }
@@ -165,9 +167,9 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
       case CONTINUES -> "continues";
       case SPLIT -> "is split into branches";
       case ESCAPED -> "ends: the ray hits nothing";
-      case EMITTER -> "ends: an emitter scatters nothing";
-      case DEPTH -> "ends: the path has reached its greatest depth";
-      case ABSORBED -> "ends: nothing is scattered";
+      case EMITTER -> "ends: lights do not scatter";
+      case DEPTH -> "ends: the path length limit is reached";
+      case ABSORBED -> "ends: the surface absorbs all light";
       case ROULETTE -> "ends: by Russian roulette";
     };
   }

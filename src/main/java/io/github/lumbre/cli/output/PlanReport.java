@@ -21,7 +21,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Tells what a scene does not require, and so is left out of its render. */
+/** Reports the rendering steps that a scene does not need and that its render skips. */
 public final class PlanReport {
   private final Scene scene;
   private final RenderSettings settings;
@@ -33,15 +33,15 @@ public final class PlanReport {
     unused = file.origins().unused();
   }
 
-  /** Prints a line for each kind of work: what is done, and what is not and why. */
+  /** Prints one line for each kind of step: what is done, or why it is skipped. */
   public void print(Messages out) {
     out.line("plan       assets: " + assets());
     out.line("           materials: " + materials());
     out.line("           normals: " + normals());
     out.line("           meshes: " + meshes());
-    out.line("           choice of light: " + choice());
+    out.line("           light selection: " + choice());
     out.line("           lens: " + lens());
-    out.line("           coverage of pixels: " + coverage());
+    out.line("           pixel coverage: " + coverage());
   }
 
   private String assets() {
@@ -50,7 +50,7 @@ public final class PlanReport {
     }
     Map<String, Long> counts =
         unused.stream().collect(groupingBy(SceneOrigins.Unused::type, TreeMap::new, counting()));
-    return "left undecoded, nothing uses them: "
+    return "not decoded, because unused: "
         + counts.entrySet().stream()
             .map(type -> type.getKey() + " " + type.getValue())
             .collect(joining(", "));
@@ -62,7 +62,7 @@ public final class PlanReport {
     return uniform
         + " of "
         + all.size()
-        + " surfaces scatter everywhere alike, which is worked out once and not at every hit";
+        + " surfaces have a uniform BSDF, computed once instead of at every hit";
   }
 
   private List<Primitive> surfaces() {
@@ -72,8 +72,8 @@ public final class PlanReport {
   private String normals() {
     long mapped = surfaces().stream().filter(p -> p.material() instanceof NormalMapped).count();
     return mapped == 0
-        ? "left out, no map bends them"
-        : "bent by maps on " + mapped + " of " + surfaces().size() + " surfaces";
+        ? "skipped, there are no normal maps"
+        : "perturbed by normal maps on " + mapped + " of " + surfaces().size() + " surfaces";
   }
 
   private String meshes() {
@@ -81,12 +81,12 @@ public final class PlanReport {
     long baked = shapes.stream().filter(Mesh.class::isInstance).count();
     long shared = shapes.stream().filter(MeshInstance.class::isInstance).count();
     if (baked + shared == 0) {
-      return "left out, there are none";
+      return "skipped, there are none";
     }
     return baked
-        + " in one place, moved there once; "
+        + " used once, transformed at loading; "
         + shared
-        + " places of shared meshes, where every ray is moved";
+        + " instances of shared meshes, where each ray is transformed";
   }
 
   private String choice() {
@@ -95,25 +95,27 @@ public final class PlanReport {
             ? scene.emitters().size()
             : scene.lights().size();
     if (settings.mode() == RenderSettings.Mode.RAY) {
-      return "left out, ray tracing asks all of the " + count;
+      return "skipped, ray mode samples every light: " + count;
     }
     if (count == 0) {
-      return "left out, nothing shines";
+      return "skipped, there are no lights";
     }
     if (scene.takes(Specialization.ONE_EMITTER)) {
-      return "left out, there is one";
+      return "skipped, there is a single light";
     }
     return switch (LightSampler.over(scene.emitters()).method()) {
-      case FIXED -> "of " + count + " with the same probabilities everywhere";
-      case ONE_BY_ONE -> "of " + count + ", each asked what it may send to the point";
-      case HIERARCHY -> "of " + count + " by a hierarchy, which asks about 2 log2 of them";
+      case FIXED -> "1 of " + count + ", with the same probabilities at every point";
+      case ONE_BY_ONE ->
+          "1 of " + count + ", with probabilities from the importance of each light at the point";
+      case HIERARCHY ->
+          "1 of " + count + ", with a light tree that evaluates about 2 log2(n) nodes";
     };
   }
 
   private String lens() {
     return scene.camera() instanceof ThinLensCamera
-        ? "a point of it is drawn for every sample"
-        : "left out, the camera has none";
+        ? "one lens point per sample"
+        : "skipped, the camera has no lens";
   }
 
   private String coverage() {
@@ -121,7 +123,7 @@ public final class PlanReport {
       return "counted, the background is transparent";
     }
     return scene.camera().leavesBlanks()
-        ? "counted, the camera leaves some blank"
-        : "left out, every sample covers its pixel";
+        ? "counted, the camera leaves some pixels blank"
+        : "skipped, every sample covers its pixel";
   }
 }

@@ -15,24 +15,24 @@ import java.util.function.Supplier;
 
 /**
  * A progress bar on the last line of a terminal, drawn by a daemon thread four times a second.
- * Mutable; safe for use by any thread.
+ * Mutable and thread-safe.
  *
  * <p>The cursor rests in the first column. If the window becomes narrower and the terminal wraps
- * the line, everything from there on is erased before the next drawing. No program but this one
- * changes the terminal's settings or the handling of signals.
+ * the line, everything after the cursor is erased before the next redraw. The bar starts no program
+ * that changes terminal settings or signal handling.
  */
 public final class ProgressBar implements ProgressDisplay {
   private static final long INTERVAL_MILLIS = 250;
 
-  /** How long reading takes before it is worth a line. */
+  /** The loading time after which the bar is first shown. */
   private static final double PATIENCE_SECONDS = 0.75;
 
-  /** Without a drawing for so long, the program was suspended; that is no time of the render. */
+  /** A longer gap between redraws means that the program was suspended; it is not render time. */
   private static final double SUSPENDED_SECONDS = 3;
 
   private static final long VANISH_MILLIS = 200;
 
-  /** The one that the terminal shows; lines of text are printed instead of it. */
+  /** The bar that is currently shown; it is erased before a line of text is printed. */
   private static final AtomicReference<Optional<ProgressBar>> SHOWN =
       new AtomicReference<>(Optional.empty());
 
@@ -41,7 +41,7 @@ public final class ProgressBar implements ProgressDisplay {
   private final boolean hasEscapes;
   private final DoubleSupplier clock;
 
-  /** One for each thread in effect: workers report many times a second. */
+  /** A striped counter, because worker threads report many times a second. */
   private final LongAdder done = new LongAdder();
 
   private final ScheduledExecutorService timer =
@@ -52,7 +52,7 @@ public final class ProgressBar implements ProgressDisplay {
             return thread;
           });
 
-  /** Guards what follows, and the terminal. */
+  /** Guards the fields below and the terminal. */
   private final ReentrantLock lock = new ReentrantLock();
 
   private String activity = "";
@@ -76,7 +76,7 @@ public final class ProgressBar implements ProgressDisplay {
     lastTick = start;
   }
 
-  /** Returns a bar on standard error, which draws itself from now on. */
+  /** Returns a bar on standard error and starts to draw it. */
   public static ProgressBar onStandardError() {
     String terminal = System.getenv().getOrDefault("TERM", "dumb");
     ProgressBar bar =
@@ -91,13 +91,13 @@ public final class ProgressBar implements ProgressDisplay {
     return bar;
   }
 
-  /** Returns a bar that draws itself at {@link #tick} only. */
+  /** Returns a bar that is drawn only by {@link #tick}. */
   static ProgressBar manual(
       PrintStream out, TerminalWidth width, boolean hasEscapes, DoubleSupplier clock) {
     return new ProgressBar(out, width, hasEscapes, clock);
   }
 
-  /** Prints lines in place of the bar, if there is one, which then follows below them. */
+  /** Prints lines above the bar if one is shown: erases it first, and the next tick redraws it. */
   static void aside(Runnable print) {
     Optional<ProgressBar> shown = SHOWN.get();
     if (shown.isEmpty()) {
@@ -114,7 +114,7 @@ public final class ProgressBar implements ProgressDisplay {
     }
   }
 
-  /** Erases the bar for good, unless the terminal is stopped: the program ends at once. */
+  /** Erases the bar permanently before the program exits, unless the terminal is blocked. */
   public static void vanish() {
     Optional<ProgressBar> shown = SHOWN.get();
     try {
@@ -191,7 +191,7 @@ public final class ProgressBar implements ProgressDisplay {
     }
   }
 
-  /** Erases the bar; it is not drawn again. */
+  /** Erases the bar permanently. */
   @Override
   public void close() {
     timer.shutdownNow();
@@ -206,7 +206,7 @@ public final class ProgressBar implements ProgressDisplay {
     SHOWN.updateAndGet(shown -> shown.filter(bar -> bar != this));
   }
 
-  /** Draws the bar as it is now. */
+  /** Draws the current state of the bar. */
   void tick() {
     int columns = width.columns();
     lock.lock();

@@ -3,7 +3,7 @@ package io.github.lumbre.cli.output;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 
-/** Shows how far a render is. Safe for use by any thread. */
+/** Shows the progress of a render. Thread-safe. */
 public interface ProgressDisplay extends AutoCloseable {
   /** Shows nothing. */
   ProgressDisplay NONE =
@@ -21,31 +21,31 @@ public interface ProgressDisplay extends AutoCloseable {
         public void close() {}
       };
 
-  /** A scene of this name is being read from now on, until {@link #started}. */
+  /** Called when the reading of a scene starts; it lasts until {@link #started}. */
   default void reading(String name) {}
 
   /**
-   * A render starts; no sample is done yet.
+   * Called when a render starts, before its first sample.
    *
-   * @param totalSamples 0 if their number is not known
+   * @param totalSamples number of samples; 0 if it is not known
    */
   void started(long totalSamples);
 
-  /** The running render will take about so many more samples. */
+  /** Called with an estimate of the remaining samples. */
   void expected(long furtherSamples);
 
   /**
-   * What else ends the render.
+   * Called with the other limits of the render.
    *
-   * @param secondsLeft until a time limit; empty without one
-   * @param targetError relative to the picture; empty without one
+   * @param secondsLeft seconds until the time limit; empty if there is none
+   * @param targetError target error, relative; empty if there is none
    */
   default void limited(Supplier<OptionalDouble> secondsLeft, OptionalDouble targetError) {}
 
-  /** So many more samples are done. */
+  /** Called when more samples are finished. */
   void advanced(long samples);
 
-  /** The picture's error, relative to the picture, can be estimated now, which takes a moment. */
+  /** Called when the picture's relative error can be estimated; the estimate is costly. */
   default void estimable(Supplier<OptionalDouble> relativeError) {}
 
   @Override

@@ -8,11 +8,11 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** The command that repeats a sample of a render: what to type after a warning. */
+/** The command line that repeats one sample of a render, for warnings. */
 final class ReplayCommand {
   private ReplayCommand() {}
 
-  /** Returns the command, with all flags that decide which sample it is. */
+  /** Returns the command with all flags that determine the sample. */
   static String of(Path scene, RenderSettings settings, RejectedSample sample) {
     return String.format(
         Locale.ROOT,
@@ -32,7 +32,7 @@ final class ReplayCommand {
   private static String depth(RenderSettings settings) {
     return switch (settings.mode()) {
       case PATH -> " --depth " + settings.maxTraceDepth();
-        // Two depths that differ can only come from the scene, which the command reads again.
+        // Different depths can only come from the scene, and the command reads them from there.
       case RAY ->
           settings.reflectionTraceDepth() == settings.refractionTraceDepth()
               ? " --depth " + settings.reflectionTraceDepth()
@@ -47,7 +47,7 @@ final class ReplayCommand {
         .collect(Collectors.joining());
   }
 
-  /** Returns a name as a shell takes it. */
+  /** Returns a name, quoted for a shell if necessary. */
   private static String quoted(String name) {
     return name.matches("[A-Za-z0-9_./\\\\:-]+") ? name : "'" + name.replace("'", "'\\''") + "'";
   }

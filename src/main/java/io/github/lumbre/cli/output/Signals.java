@@ -4,8 +4,8 @@ import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
 
 /**
- * Signals of the operating system. Java has them only in {@code sun.misc}, which compilers warn of
- * and virtual machines may lack, so they are reached by reflection.
+ * Operating system signals. Java offers them only in {@code sun.misc}: compilers warn about it and
+ * some JVMs lack it. Reflection avoids both problems.
  */
 public final class Signals {
   private Signals() {}

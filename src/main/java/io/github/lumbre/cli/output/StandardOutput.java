@@ -8,8 +8,8 @@ import java.io.PrintWriter;
 import java.util.Optional;
 
 /**
- * A stream of results that remembers its first failure, which a {@link PrintWriter} hides. Mutable,
- * for one thread.
+ * A stream of results that records its first failure, which a {@link PrintWriter} hides. Mutable,
+ * not thread-safe.
  */
 public final class StandardOutput extends OutputStream {
   private final OutputStream stream;
@@ -26,7 +26,7 @@ public final class StandardOutput extends OutputStream {
 
   /** Returns whether standard output is known to be a terminal. */
   public static boolean isTerminal() {
-    // Newer virtual machines have a console without any terminal.
+    // From Java 22 on, there can be a console without a terminal.
     boolean isConsole = Runtime.version().feature() < 22 && System.console() != null;
     return Boolean.getBoolean("lumbre.stdout.tty") || isConsole;
   }
@@ -47,8 +47,8 @@ public final class StandardOutput extends OutputStream {
   }
 
   /**
-   * Returns how the program ends after a command: with {@link ExitCodes#OUTPUT} and a message if
-   * the command had an answer that could not be printed.
+   * Returns the exit code of the program after a command. If the command succeeded but its result
+   * could not be printed, prints an error and returns {@link ExitCodes#OUTPUT}.
    */
   public int exitCode(int ofCommand, PrintWriter errors) {
     boolean isAnswer = ofCommand == ExitCodes.OK || ofCommand == ExitCodes.DIFFERENT;

@@ -12,9 +12,9 @@ import java.lang.management.MemoryType;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** What is told after a render, a line each. */
+/** The summary that is printed after a render. */
 public final class Summary {
-  /** A luminance, after exposure, below which a pixel counts as dark. */
+  /** The luminance after exposure below which a pixel is dark. */
   private static final double DARK = .1;
 
   private final RenderSettings settings;
@@ -23,15 +23,15 @@ public final class Summary {
   private final long samplesInAll;
 
   /**
-   * @param seconds that rendering took
+   * @param seconds rendering time
    */
   public Summary(RenderSettings settings, RenderResult result, double seconds) {
     this(settings, result, seconds, result.statistics().samples());
   }
 
   /**
-   * @param seconds that rendering took
-   * @param samplesInAll that the picture has, those rendered by earlier runs included
+   * @param seconds rendering time
+   * @param samplesInAll number of samples of the picture, including those of earlier runs
    */
   public Summary(RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
     this.settings = settings;
@@ -40,12 +40,12 @@ public final class Summary {
     this.samplesInAll = samplesInAll;
   }
 
-  /** Prints what was made, where it is, and how long it took. */
+  /** Prints the picture's path, its size, its samples and the rendering time. */
   public void print(Path output, Messages messages) {
     print(output, String.valueOf(settings.samples()), "", messages);
   }
 
-  /** Prints what was made, where it is, how noisy it is, and how long it took. */
+  /** Prints the picture's path, its size, its samples, its noise and the rendering time. */
   public void print(Path output, NoiseReport noise, Messages messages) {
     print(output, noise.samples(), noise.line(), messages);
   }
@@ -66,7 +66,7 @@ public final class Summary {
             Markdown.rate(result.statistics().samples(), seconds)));
   }
 
-  /** Returns how much of the work was done: {@code 120 of 4800 samples}. */
+  /** Returns the number of finished samples: {@code 120 of 4800 samples}. */
   public String progress() {
     Image image = result.image();
     long total = (long) image.width() * image.height() * settings.samples();
@@ -75,7 +75,7 @@ public final class Summary {
         : samplesInAll + " of " + total + " samples";
   }
 
-  /** Prints what the render did. */
+  /** Prints the counters of the render. */
   public void printStatistics(Messages messages) {
     RenderStatistics statistics = result.statistics();
     long rays = statistics.rays() + statistics.shadowRays();
@@ -89,7 +89,7 @@ public final class Summary {
     messages.line("peak heap    " + MemoryEstimate.mebibytes(peakHeapBytes()));
   }
 
-  /** Prints which samples of a scene were rejected, if any were, and how to repeat them. */
+  /** Prints the first rejected samples, if there are any, with commands that repeat them. */
   public void printRejected(Path scene, Messages messages) {
     RenderStatistics statistics = result.statistics();
     if (statistics.rejected() == 0) {
@@ -98,7 +98,8 @@ public final class Summary {
     messages.line(
         "warning: "
             + statistics.rejected()
-            + " samples were negative or not finite, and count as black; the first are:");
+            + " samples are negative, NaN or infinite and were rejected (counted as black); the"
+            + " first are:");
     statistics
         .firstRejected()
         .forEach(
@@ -114,7 +115,7 @@ public final class Summary {
                         + ReplayCommand.of(scene, settings, s)));
   }
 
-  /** Prints a suggestion if the picture will look dark on a screen. */
+  /** Prints a hint if the picture will look dark on a screen. */
   public void printIfDark(Messages messages) {
     boolean isFixed = settings.exposure().stops().isPresent();
     if (isFixed && result.complete() && isDark()) {
@@ -140,7 +141,7 @@ public final class Summary {
         : settings.threads();
   }
 
-  /** Returns the sum over the heap's parts of each one's highest use: at least the true peak. */
+  /** Returns the sum of the heap pools' peak usages, an upper bound of the true peak. */
   static long peakHeapBytes() {
     return ManagementFactory.getMemoryPoolMXBeans().stream()
         .filter(pool -> pool.getType() == MemoryType.HEAP)

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 
 /**
- * The number of columns of the terminal. It is measured again after SIGWINCH (the window was
- * resized) and SIGCONT (the program was suspended). Mutable; safe for use by any thread.
+ * The number of columns of the terminal. It is measured again after SIGWINCH (window resized) and
+ * SIGCONT (program resumed). Mutable and thread-safe.
  */
 final class TerminalWidth implements AutoCloseable {
   private static final int DEFAULT = 80;
@@ -32,17 +32,17 @@ final class TerminalWidth implements AutoCloseable {
     return width;
   }
 
-  /** Returns a width that is measured at the first use and after each {@link #change}. */
+  /** Returns a width that is measured on first use and after each {@link #change}. */
   static TerminalWidth measuredBy(Supplier<Optional<Integer>> query) {
     return new TerminalWidth(query);
   }
 
-  /** Makes the next use measure again. */
+  /** Marks the width as outdated, so that the next use measures it again. */
   void change() {
     changed.set(true);
   }
 
-  /** Returns the number of columns; 80 or the variable COLUMNS where it cannot be measured. */
+  /** Returns the number of columns; the variable COLUMNS or else 80 if it cannot be measured. */
   int columns() {
     if (changed.getAndSet(false)) {
       columns = query.get().or(TerminalWidth::ofEnvironment).orElse(DEFAULT);
@@ -80,7 +80,7 @@ final class TerminalWidth implements AutoCloseable {
     }
   }
 
-  /** Returns a number of columns, unless it is none that a terminal has. */
+  /** Returns the parsed number of columns, 1 to 99999; empty if the text is not such a number. */
   static Optional<Integer> parsed(String text) {
     String digits = text.strip();
     return digits.matches("[1-9][0-9]{0,4}")

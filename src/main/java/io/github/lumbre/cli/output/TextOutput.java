@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * A file of text that may have been asked for: its place is reserved before the work, so that a
- * missing folder is known then. Closed without a text, it leaves everything as it was.
+ * An optional text file, reserved before the work starts, so that a missing folder is reported
+ * early. If it is closed without a text, existing files are unchanged.
  */
 public final class TextOutput implements AutoCloseable {
   private final Optional<OutputFile> file;
@@ -20,9 +20,9 @@ public final class TextOutput implements AutoCloseable {
   }
 
   /**
-   * Reserves the place; without one, what is written goes nowhere.
+   * Reserves the file; without a target, the text is discarded.
    *
-   * @throws TaskException if nothing can be written there
+   * @throws TaskException if the file cannot be written
    */
   public static TextOutput reserve(Optional<Path> target) throws TaskException {
     if (target.isEmpty()) {

@@ -1,5 +1,5 @@
 /**
- * What the program writes: messages, progress, summaries, pictures, and the checks that no file is
- * overwritten by mistake.
+ * Output of the program: messages, progress, summaries, pictures, and checks against accidental
+ * overwriting of files.
  */
 package io.github.lumbre.cli.output;

@@ -13,7 +13,7 @@ import java.nio.file.Path;
  * Runs measurements from the command line.
  *
  * @param hasDisplay whether each render shows a progress bar on standard error
- * @param messages where warnings go
+ * @param messages printer of warnings
  */
 public record CommandLineHost(Interruption interruption, boolean hasDisplay, Messages messages)
     implements LabHost {

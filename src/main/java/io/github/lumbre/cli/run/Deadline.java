@@ -5,9 +5,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.LongSupplier;
 
-/** A moment of a clock, by default the machine's own, after which work is to end. Immutable. */
+/** A deadline, measured by {@link System#nanoTime} or another clock. Immutable. */
 public final class Deadline {
-  /** Never comes. */
+  /** A deadline that never passes. */
   static final Deadline NEVER = new Deadline(Optional.empty(), System::nanoTime);
 
   private final Optional<Duration> time;
@@ -20,26 +20,26 @@ public final class Deadline {
     start = clock.getAsLong();
   }
 
-  /** Returns the moment that is so long from now; never, if there is no such time. */
+  /** Returns the deadline after a time from now, or {@link #NEVER} if no time is given. */
   public static Deadline after(Optional<Duration> time) {
     return after(time, System::nanoTime);
   }
 
   /**
-   * Returns the moment that is so long from now by a clock.
+   * Returns the deadline after a time from now, measured by a clock.
    *
-   * @param clock in nanoseconds; safe for use by any thread
+   * @param clock thread-safe clock in nanoseconds
    */
   static Deadline after(Optional<Duration> time, LongSupplier clock) {
     return time.isEmpty() ? NEVER : new Deadline(time, clock);
   }
 
-  /** Tells whether the moment has come. */
+  /** Returns whether the deadline has passed. */
   boolean hasPassed() {
     return time.isPresent() && clock.getAsLong() - start >= time.get().toNanos();
   }
 
-  /** Returns the seconds until the moment, negative after it; empty if it never comes. */
+  /** Returns the seconds until the deadline, negative after it; empty if it never passes. */
   OptionalDouble secondsLeft() {
     return time.isEmpty()
         ? OptionalDouble.empty()

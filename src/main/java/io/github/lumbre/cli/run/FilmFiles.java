@@ -8,11 +8,11 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * The hashes of a scene's files as a film's header keeps them: a line each, the hash, a space, and
- * the name that the scene gives the file; the scene file itself, first, has no name.
+ * The hashes of a scene's files, as stored in a film's header. Each line has the hash, a space and
+ * the file's name in the scene. The scene file itself comes first and has no name.
  */
 final class FilmFiles {
-  /** The header of a film may have a megabyte; what is longer is left out. */
+  /** The maximum length of the text; a film's header is limited to one megabyte. */
   private static final int MAX_LENGTH = 1 << 18;
 
   private FilmFiles() {}
@@ -25,10 +25,10 @@ final class FilmFiles {
   }
 
   /**
-   * Returns the names of files that are not what they were.
+   * Returns the names of changed files.
    *
-   * @param then the text of the header
-   * @param sceneName what to call the scene file
+   * @param then text of the film's header
+   * @param sceneName name of the scene file in the result
    */
   static List<String> changed(String then, FileHashes now, String sceneName) {
     Map<String, String> before = new TreeMap<>();

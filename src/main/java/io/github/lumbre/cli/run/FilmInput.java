@@ -16,7 +16,7 @@ public final class FilmInput {
   private FilmInput() {}
 
   /**
-   * Reads a film, or the one saved before it if it is damaged, which is told.
+   * Reads a checkpoint file. If it is damaged, prints a warning and reads the previous version.
    *
    * @throws TaskException if neither can be read
    */
@@ -32,7 +32,7 @@ public final class FilmInput {
                           + path
                           + ": "
                           + problem
-                          + "; uses "
+                          + "; using "
                           + loaded.from()
                           + " instead"));
       return loaded;
@@ -45,7 +45,7 @@ public final class FilmInput {
     }
   }
 
-  /** Reads a film; see {@link #load}. */
+  /** Reads a film as {@link #load} does. */
   public static FilmFile read(Path path, Messages messages) throws TaskException {
     return load(path, messages).file();
   }

@@ -19,8 +19,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Keeps the film of a running render in a file, if there is one; if it cannot be written, in
- * another directory. Mutable, for the thread that renders; films are saved in another.
+ * Saves the film of a running render to an optional checkpoint file, or to a fallback directory if
+ * that file cannot be written. Mutable, for the rendering thread; another thread saves the films.
  */
 public final class FilmKeeper implements AutoCloseable {
   private final Optional<CheckpointFile> file;
@@ -35,8 +35,8 @@ public final class FilmKeeper implements AutoCloseable {
   private Optional<String> failure = Optional.empty();
 
   /**
-   * @param interval between two checkpoints
-   * @param messages hears of failures
+   * @param interval time between two saves
+   * @param messages printer of failures
    */
   public FilmKeeper(
       Optional<CheckpointFile> file, Duration interval, Fallback fallback, Messages messages) {
@@ -46,17 +46,17 @@ public final class FilmKeeper implements AutoCloseable {
     this.interval = interval;
   }
 
-  /** Returns one that keeps nothing. */
+  /** Returns a keeper that saves nothing. */
   public static FilmKeeper none(Messages messages) {
     return new FilmKeeper(Optional.empty(), Duration.ZERO, Fallback.TEMPORARY, messages);
   }
 
   /**
-   * Begins the first interval. Rendering will wait for saves only if memory has no room for a
-   * second film.
+   * Starts the first interval. Rendering waits for saves only if a second film does not fit into
+   * memory.
    *
-   * @param newIdentity what films are of
-   * @param faults of the samples that the film has already
+   * @param newIdentity scene and settings of the film
+   * @param faults faults of the film's existing samples
    */
   public void begin(
       Map<String, String> newIdentity,
@@ -70,29 +70,28 @@ public final class FilmKeeper implements AutoCloseable {
         file.map(f -> new Checkpoints(interval, MemoryEstimate.leavesRoomForCopy(settings)));
   }
 
-  /** Returns a listener that pauses a pass whenever the film is to be saved. */
+  /** Returns a listener that pauses a pass when the film is due to be saved. */
   public Progress pausing(Progress progress) {
     return checkpoints.map(c -> c.pausing(progress)).orElse(progress);
   }
 
   /**
-   * Saves a film if it is time to; called after each pass.
+   * Saves a film if it is due; called after each pass.
    *
-   * @param newStatistics of all samples that the film has
+   * @param newStatistics statistics of all samples of the film
    */
   public void saveIfDue(Film film, RenderStatistics newStatistics) {
     statistics = newStatistics;
     checkpoints.ifPresent(c -> c.saveIfDue(film, content -> save(content, newStatistics)));
   }
 
-  /** Saves a film now, at the end of the render. */
+  /** Saves the film at the end of the render. */
   public void saveLast(Film film) {
     checkpoints.ifPresent(c -> c.saveLast(film, content -> save(content, statistics)));
   }
 
   /**
-   * Saves a film that has samples. A failure is told once, and remembered until a later attempt
-   * succeeds.
+   * Saves a film that has samples. A failure is reported once and kept until a later save succeeds.
    */
   private void save(Film film, RenderStatistics itsStatistics) {
     if (film.totalSamples() == 0) {
@@ -118,13 +117,13 @@ public final class FilmKeeper implements AutoCloseable {
       Path other = instead.isPresent() ? instead.get() : fallback.newFile(wanted);
       rescue(content, other, instead.isEmpty());
       instead = Optional.of(other);
-      return "the film is saved as " + other + " instead";
+      return "the checkpoint is saved as " + other + " instead";
     } catch (IOException e) {
-      return "nor could " + fallback.directory() + ": " + e.getMessage();
+      return "nor could it be saved in " + fallback.directory() + ": " + e.getMessage();
     }
   }
 
-  /** Saves a film in a file that may be new; a new file stays only if the film is in it. */
+  /** Saves a film to a file; a new file is kept only if the save succeeds. */
   private static void rescue(FilmFile content, Path other, boolean isNew) throws IOException {
     try (CheckpointFile rescued = CheckpointFile.reserve(other)) {
       rescued.save(content);
@@ -136,12 +135,12 @@ public final class FilmKeeper implements AutoCloseable {
     }
   }
 
-  /** Returns what went wrong with the last film, if anything did; asked after the last save. */
+  /** Returns the failure of the last save, if it failed; call after {@link #saveLast}. */
   public Optional<String> failure() {
     return failure;
   }
 
-  /** Gives the file free. */
+  /** Releases the file. */
   @Override
   public void close() {
     if (file.isPresent()) {

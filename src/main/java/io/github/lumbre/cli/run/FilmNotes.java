@@ -27,7 +27,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
-/** What a film's header tells the command line: how to go on, and how to develop it. */
+/** The notes in a film's header that commands need to resume and develop it. */
 public final class FilmNotes {
   private static final String SOFTWARE = "software";
   private static final String SCENE = "scene";
@@ -52,7 +52,7 @@ public final class FilmNotes {
     this.header = header;
   }
 
-  /** Returns the notes for a render's film. */
+  /** Returns the notes for the film of a render. */
   public static Map<String, String> of(
       Path scene, SceneFile file, Path output, int bits, boolean lenient, RunBudget budget) {
     RenderSettings settings = file.settings();
@@ -88,8 +88,8 @@ public final class FilmNotes {
   }
 
   /**
-   * Returns what of a scene is not as it was for the film: the names of the files; none if the film
-   * does not have their hashes, as those of older versions.
+   * Returns the names of the scene's files that have changed since the film was created. The list
+   * is empty if the film has no hashes, like films of older versions.
    */
   public List<String> changedFiles(Path scene, SceneFile now) {
     return Optional.ofNullable(header.notes().get(FILES))
@@ -97,20 +97,20 @@ public final class FilmNotes {
         .orElse(List.of());
   }
 
-  /** Returns how many samples per pixel the film is to have, at least those that it has. */
+  /** Returns the film's target number of samples per pixel, at least the number it already has. */
   public int samples() throws TaskException {
     int most = header.parts().stream().mapToInt(FilmPart::most).max().orElse(0);
     return Math.max(most, note(SAMPLES, Integer::valueOf));
   }
 
-  /** Returns the error that the film was to reach; empty if there was none. */
+  /** Returns the film's target error; empty if it has none. */
   public OptionalDouble targetError() throws TaskException {
     return header.notes().containsKey(TARGET_ERROR)
         ? OptionalDouble.of(note(TARGET_ERROR, text -> share(text, Double.MIN_VALUE)))
         : OptionalDouble.empty();
   }
 
-  /** Returns how sure that was to be. */
+  /** Returns the confidence level of the target error. */
   public double confidence() throws TaskException {
     return header.notes().containsKey(CONFIDENCE)
         ? note(CONFIDENCE, text -> share(text, .5))
@@ -120,7 +120,7 @@ public final class FilmNotes {
   private static double share(String text, double least) {
     double share = Double.parseDouble(text);
     if (!(share >= least && share < 1)) {
-      throw new IllegalArgumentException("expected a share of 1, found " + text);
+      throw new IllegalArgumentException("expected a fraction below 1, found " + text);
     }
     return share;
   }
@@ -137,7 +137,7 @@ public final class FilmNotes {
     return note(BITS, text -> text.equals("16") ? 16 : 8);
   }
 
-  /** Returns what a picture made of the film tells of itself, a map that more can be put into. */
+  /** Returns the metadata for a picture of the film, in a mutable map. */
   public Map<String, String> metadata() throws TaskException {
     Map<String, String> metadata = new LinkedHashMap<>();
     metadata.put("Software", note(SOFTWARE, Function.identity()));
@@ -162,9 +162,9 @@ public final class FilmNotes {
   }
 
   /**
-   * Returns a parser that reads a scene as it was read for the film.
+   * Returns a parser that reads a scene with the film's settings.
    *
-   * @param change made to the settings at last
+   * @param change last change to the settings
    */
   public SceneParser parser(Consumer<RenderSettings.Builder> change) throws TaskException {
     RenderSettings.Mode mode = identity(FilmHeader.MODE, Setting.MODE.type()::parse);
@@ -198,7 +198,7 @@ public final class FilmNotes {
             });
   }
 
-  /** Returns a change that sets all that the identity states by the names of settings. */
+  /** Returns a change that sets all named settings of the film's identity. */
   private UnaryOperator<RenderSettings.Builder> namedSettings() throws TaskException {
     RenderSettings.Builder read = new RenderSettings.Builder();
     List<Setting<?>> stated =

@@ -16,13 +16,13 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Lets SIGINT, SIGTERM and SIGHUP end a command early instead of losing its result. The first
- * signal stops what is being read or rendered, and the command saves what it has. A second SIGINT
- * or SIGTERM ends the program at once; a second SIGHUP does not, since the end of a terminal sends
- * several. Shared by the render's threads and those that handle signals.
+ * Handles SIGINT, SIGTERM and SIGHUP so that a command ends early without losing its result. The
+ * first signal stops loading or rendering, and the command saves its result so far. A second SIGINT
+ * or SIGTERM exits the program immediately. A second SIGHUP does not, because a closing terminal
+ * sends several. Shared by rendering threads and signal handlers.
  *
- * <p>A command that does not listen is ended by the first signal. However the program ends, it
- * deletes the temporary files of outputs that are not complete.
+ * <p>The first signal exits a command that does not listen. In every case the program deletes the
+ * temporary files of incomplete outputs.
  */
 public final class Interruption implements AutoCloseable {
   private static final Map<String, Integer> EXIT_CODES =
@@ -31,7 +31,7 @@ public final class Interruption implements AutoCloseable {
           "TERM", ExitCodes.TERMINATED,
           "HUP", ExitCodes.HUNG_UP);
 
-  /** How long a command without a result may take to end by itself. */
+  /** The time that a command without a result has to end on its own. */
   private static final long PATIENCE_MILLIS = 1000;
 
   /** The exit code of the first signal; 0 before that. */
@@ -47,26 +47,26 @@ public final class Interruption implements AutoCloseable {
 
   private Interruption() {}
 
-  /** Something that reads a scene, and ends with an exception when its thread is interrupted. */
+  /** An action that reads a scene and throws an exception when its thread is interrupted. */
   @FunctionalInterface
   public interface Reading<T> {
     T read() throws TaskException, SceneFormatException;
   }
 
-  /** Something that ends with an exception when its thread is interrupted. */
+  /** An action that throws an exception when its thread is interrupted. */
   @FunctionalInterface
   interface Waiting<T> {
     T get() throws InterruptedException;
   }
 
-  /** Handles signals from now on until the program ends. */
+  /** Installs the signal handlers for the rest of the program. */
   public static void install() {
     EXIT_CODES.forEach((name, code) -> Signals.on(name, () -> arrived(code)));
     Runtime.getRuntime()
         .addShutdownHook(new Thread(OutputFile::deleteUnfinished, "lumbre-clean-up"));
   }
 
-  /** Returns the exit code of a program whose command ended with a code of its own. */
+  /** Returns the exit code of the program, given the exit code of its command. */
   public static int exitCode(int ofCommand) {
     int signal = FIRST.get();
     boolean hasFailed = ofCommand > ExitCodes.TARGET && ofCommand != ExitCodes.INTERRUPTED;
@@ -89,28 +89,28 @@ public final class Interruption implements AutoCloseable {
     }
   }
 
-  /** Begins to listen. */
+  /** Starts to listen for signals. */
   public static Interruption listen() {
     Interruption interruption = new Interruption();
     LISTENING.set(Optional.of(interruption));
     return interruption;
   }
 
-  /** Tells whether the program is to end. */
+  /** Returns whether a signal has requested the end of the program. */
   boolean isRequested() {
     return requested;
   }
 
-  /** From now on there is something to save; returns false if the program is ending already. */
+  /** Marks that there is now a result to save. Returns false if the program is already ending. */
   public synchronized boolean beginRender() {
     rendering = !requested;
     return rendering;
   }
 
   /**
-   * From now on there is something to save.
+   * Marks that there is now a result to save.
    *
-   * @throws TaskException if the program is ending already
+   * @throws TaskException if the program is already ending
    */
   public void requireRender() throws TaskException {
     if (!beginRender()) {
@@ -128,9 +128,9 @@ public final class Interruption implements AutoCloseable {
   }
 
   /**
-   * Reads a scene, and ends that when the program is to end or the time has passed.
+   * Reads a scene; stops when a signal arrives or the deadline passes.
    *
-   * @throws TaskException also if that happened
+   * @throws TaskException if reading fails or is stopped
    */
   <T> T reading(Deadline deadline, Reading<T> action) throws TaskException, SceneFormatException {
     Optional<Thread> alarm = beginWaiting(deadline);
@@ -143,7 +143,7 @@ public final class Interruption implements AutoCloseable {
     }
   }
 
-  /** Returns what a computation makes; empty if the program is to end or the time has passed. */
+  /** Returns the result of a computation; empty if a signal or the deadline stops it. */
   <T> Optional<T> unlessStopped(Deadline deadline, Waiting<T> action) {
     Optional<Thread> alarm = beginWaiting(deadline);
     try {
@@ -161,10 +161,10 @@ public final class Interruption implements AutoCloseable {
             Kind.STOPPED, "stopped before anything was rendered; no picture is written")
         : new TaskException(
             Kind.LIMIT,
-            "--timeout: the time was over before anything was rendered; no picture is written");
+            "--timeout: the time ended before anything was rendered; no picture is written");
   }
 
-  /** Interrupts this thread from now on, when the program is to end or the time has passed. */
+  /** Arranges that a signal or the deadline interrupts this thread. */
   private synchronized Optional<Thread> beginWaiting(Deadline deadline) {
     waiting = Optional.of(Thread.currentThread());
     if (requested || deadline.hasPassed()) {
@@ -181,7 +181,7 @@ public final class Interruption implements AutoCloseable {
                 TimeUnit.NANOSECONDS.sleep((long) (1e9 * seconds));
                 interruptWaiting();
               } catch (InterruptedException e) {
-                // Nobody waits any more.
+                // The wait has ended.
                 return;
               }
             },
@@ -198,11 +198,11 @@ public final class Interruption implements AutoCloseable {
   private synchronized void endWaiting(Optional<Thread> alarm) {
     waiting = Optional.empty();
     alarm.ifPresent(Thread::interrupt);
-    // The command writes its outputs next, which an interrupted thread cannot.
+    // The command writes its outputs next, and an interrupted thread cannot write.
     Thread.interrupted();
   }
 
-  /** Asks the command to end; returns false if it has nothing to save and does not end. */
+  /** Requests the end of the command. Returns false if it has nothing to save and does not end. */
   private boolean letCommandEnd() {
     if (request()) {
       return true;
@@ -215,7 +215,7 @@ public final class Interruption implements AutoCloseable {
     }
   }
 
-  /** Asks the command to stop; returns whether it has something to save. */
+  /** Requests the end of the command. Returns whether it has a result to save. */
   private synchronized boolean request() {
     requested = true;
     interruptWaiting();

@@ -30,12 +30,12 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Renders a film to its end, or until it is stopped, and saves film and picture.
+ * Renders a film until it is complete or stopped, and saves the film and the picture.
  *
- * @param scene the scene's path
- * @param report is told what came of it
- * @param budget what ends the render, beside its samples
- * @param how what is written and told at the end
+ * @param scene path of the scene
+ * @param report receives the result
+ * @param budget limits of the render other than its samples
+ * @param how options of the picture and the summary
  */
 public record RenderJob(
     Path scene,
@@ -48,11 +48,11 @@ public record RenderJob(
     RunBudget budget,
     How how) {
   /**
-   * What is written and told at the end.
+   * The options of the picture and the summary.
    *
-   * @param bits per channel of a PNG
-   * @param jpegQuality of a JPEG, 1 to 100
-   * @param strict whether samples and texture points that are no numbers make an error
+   * @param bits bits per channel of a PNG
+   * @param jpegQuality quality of a JPEG, 1 to 100
+   * @param strict whether rejected samples and invalid texture coordinates are errors
    */
   public record How(int bits, int jpegQuality, boolean quiet, boolean stats, boolean strict) {
     public How withJpegQuality(int quality) {
@@ -66,7 +66,7 @@ public record RenderJob(
     return run(renderer, renderer.newFilm(firstSample), RenderStatistics.ZERO);
   }
 
-  /** Renders what a film lacks; returns the exit code. */
+  /** Renders the remaining samples of a film and returns the exit code. */
   public int run(FilmFile begun) throws TaskException {
     budget.lookAgain(begun.film());
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
@@ -85,7 +85,7 @@ public record RenderJob(
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
     } finally {
-      // Not later: the virtual machine may end as soon as nothing is left to be written.
+      // Save here: the JVM may exit as soon as no output is pending.
       try (keeper) {
         keeper.saveLast(film);
       }
@@ -107,10 +107,10 @@ public record RenderJob(
   }
 
   /**
-   * Renders until something ends it.
+   * Renders until a limit or a signal ends it.
    *
-   * @param faults of the samples that the film has
-   * @return what was done, the faults of all samples included
+   * @param faults faults of the film's existing samples
+   * @return statistics of the new samples, with the faults of all samples
    */
   private RenderStatistics addSamples(
       FilmRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
@@ -127,7 +127,7 @@ public record RenderJob(
       if (target.isEmpty()) {
         break;
       }
-      // Complete the first pass even if --time is over: each pixel has a sample then.
+      // Complete the first pass even after --time, so that every pixel has a sample.
       Progress progress = isFirstPass(film) ? monitor : budget.within(monitor);
       PassResult pass = renderer.addSamples(film, target.get(), keeper.pausing(progress));
       statistics = statistics.plus(pass.statistics());
@@ -155,9 +155,9 @@ public record RenderJob(
   }
 
   /**
-   * Tells how long the render will take, after its first look at the error.
+   * Prints the forecast of the rendering time after the first error check.
    *
-   * @param seconds that the film has taken
+   * @param seconds rendering time so far
    */
   private void tell(Forecast forecast, double seconds, Film film) {
     double likely = Math.min(forecast.likely(), file.settings().samples());
@@ -180,7 +180,7 @@ public record RenderJob(
     }
   }
 
-  /** Estimates what the picture lacks; without what takes a while if the render was stopped. */
+  /** Estimates the picture's lost energy; a stopped render skips the slow estimates. */
   private LightReport light(Film film, RenderStatistics statistics) throws InterruptedException {
     boolean isBrief = how.quiet() || monitor.isCancelled();
     Optional<LightReport> report =
@@ -191,10 +191,10 @@ public record RenderJob(
   private void warnOfUnreadable(long points) {
     if (points != 0) {
       messages.line(
-          "warning: textures were read at "
+          "warning: "
               + points
-              + " points that are not finite, and taken as (0, 0): a scale or offset of a texture"
-              + " is near the largest number");
+              + " invalid texture coordinates (NaN or infinite) were replaced by (0, 0); reduce the"
+              + " scale or offset of the texture");
     }
   }
 
@@ -205,7 +205,7 @@ public record RenderJob(
     if (monitor.isOutOfTime()) {
       throw new TaskException(
           Kind.LIMIT,
-          "--timeout: the time was over before anything was rendered; no picture is written");
+          "--timeout: the time ended before anything was rendered; no picture is written");
     }
     throw new TaskException(
         Kind.STOPPED, "stopped before anything was rendered; no picture is written");
@@ -247,28 +247,26 @@ public record RenderJob(
     }
   }
 
-  /** Returns the warning that pixels have no sample, or only one since --time was short. */
+  /** Returns the warning that pixels have no sample, or only one because --time was short. */
   private Optional<String> coverage(Film film) {
     double share = film.shareWithoutSamples();
     if (share > 0) {
       return Optional.of(
-          "warning: "
-              + NoiseReport.percent(share)
-              + " of the pixels have no sample and are black");
+          "warning: " + NoiseReport.percent(share) + " of the pixels have no sample and are black");
     }
     return budget.isOutOfTime() && film.mostSamples() == 1
         ? Optional.of(
-            "warning: --time was too short for more than the first pass, one sample per pixel,"
+            "warning: --time was too short: only the first pass of 1 sample per pixel was rendered,"
                 + " which is always completed")
         : Optional.empty();
   }
 
-  /** Returns the warning that the render ended before samples could be distributed adaptively. */
+  /** Returns the warning that the render ended before adaptive sampling started. */
   private Optional<String> evenness(Film film) {
     return file.settings().adaptive() && film.mostSamples() <= FilmRenderer.ADAPTIVE_PILOT
         ? Optional.of(
-            ("warning: --adaptive had no effect: the first %d samples per pixel are the same for"
-                    + " all pixels, and the render ended with %d")
+            ("warning: --adaptive had no effect: all pixels get the first %d samples, and the"
+                    + " render ended with %d samples per pixel")
                 .formatted(FilmRenderer.ADAPTIVE_PILOT, film.mostSamples()))
         : Optional.empty();
   }

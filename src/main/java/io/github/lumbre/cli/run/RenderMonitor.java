@@ -15,10 +15,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
-/**
- * Passes on what a render has done to a display, and to the render whether the program is to end or
- * a time has passed.
- */
+/** Connects a render to its progress display, its deadline and the handling of signals. */
 public final class RenderMonitor implements LabHost.Display {
   private final Interruption interruption;
   private final Deadline deadline;
@@ -37,9 +34,9 @@ public final class RenderMonitor implements LabHost.Display {
   }
 
   /**
-   * @param display shows the progress; closed by this monitor
-   * @param deadline after which the render is to stop
-   * @param messages where to say that a render has stalled
+   * @param display progress display; closed by this monitor
+   * @param deadline time at which the render stops
+   * @param messages printer of warnings about a stalled render
    */
   public RenderMonitor(
       Interruption interruption, ProgressDisplay display, Deadline deadline, Messages messages) {
@@ -50,9 +47,9 @@ public final class RenderMonitor implements LabHost.Display {
   }
 
   /**
-   * Reads a scene, and ends that when the program is to end or the time has passed.
+   * Reads a scene; stops when a signal arrives or the deadline passes.
    *
-   * @throws TaskException also if that happened
+   * @throws TaskException if reading fails or is stopped
    */
   public <T> T reading(Path scene, Interruption.Reading<T> action)
       throws TaskException, SceneFormatException {
@@ -61,15 +58,15 @@ public final class RenderMonitor implements LabHost.Display {
   }
 
   /**
-   * Computes something that the result may lack.
+   * Runs an optional computation.
    *
-   * @return empty if the program is to end, or the time has passed, before that is done
+   * @return its result; empty if a signal or the deadline stops it
    */
   <T> Optional<T> unlessStopped(Interruption.Waiting<T> action) {
     return interruption.unlessStopped(deadline, action);
   }
 
-  /** Shows what else ends the render. */
+  /** Shows the limits of the render other than its samples. */
   void limited(RunBudget budget) {
     display
         .get()
@@ -87,7 +84,7 @@ public final class RenderMonitor implements LabHost.Display {
     display.get().started(totalSamples);
   }
 
-  /** The running render will take about so many more samples. */
+  /** Shows an estimate of the remaining samples. */
   void expected(long furtherSamples) {
     display.get().expected(furtherSamples);
   }
@@ -97,7 +94,7 @@ public final class RenderMonitor implements LabHost.Display {
     display.get().advanced(samples);
   }
 
-  /** The picture's error, relative to the picture, can be estimated now, which takes a moment. */
+  /** Shows the picture's relative error; its estimate is costly. */
   void estimable(Supplier<OptionalDouble> relativeError) {
     display.get().estimable(relativeError);
   }
@@ -107,7 +104,7 @@ public final class RenderMonitor implements LabHost.Display {
     messages.line(
         String.format(
             Locale.ROOT,
-            "warning: no sample of the bucket at %d,%d of %dx%d pixels has ended for %.0f s",
+            "warning: the bucket at %d,%d of %dx%d pixels has finished no sample for %.0f s",
             bucket.x(),
             bucket.y(),
             bucket.width(),
@@ -120,7 +117,7 @@ public final class RenderMonitor implements LabHost.Display {
     return interruption.isRequested() || deadline.hasPassed();
   }
 
-  /** Tells whether the time for the render has passed. */
+  /** Returns whether the deadline has passed. */
   boolean isOutOfTime() {
     return deadline.hasPassed();
   }

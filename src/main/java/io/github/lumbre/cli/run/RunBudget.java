@@ -12,15 +12,18 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** What ends a run: samples, a time or an error, whichever comes first. Mutable, for one run. */
+/**
+ * The limits of a run: samples, a time or a target error; the first that is reached ends it.
+ * Mutable, for one run.
+ */
 public final class RunBudget {
-  /** What the virtual machine takes to start and the file to appear. */
+  /** The time to start the JVM and to write the file. */
   private static final Duration AROUND = Duration.ofMillis(400);
 
-  /** What developing, judging and encoding a pixel takes at most, on a slow machine. */
+  /** The largest time per megapixel to develop, analyze and encode a picture, on a slow machine. */
   private static final Duration PER_MEGAPIXEL = Duration.ofMillis(1000);
 
-  /** The time of estimates at the end is at most the whole over this. */
+  /** The estimates at the end take at most 1/50 of the whole time. */
   private static final int WHOLE_OVER_ESTIMATES = 50;
 
   private final Budget budget;
@@ -30,7 +33,7 @@ public final class RunBudget {
   private boolean hopeless;
 
   /**
-   * @param time after which no more samples are taken
+   * @param time deadline after which no more samples are taken
    */
   public RunBudget(Budget budget, Deadline time) {
     this.budget = budget;
@@ -39,11 +42,11 @@ public final class RunBudget {
   }
 
   /**
-   * Returns the time for rendering when the whole command is to take a time: what is left after
-   * starting, developing, estimating what the depth cuts off, and writing, but half of it at least.
+   * Returns the rendering time of a command with a time limit. It is the time left after starting,
+   * developing, estimating the energy lost to the path length limit, and writing, but at least half
+   * of the limit.
    *
-   * @param startup what the virtual machine took to start: a busy machine takes longer for the end
-   *     too
+   * @param startup start time of the JVM; a busy machine also takes longer at the end
    */
   public static Duration rendering(Duration whole, Duration startup, RenderSettings settings) {
     long pixels = (long) settings.window().width() * settings.window().height();
@@ -57,33 +60,33 @@ public final class RunBudget {
     return left.compareTo(half) > 0 ? left : half;
   }
 
-  /** Returns the error to be reached; empty if none is. */
+  /** Returns the target error; empty if there is none. */
   OptionalDouble targetError() {
     return budget.targetError();
   }
 
-  /** Returns how sure that is to be. */
+  /** Returns the confidence level of the target error. */
   double confidence() {
     return budget.confidence();
   }
 
-  /** Tells whether nothing but a time or an error limits the samples. */
+  /** Returns whether only a time or a target error limits the samples. */
   boolean isOpen() {
     return budget.samples() == RenderSettings.MAX_SAMPLES;
   }
 
-  /** Returns how many samples the error will take; empty as long as that cannot be told. */
+  /** Returns the forecast of samples for the target error; empty while it is unknown. */
   Optional<Forecast> forecast() {
     return watch.forecast();
   }
 
-  /** Looks at the error of a film that another run has begun. */
+  /** Checks the error of a film that an earlier run has started. */
   void lookAgain(Film film) {
     reachedTarget |= watch.isReachedAgainBy(film);
     hopeless = !hasTime() && watch.isHopeless(film);
   }
 
-  /** Looks at the error of a film after a complete pass. */
+  /** Checks the error of a film after a complete pass. */
   void look(Film film) {
     reachedTarget |= watch.isReachedBy(film);
     hopeless = !hasTime() && watch.isHopeless(film);
@@ -94,8 +97,8 @@ public final class RunBudget {
   }
 
   /**
-   * Returns the warning that the frame is too small for a bound of the noise, so that something
-   * other than the error will end the run; empty if it is large enough.
+   * Returns the warning that the frame is too small for a noise bound, so that the target error
+   * cannot end the run; empty if it is large enough.
    */
   Optional<String> doubt(Film film) {
     if (!watch.isWithoutBound(film)) {
@@ -106,36 +109,38 @@ public final class RunBudget {
             ? "the render ends after " + BudgetWatch.MOST_WITHOUT_BOUND + " samples per pixel"
             : "--samples or --time ends the render";
     return Optional.of(
-        "warning: --target-error: a frame of fewer than 64 pixels has no bound of its noise; "
-            + end);
+        "warning: --target-error: frames of fewer than 64 pixels have no noise bound; " + end);
   }
 
-  /** Returns whether time or error end the run, or the frame has no bound and enough samples. */
+  /**
+   * Returns whether the time or the target error ends the run, or the frame has no noise bound and
+   * enough samples.
+   */
   boolean isUsedUp() {
     return reachedTarget || hopeless || time.hasPassed();
   }
 
-  /** Returns a listener that also ends passes when the time is over. */
+  /** Returns a listener that also ends passes when the deadline has passed. */
   Progress within(Progress progress) {
     return progress.cancelledAlsoIf(time::hasPassed);
   }
 
-  /** Tells whether the time is over. */
+  /** Returns whether the deadline has passed. */
   boolean isOutOfTime() {
     return time.hasPassed();
   }
 
-  /** Returns the seconds until the time ends the run; empty if there is none. */
+  /** Returns the seconds until the deadline; empty if there is none. */
   OptionalDouble secondsLeft() {
     return time.secondsLeft();
   }
 
-  /** Returns about how noisy the film is now; empty as long as that cannot be told. */
+  /** Returns an estimate of the film's relative error; empty while it is unknown. */
   OptionalDouble noise(Film film) {
     return watch.estimate(film).stream().mapToDouble(NoiseEstimate::relativeRmse).findAny();
   }
 
-  /** Returns what is to be told of the film when the run has ended. */
+  /** Returns the noise report for the finished run. */
   NoiseReport report(Film film) {
     Optional<NoiseEstimate> noise = watch.estimate(film);
     reachedTarget |= noise.filter(budget::isReachedBy).isPresent();

@@ -1,2 +1,2 @@
-/** A render as the command line runs it: budget, checkpoints, signals, progress. */
+/** Runs renders for the command line: budget, checkpoints, signals, progress. */
 package io.github.lumbre.cli.run;

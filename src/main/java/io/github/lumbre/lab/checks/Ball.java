@@ -4,7 +4,7 @@ import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
 
-/** A closed mesh of longitudes and latitudes around the origin, and its vertices. */
+/** A closed latitude-longitude mesh around the origin, and its vertices. */
 final class Ball {
   private final Vec3[] vertices;
   private final int[] indices;
@@ -15,7 +15,7 @@ final class Ball {
   }
 
   /**
-   * @param n number of latitudes and of longitudes
+   * @param n number of latitudes and number of longitudes
    * @param jitter radii lie in [1 - jitter, 1]
    */
   static Ball of(int n, double jitter) {
@@ -73,7 +73,7 @@ final class Ball {
     return TriangleMesh.of(positions, new double[0], new double[0], indices);
   }
 
-  /** Returns a vertex of a triangle drawn at random: the first, second and third in an array. */
+  /** Samples a random triangle and returns its three vertices. */
   Vec3[] triangle(Draws draws) {
     int i = 3 * draws.below(indices.length / 3);
     return new Vec3[] {vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]]};

@@ -5,7 +5,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Hash;
 import io.github.lumbre.sampling.Warp;
 
-/** A stream of random numbers, always the same for the same key. Mutable. */
+/** A reproducible stream of random numbers, determined by its key. Mutable. */
 final class Draws {
   private final long key;
   private long count;
@@ -33,7 +33,7 @@ final class Draws {
     return new Point2(unit(), unit());
   }
 
-  /** Returns a uniform unit direction. */
+  /** Samples a uniform unit direction. */
   Vec3 direction() {
     return Warp.uniformSphere(point());
   }

@@ -14,14 +14,14 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
 
-/** Rays and surfaces. */
+/** Invariants of rays and surfaces. */
 final class GeometryInvariants {
   private static final int RAYS = 60_000;
   private static final int HITS = 4_000;
   private static final int SPAWNED = 8;
   private static final double MILLION = 1e6;
 
-  /** Sizes and distances from the origin: 1 to 1e9 apart at most. */
+  /** Pairs of a size and a distance from the origin, with a ratio of at most 1e9. */
   private static final double[][] PLACES = {
     {1e-9, 0}, {1e-6, 1e2}, {1e-3, 0}, {1, 0}, {1, 1e4}, {1, 1e8}, {1e3, 1e8}, {1e6, 0}, {1e9, 0}
   };
@@ -38,14 +38,14 @@ final class GeometryInvariants {
             GeometryInvariants::leaks),
         new Invariant(
             "no-rehit",
-            "rays per million that meet the convex surface again which they leave",
+            "rays per million that hit the convex surface they leave a second time",
             "spheres, boxes, rectangles, meshes; scales 1e-9 to 1e9, distances to 1e8",
             0,
             GeometryInvariants::rehits),
         new Invariant(
             "sphere-outline",
             "rays per million that miss a sphere inside its outline or hit it outside",
-            "from 10 to 1e12 radii away, .999 and 1.001 radii off the centre",
+            "from 10 to 1e12 radii away, 0.999 and 1.001 radii off the center",
             0,
             GeometryInvariants::outlines),
         new Invariant(
@@ -56,10 +56,10 @@ final class GeometryInvariants {
             GeometryInvariants::residuals),
         new Invariant(
             "kernels-agree",
-            "rays per million of which vector and scalar kernel tell another hit",
+            "rays per million for which the vector and scalar kernels find different hits",
             Kernel.vectorObstacle().isEmpty()
                 ? "8064 triangles, rays from inside and outside"
-                : "not tried: " + Kernel.vectorObstacle().get(),
+                : "not tested: " + Kernel.vectorObstacle().get(),
             0,
             GeometryInvariants::kernelDifferences));
   }
@@ -156,7 +156,7 @@ final class GeometryInvariants {
     return counted;
   }
 
-  /** Returns a ray from a distance that passes the origin at an impact parameter. */
+  /** Samples a ray from a distance that passes the origin at an impact parameter. */
   private static Ray passing(Draws draws, double distance, double impact) {
     Vec3 axis = draws.direction();
     Vec3 across = axis.cross(draws.direction()).normalized();
@@ -164,7 +164,7 @@ final class GeometryInvariants {
     return new Ray(from, across.times(impact).minus(from).normalized());
   }
 
-  /** Returns the distance whose line through a point off the centre has that impact parameter. */
+  /** Returns the offset of the target from the center that gives a ray its impact parameter. */
   private static double offset(double impact, double distance) {
     return impact * distance / Math.sqrt(Math.max(distance * distance - impact * impact, 1e-300));
   }
@@ -179,7 +179,7 @@ final class GeometryInvariants {
       for (int i = 0; i < tries.times() * (RAYS / 4); i++) {
         double inside = offset(.999 * Math.sqrt(draws.unit()), distance);
         double outside = offset(draws.between(1.001, 1.1), distance);
-        // What lies beyond the centre is the far side, another miss.
+        // A hit beyond the center is on the far side, so it counts as a miss.
         boolean isMet = sphere.intersect(passing(draws, distance, inside), hit);
         wrong += isMet && hit.t() < distance ? 0 : 1;
         wrong += sphere.intersect(passing(draws, distance, outside), hit) ? 1 : 0;

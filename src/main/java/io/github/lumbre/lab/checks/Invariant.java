@@ -4,13 +4,14 @@ import java.util.Objects;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Something that must hold however extreme the scene, and how far it is from not holding.
+ * A property that must hold for every scene, however extreme, with a measure of its worst
+ * violation.
  *
- * @param name short, in lower case, the same for ever
+ * @param name short name in lower case, never changed
  * @param statement what is measured, with its unit
- * @param range over which it is tried
- * @param limit that the worst case may reach
- * @param measurement finds the worst case; NaN or infinite if something is badly wrong
+ * @param range tested range
+ * @param limit largest accepted value
+ * @param measurement measures the worst case; NaN or infinite after an invalid result
  */
 public record Invariant(
     String name,
@@ -23,15 +24,15 @@ public record Invariant(
     Objects.requireNonNull(measurement, "measurement");
   }
 
-  /** What was found of a law. */
+  /** The result of measuring an invariant. */
   public record Outcome(Invariant law, double worst) {
-    /** Tells whether the law holds. */
+    /** Returns whether the invariant holds. */
     public boolean holds() {
       return worst <= law.limit;
     }
   }
 
-  /** Tries the law; takes seconds at most, times the tries. */
+  /** Measures the invariant; takes at most a few seconds times the number of tries. */
   public Outcome measure(Tries tries) {
     return new Outcome(this, measurement.applyAsDouble(tries));
   }

@@ -3,14 +3,14 @@ package io.github.lumbre.lab.checks;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** All laws. */
+/** All invariants. */
 public final class Invariants {
-  /** The rounding unit of doubles, in which some laws count. */
+  /** The rounding unit of doubles, 2^-52, the unit of some limits. */
   static final double EPSILON = 0x1p-52;
 
   private Invariants() {}
 
-  /** Returns all laws, in the order in which they are told. */
+  /** Returns all invariants in the order in which they are printed. */
   public static List<Invariant> all() {
     return Stream.of(
             GeometryInvariants.all(),

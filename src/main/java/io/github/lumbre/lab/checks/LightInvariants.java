@@ -19,7 +19,7 @@ import io.github.lumbre.texture.Texture;
 import java.util.List;
 import java.util.Optional;
 
-/** What lights send to a point, against closed forms. */
+/** Invariants of lights: irradiance at a point, compared with closed forms. */
 final class LightInvariants {
   private static final int SAMPLES = 1 << 16;
 
@@ -38,7 +38,7 @@ final class LightInvariants {
     {1e6, 1e6, 1}
   };
 
-  /** Radius, distance and angle in degrees from the normal, wholly above the horizon. */
+  /** Radius, distance and angle from the normal in degrees, entirely above the horizon. */
   private static final double[][] SPHERES = {
     {1, 2, 0}, {1, 2, 30}, {1, 2, 60}, {.5, 3, 30}, {1, 1.000001, 0}, {1e-3, 1, 0}, {1e-6, 1, 60}
   };
@@ -56,7 +56,7 @@ final class LightInvariants {
         new Invariant(
             "sphere-light",
             "relative difference of the irradiance from π (R/d)² cos θ",
-            "radii 1e-6 to .999999 of the distance",
+            "radii 1e-6 to 0.999999 of the distance",
             1e-6,
             tries -> spheres()),
         new Invariant(
@@ -68,12 +68,12 @@ final class LightInvariants {
         new Invariant(
             "dome-light",
             "relative difference of the irradiance from π",
-            "uniform dome over a plane",
+            "uniform environment light over a plane",
             1e-6,
             tries -> dome()));
   }
 
-  /** Returns the irradiance at the origin of a plane that faces up. */
+  /** Returns the irradiance at the origin of an upward-facing plane. */
   private static double irradiance(Light light) {
     Sampler sampler = new SobolSampler(31);
     double sum = 0;
@@ -105,7 +105,10 @@ final class LightInvariants {
     return worst;
   }
 
-  /** The irradiance below the middle of a rectangle, of half sides in units of the height. */
+  /**
+   * Returns the irradiance below the center of a rectangle, given its half sides in units of the
+   * height.
+   */
   private static double overRectangle(double x, double y) {
     double rootX = Math.sqrt(1 + x * x);
     double rootY = Math.sqrt(1 + y * y);

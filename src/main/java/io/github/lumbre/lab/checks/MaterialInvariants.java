@@ -21,7 +21,9 @@ import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
 import java.util.List;
 
-/** How surfaces scatter: every material, from smooth to rough, from above to grazing. */
+/**
+ * Invariants of scattering: every material, from smooth to rough, from normal to grazing incidence.
+ */
 final class MaterialInvariants {
   private static final int SAMPLES = 1 << 12;
   private static final int PAIRS = 20_000;
@@ -31,12 +33,14 @@ final class MaterialInvariants {
   private static final double[] ROUGHNESSES = {1e-3, .01, .05, .1, .3, .5, 1};
   private static final double[] EXPONENTS = {0, 1, 10, 52, 1e3, 1e6, 1e9};
 
-  /** Lobes that are narrower fall between the points of the quadrature. */
+  /**
+   * The smallest roughness that the quadrature resolves; narrower lobes fall between its points.
+   */
   private static final double LEAST_WIDE = .3;
 
   private static final double MOST_WIDE_EXPONENT = 52;
 
-  /** Index, reflectance at normal incidence, at 60 and at 80 degrees (exact Fresnel equations). */
+  /** Index of refraction; reflectance at 0°, 60° and 80° by the exact Fresnel equations. */
   private static final double[][] FRESNEL = {
     {1.1, .0022675736961451, .0130699669001, .193562762457},
     {1.33, .020059312199525, .0591255992474, .346916096262},
@@ -51,30 +55,30 @@ final class MaterialInvariants {
   static List<Invariant> all() {
     String range =
         "matte, Phong with exponents 0 to 1e9, Cook-Torrance (Beckmann, GGX) and glass of roughness"
-            + " 1e-3 to 1, mirror; cosines .01 to .95";
+            + " 1e-3 to 1, mirror; cosines 0.01 to 0.95";
     return List.of(
         new Invariant(
             "furnace",
-            "light scattered in a white furnace beyond what arrives, as a share",
+            "energy scattered in excess of the incident energy in a white furnace, relative",
             range,
             2e-3,
             tries -> excess()),
         new Invariant(
             "weights",
-            "relative difference of drawn weights from f·cos/pdf",
+            "relative difference of sample weights from f·cos/pdf",
             range,
             1e-12,
             MaterialInvariants::weights),
         new Invariant(
             "reciprocity",
-            "relative difference of f with its directions exchanged",
-            "all that reflects, from roughness .05 and to exponent 1000",
+            "relative difference of f(wo, wi) and f(wi, wo)",
+            "all reflective materials, roughness from 0.05, exponents to 1000",
             1e-12,
             MaterialInvariants::reciprocity),
         new Invariant(
             "pdf-integral",
-            "integral of the density over all directions beyond 1",
-            "lobes wide enough for a quadrature: exponents to 52, roughness from .3",
+            "excess over 1 of the integral of the pdf over all directions",
+            "lobes wide enough for a quadrature: exponents to 52, roughness from 0.3",
             2e-3,
             tries -> integrals()),
         new Invariant(
@@ -152,7 +156,7 @@ final class MaterialInvariants {
           sampler.startSample(0, 0, i);
           sum += bsdf.sample(viewer(cosine), sampler.get1d(0), sampler.get2d(1)).weight().max();
         }
-        // A sum that is no number must not pass for a small one.
+        // A NaN sum must not pass as a small one.
         worst = sum >= 0 ? Math.max(worst, sum / SAMPLES - 1) : Double.NaN;
       }
     }
@@ -209,7 +213,7 @@ final class MaterialInvariants {
     return worst;
   }
 
-  /** Returns the integral of the density over the sphere, by midpoints. */
+  /** Returns the integral of the pdf over the sphere, by the midpoint rule. */
   private static double integral(Bsdf bsdf, Vec3 wo) {
     double sum = 0;
     for (int row = 0; row < ROWS; row++) {

@@ -21,7 +21,7 @@ import io.github.lumbre.texture.TexturePoint;
 import java.util.List;
 import java.util.Optional;
 
-/** Transforms, cameras, random numbers and texture coordinates. */
+/** Invariants of transforms, cameras, random numbers and texture coordinates. */
 final class NumberInvariants {
   private static final int TRIES = 100_000;
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
@@ -32,31 +32,32 @@ final class NumberInvariants {
     return List.of(
         new Invariant(
             "transform-inverse",
-            "distance of M⁻¹ M p from p, in 2^-52 times the condition and the size of p",
-            "products of moves, turns and scales from 1e-4 to 1e4",
+            "distance of M⁻¹ M p from p, in 2^-52 × the condition number × the length of p",
+            "products of translations, rotations and scales from 1e-4 to 1e4",
             64,
             NumberInvariants::inverses),
         new Invariant(
             "camera-rays",
-            "deviation of directions from unit length, in 2^-52; infinite if one is no direction",
-            "five cameras, angles of view 1e-12° to 179.999999°, heights to 1e9, corners and rims",
+            "deviation of directions from unit length, in 2^-52; infinite if a direction is not"
+                + " finite",
+            "five cameras, fields of view 1e-12° to 179.999999°, heights to 1e9, corners and edges",
             4,
             NumberInvariants::cameraRays),
         new Invariant(
             "fisheye-rim",
             "deviation of the share of samples with a ray from π/4, in standard errors",
-            "100 000 points of the film",
+            "100,000 points of the film",
             4.8916,
             NumberInvariants::fishEyeRim),
         new Invariant(
             "sampler-uniform",
-            "χ² of first samples in bins, as normal deviate",
+            "χ² of binned first samples, as a normal deviate",
             "255 and 1023 degrees of freedom; pixels, dimensions and seeds",
             4.7534,
             tries -> uniformity()),
         new Invariant(
             "texture-wrap",
-            "points read more than one texel from where they belong",
+            "lookups more than one texel away from the correct one",
             "1000 x 999 texels, coordinates to ±1e9",
             0,
             NumberInvariants::wraps));
@@ -70,7 +71,7 @@ final class NumberInvariants {
       double least = Double.POSITIVE_INFINITY;
       double most = 0;
       for (int axis = 0; axis < 3; axis++) {
-        // Powers of ten would need a logarithm; powers of two do.
+        // Random powers of two suffice; powers of ten would need a logarithm.
         factors[axis] = Math.scalb(draws.between(1, 2), draws.below(27) - 13);
         least = Math.min(least, factors[axis]);
         most = Math.max(most, factors[axis]);
@@ -155,7 +156,7 @@ final class NumberInvariants {
     long[] square = new long[1024];
     Sampler sampler = new SobolSampler(seed);
     for (int i = 0; i < TRIES; i++) {
-      // One sample for each pixel: samples of one pixel are more even than chance.
+      // One sample per pixel, because samples of the same pixel are stratified, not independent.
       sampler.startSample(i % 400, Math.floorDiv(i, 400), 3);
       line[(int) (256 * sampler.get1d(dimension))]++;
       Point2 p = sampler.get2d(dimension + 1);
@@ -164,7 +165,7 @@ final class NumberInvariants {
     return Math.max(deviate(line), deviate(square));
   }
 
-  /** Returns how many standard deviations χ² lies above its mean (Fisher's approximation). */
+  /** Returns the number of standard deviations of χ² above its mean (Fisher's approximation). */
   private static double deviate(long[] counts) {
     double expected = (double) TRIES / counts.length;
     double statistic = 0;

@@ -31,7 +31,7 @@ import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.List;
 
-/** Light transport and whole pictures. */
+/** Invariants of light transport and whole pictures. */
 final class PictureInvariants {
   private static final int WIDTH = 32;
   private static final int HEIGHT = 24;
@@ -39,7 +39,7 @@ final class PictureInvariants {
   private static final int REPLICATES = 256;
   private static final int SAMPLES_EACH = 64;
 
-  /** Where a standard error is 0 but for rounding. */
+  /** The relative tolerance where the standard error is 0 except for rounding. */
   private static final double ROUNDING = 1e-11;
 
   private PictureInvariants() {}
@@ -48,27 +48,26 @@ final class PictureInvariants {
     return List.of(
         new Invariant(
             "enclosure-series",
-            "deviation of light in an enclosure from ρ (1 - ρ^N) / (1 - ρ), in standard errors",
-            "reflectances .2 to .95, depths 1 to 100, roulette included",
+            "deviation of radiance in an enclosure from ρ (1 - ρ^N) / (1 - ρ), in standard errors",
+            "reflectances 0.2 to 0.95, depths 1 to 100, with Russian roulette",
             4.8916,
             tries -> enclosures()),
         new Invariant(
             "scale-invariance",
             "pixels that change when the scene is scaled by a power of two",
-            "scales 2^-30 to 2^30; matte, glossy, glass, lamp, sun and background",
+            "scales 2^-30 to 2^30; matte, glossy, glass; area light, directional light, background",
             0,
             tries -> scaledDifferences()),
         new Invariant(
             "schedule-independence",
-            "pixels that change with threads, buckets or crop",
-            "1 to 5 threads, buckets of 1 to 100 pixels, windows of the frame",
+            "pixels that change with the number of threads, the bucket size or the crop window",
+            "1 to 5 threads, bucket sizes 1 to 100, two crop windows",
             0,
             tries -> scheduleDifferences()),
         new Invariant(
             "film-exact",
-            "pixels that change when samples come in several passes, or from films that are added"
-                + " up",
-            "8 samples as 1+7, 3+5, 7+1 and one by one; of two films either one added to the other",
+            "pixels that change when samples are split into passes or into films that are added",
+            "8 samples as 1+7, 3+5, 7+1 and one by one; films added in both orders",
             0,
             tries -> passDifferences()));
   }
@@ -83,7 +82,10 @@ final class PictureInvariants {
     return worst;
   }
 
-  /** Each vertex adds an ambient irradiance of π, which so many vertices reflect on. */
+  /**
+   * Returns the deviation in standard errors. Each vertex adds an ambient irradiance of π, and a
+   * path has at most {@code depth} vertices that reflect.
+   */
   private static double enclosure(double reflectance, int depth) {
     Scene scene =
         Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
@@ -118,7 +120,7 @@ final class PictureInvariants {
     return distance <= ROUNDING * expected ? 0 : distance / Math.sqrt(variance);
   }
 
-  /** A scene of everything, scaled as a whole about the origin. */
+  /** Returns a scene with many features, scaled about the origin. */
   private static Scene scene(double scale) {
     Transform whole = Transform.scale(new Vec3(scale, scale, scale));
     Texture<Rgb> white = Texture.constant(Rgb.WHITE);
@@ -161,10 +163,12 @@ final class PictureInvariants {
 
   private static IllegalStateException interrupted(InterruptedException e) {
     Thread.currentThread().interrupt();
-    return new IllegalStateException("interrupted while a law was tried", e);
+    return new IllegalStateException("interrupted while an invariant was measured", e);
   }
 
-  /** Returns how many pixels of a window of the first picture are others in the second. */
+  /**
+   * Returns the number of pixels that differ between a window of a picture and a second picture.
+   */
   private static int differences(Image whole, Image part, int x, int y) {
     int count = 0;
     for (int i = 0; i < part.width() * part.height(); i++) {
@@ -228,10 +232,10 @@ final class PictureInvariants {
   }
 
   /**
-   * Renders two films apart, one up to some sample and one from it on, and adds them up.
+   * Renders two films, with the samples before and after a split point, and adds them.
    *
-   * @param first the number of the first sample of the film that the other is added to
-   * @param second likewise of the other; one of the two is 0
+   * @param first index of the first sample of the film that receives the sum
+   * @param second index of the first sample of the other film; one of the two is 0
    */
   private static Image added(RenderSettings settings, Scene scene, int first, int second) {
     int split = Math.max(first, second);

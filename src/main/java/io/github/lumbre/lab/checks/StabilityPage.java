@@ -2,27 +2,28 @@ package io.github.lumbre.lab.checks;
 
 import java.util.Locale;
 
-/** The table of what holds at the extremes, as the documentation publishes it. */
+/** Formats the results of all invariants as the page docs/stability.md. */
 public final class StabilityPage {
   public static final String HEAD =
       """
 # Stable at the extremes
 
-What the renderer promises where scenes are very large, very small, very near, very far, very smooth or
-very deep, and what was measured. `./lumbre selftest` measures the same on any machine, a line for each
-law, and ends with 1 if one does not hold; `./lumbre selftest --markdown` writes this page. The laws stand
-in the package `laws`, which the tests measure as well. All is random by fixed keys: the same is tried everywhere.
+The renderer's invariants at extreme scales, distances, roughnesses and depths, with measured worst
+cases. `./lumbre selftest` measures them on any machine, one line each, and exits with code 1 if one
+does not hold. `./lumbre selftest --markdown` prints this page. The tests check the same invariants,
+with the code of the package `io.github.lumbre.lab.checks`. Fixed random keys give the same test
+cases on every machine.
 
-Correct means: while the largest coordinate in play is at most 1e9 times the smallest visible feature.
-Absolute size does not matter. `lumbre audit` warns of scenes beyond that.
+The invariants hold while the largest coordinate is at most 1e9 times the smallest visible feature.
+Absolute size does not matter. `lumbre audit` warns about scenes beyond this ratio.
 
-| law | what is measured | over which range | worst | limit |
+| invariant | measured quantity | range | worst | limit |
 |---|---|---|---|---|
 """;
 
   private StabilityPage() {}
 
-  /** Returns a law's row. */
+  /** Returns the table row of an invariant. */
   public static String row(Invariant.Outcome outcome) {
     Invariant law = outcome.law();
     return "| "
@@ -36,7 +37,7 @@ Absolute size does not matter. `lumbre audit` warns of scenes beyond that.
         + " |";
   }
 
-  /** Returns a number with the digits that matter. */
+  /** Returns a number with three significant digits; integers below 1e6 in full. */
   public static String figure(double value) {
     return value == Math.rint(value) && Math.abs(value) < 1e6
         ? String.format(Locale.ROOT, "%.0f", value)

@@ -1,10 +1,10 @@
 package io.github.lumbre.lab.checks;
 
 /**
- * How much of the random cases of a law is tried, and which.
+ * The number and the seed of an invariant's random test cases.
  *
- * @param times at least 1: as many as that times the cases of a quick test
- * @param seed 0 for the cases of {@code lumbre selftest}; another for others
+ * @param times multiple of the cases of a quick test, at least 1
+ * @param seed seed of the cases; 0 for those of {@code lumbre selftest}
  */
 public record Tries(int times, long seed) {
   public Tries {
@@ -13,7 +13,7 @@ public record Tries(int times, long seed) {
     }
   }
 
-  /** Returns a stream of numbers that are others for another key or seed. */
+  /** Returns the stream of random numbers for a key and the seed. */
   Draws draws(long key) {
     return new Draws(seed ^ key);
   }

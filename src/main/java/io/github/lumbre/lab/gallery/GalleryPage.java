@@ -15,17 +15,17 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** The page that shows a folder's pictures and tells how each was made. Mutable. */
+/** The page that shows a folder's pictures and how each was rendered. Mutable. */
 public final class GalleryPage {
-  /** The page's file, which forges show when they show the folder. */
+  /** The page's file name; code hosts display this file with the folder. */
   public static final String FILE = "README.md";
 
   private static final String HEAD =
       """
       # Pictures
 
-      Made by `lumbre gallery` from the scenes of the same names. The same samples give the same \
-      pixels on every machine; time is that of rendering alone.
+      Rendered by `lumbre gallery` from the scenes of the same names. The same number of samples \
+      gives the same pixels on every machine. The time includes only rendering.
 
       | scene | picture | size | samples | time | threads | hardware |
       |---|---|---|--:|--:|--:|---|
@@ -42,13 +42,13 @@ public final class GalleryPage {
   }
 
   /**
-   * How a picture was made.
+   * How a picture was rendered.
    *
-   * @param scene its name, which is the picture's without the ending
+   * @param scene name of the scene, and of the picture without its extension
    */
   public record Entry(
       String scene, String size, int samples, double seconds, int threads, Hardware hardware) {
-    /** Returns how a scene was rendered on this machine. */
+    /** Returns the entry for a scene rendered on this machine. */
     public static Entry of(String scene, GalleryRenderer.Rendered rendered) {
       Hardware hardware = Hardware.here();
       int threads = rendered.settings().threads();
@@ -64,10 +64,9 @@ public final class GalleryPage {
   }
 
   /**
-   * Returns a folder's page with what it tells of pictures that are still there; an empty page if
-   * there is none.
+   * Returns a folder's page with its entries for existing pictures; an empty page if there is none.
    *
-   * @throws TaskException if there is one that cannot be read
+   * @throws TaskException if the page exists but cannot be read
    */
   public static GalleryPage load(Path directory) throws TaskException {
     GalleryPage page = new GalleryPage(directory.resolve(FILE));
@@ -92,7 +91,7 @@ public final class GalleryPage {
     return directory.resolve(scene + ".png");
   }
 
-  /** Takes how a picture was made, instead of how the former one was. */
+  /** Adds or replaces the entry of a picture. */
   public void put(Entry entry) {
     String name = entry.scene;
     String image = "<img src=\"" + name + ".png\" width=\"" + WIDTH + "\" alt=\"" + name + "\">";

@@ -15,9 +15,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** Renders the scenes of a gallery, each in about the same time. */
+/** Renders each scene of a gallery in about the same time. */
 public final class GalleryRenderer {
-  /** Which part of a picture's time the end of its pilot takes, and how long that is at most. */
+  /** The share of a picture's time for the timed part of its pilot render. */
   private static final double PILOT_SHARE = .03;
 
   private static final double MAX_PILOT_SECONDS = 5;
@@ -28,8 +28,8 @@ public final class GalleryRenderer {
   private final LabHost host;
 
   /**
-   * @param seconds that each picture may take
-   * @param threads of each render; 0 means one per processor
+   * @param seconds approximate time per picture
+   * @param threads number of threads; 0 means one per processor
    * @param host reads the scenes and shows every render
    */
   public GalleryRenderer(SceneFolder scenes, double seconds, int threads, LabHost host) {
@@ -42,12 +42,12 @@ public final class GalleryRenderer {
   /**
    * A rendered scene.
    *
-   * @param seconds that rendering took
+   * @param seconds rendering time
    */
   public record Rendered(
       SceneFile file, RenderSettings settings, RenderResult result, double seconds) {}
 
-  /** Renders a scene; returns nothing if that was stopped. */
+  /** Renders a scene; returns empty if stopped. */
   public Optional<Rendered> render(String scene)
       throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser =
@@ -81,15 +81,15 @@ public final class GalleryRenderer {
         : Optional.empty();
   }
 
-  /** Prints a warning if the fewest samples of a gallery take longer than the time. */
+  /** Prints a warning if the minimum number of samples takes longer than the given time. */
   public void warnIfTooShort(String scene, RenderSettings settings, double rate) {
     double least = SampleBudget.leastSeconds(rate, settings);
     if (least > seconds) {
       host.warn(
           String.format(
               Locale.ROOT,
-              "%s: --seconds %.0f is too short for %d samples per pixel, the fewest of a"
-                  + " gallery; they take about %.0f s",
+              "%s: --seconds %.0f is too short for the minimum of %d samples per pixel, which take"
+                  + " about %.0f s",
               scene,
               seconds,
               SampleBudget.LEAST,

@@ -1,2 +1,2 @@
-/** Renders every scene of a folder in about the same time, and the page that shows the pictures. */
+/** Renders each scene of a folder in about the same time, and writes a page of the pictures. */
 package io.github.lumbre.lab.gallery;

@@ -8,16 +8,16 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * A picture of where another one is wrong: each pixel's relative error, the root of the mean over
- * channels of (x − r)² / (r² + 0.01), by a scale that is the same for all pictures.
+ * A map of a picture's relative error per pixel: the root of the mean over channels of (x − r)² /
+ * (r² + 0.01), on a fixed color scale.
  *
- * <p>From black (0.001 and less) over purple (0.01) and orange (0.1) to pale yellow (1 and more),
- * evenly in the logarithm: noise falls by one such step when samples grow a hundredfold.
+ * <p>The scale is logarithmic: black (0.001 and less), purple (0.01), orange (0.1), pale yellow (1
+ * and more). Noise falls by one of these steps with 100 times as many samples.
  */
 public final class ErrorMap {
   private static final double DECADES = 3;
 
-  /** Encoded colours, evenly spaced on the scale. */
+  /** sRGB-encoded colors, evenly spaced on the scale. */
   private static final int[][] COLOURS = {
     {0, 0, 4},
     {58, 12, 96},
@@ -30,7 +30,7 @@ public final class ErrorMap {
 
   private ErrorMap() {}
 
-  /** Returns the map of two pictures of one size; written as PNG, it has the colours above. */
+  /** Returns the map of two pictures of the same size; its PNG has the colors above. */
   public static Image of(Image picture, Image reference) {
     double[] x = PictureError.seen(picture);
     double[] r = PictureError.seen(reference);
@@ -45,7 +45,7 @@ public final class ErrorMap {
     return new Image(picture.width(), picture.height(), rgb, new float[0]);
   }
 
-  /** Returns the colours of the scale, evenly spaced, as style sheets name them. */
+  /** Returns the colors of the scale, evenly spaced, as CSS colors. */
   public static List<String> webColours() {
     return Arrays.stream(COLOURS)
         .map(c -> String.format(Locale.ROOT, "#%02x%02x%02x", c[0], c[1], c[2]))

@@ -5,18 +5,18 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 
 /**
- * The difference between two pictures that a person sees who flips between them on a screen
+ * The perceived difference between two pictures when a viewer alternates between them on a screen
  * (Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström &amp; Fairchild 2020, "FLIP: A Difference
- * Evaluator for Alternating Images", LDR-FLIP): 0 where they look the same, at most 1.
+ * Evaluator for Alternating Images", LDR-FLIP): 0 where they look identical, at most 1.
  *
- * <p>Linear light is clamped to what a screen can show. The viewer sits .7 m before a screen .7 m
- * wide with 3840 pixels across, as in the paper: 67 pixels a degree. Numbers of equations and names
- * of constants are the paper's.
+ * <p>Linear light is clamped to [0,1]. As in the paper, the viewer is 0.7 m from a screen that is
+ * 0.7 m wide with 3840 pixels: 67 pixels per degree. Equation numbers and names of constants are
+ * the paper's.
  */
 final class Flip {
   private static final double PIXELS_PER_DEGREE = .7 * 3840 / .7 * Math.PI / 180;
 
-  /** White of CIE D65, as sRGB has it. */
+  /** The white point CIE D65 of sRGB. */
   private static final double[] WHITE = {.950428545377181, 1, 1.088900370798128};
 
   private static final double QC = .7;
@@ -27,18 +27,18 @@ final class Flip {
   /** Width of the filters that detect edges and points, in degrees. */
   private static final double FEATURE_WIDTH = .082;
 
-  /** Sensitivity to contrast, of luminance, red-green and blue-yellow: table 1. */
+  /** Contrast sensitivity of luminance, red-green and blue-yellow: table 1. */
   private static final double[][] SENSITIVITY = {
     {1, .0047, 0, 1e-5}, {1, .0053, 0, 1e-5}, {34.1, .04, 13.5, .025}
   };
 
-  /** The difference that counts as the largest: of pure green and pure blue. */
+  /** The largest difference: between pure green and pure blue. */
   private static final double LARGEST =
       Elementary.pow(distance(lab(new double[] {0, 1, 0}), lab(new double[] {0, 0, 1})), QC);
 
   private Flip() {}
 
-  /** Returns the difference at every pixel of two pictures of one size. */
+  /** Returns the difference at every pixel of two pictures of the same size. */
   static Plane map(Image test, Image reference) {
     Plane[] testOpponent = opponents(test);
     Plane[] referenceOpponent = opponents(reference);
@@ -70,7 +70,7 @@ final class Flip {
     return planes;
   }
 
-  /** Returns the difference of colours after the blur of the eye, in [0,1] (sec. 4.1). */
+  /** Returns the color difference after filtering by contrast sensitivity, in [0,1] (sec. 4.1). */
   private static Plane colourDifference(Plane[] test, Plane[] reference) {
     Plane[] testSeen = seen(test);
     Plane[] referenceSeen = seen(reference);
@@ -98,7 +98,7 @@ final class Flip {
     return blurred;
   }
 
-  /** Convolves with a sum of two Gaussians, each the product of its rows and columns. */
+  /** Convolves with a sum of two Gaussians, each separable into rows and columns. */
   private static Plane blurred(Plane plane, double[] s) {
     double[] first = gaussian(s[1]);
     if (s[2] == 0) {
@@ -114,7 +114,7 @@ final class Flip {
     return Plane.of(plane.width(), plane.height(), i -> a.values()[i] + b.values()[i]);
   }
 
-  /** Returns exp(-π² x² / b), x in degrees, as far as the widest Gaussian of all reaches. */
+  /** Returns exp(-π² x² / b), x in degrees, over the support of the widest Gaussian. */
   private static double[] gaussian(double b) {
     int reach = (int) Math.ceil(3 * Math.sqrt(.04 / (2 * Math.PI * Math.PI)) * PIXELS_PER_DEGREE);
     double[] weights = new double[2 * reach + 1];
@@ -125,7 +125,7 @@ final class Flip {
     return weights;
   }
 
-  /** Returns the linear light of YCxCz, as a screen can show it. */
+  /** Returns YCxCz converted to linear RGB, clamped to [0,1]. */
   private static double[] linear(Plane[] opponents, int i) {
     double luminance = (opponents[0].values()[i] + 16) / 116;
     double x = (luminance + opponents[1].values()[i] / 500) * WHITE[0];
@@ -146,7 +146,7 @@ final class Flip {
     };
   }
 
-  /** Returns L*a*b*, colours of dark things being weaker (Hunt effect, eq. 4). */
+  /** Returns L*a*b* with the chroma of dark colors reduced (Hunt effect, eq. 4). */
   private static double[] lab(double[] rgb) {
     double[] xyz = xyz(rgb);
     double y = response(xyz[1] / WHITE[1]);
@@ -172,7 +172,7 @@ final class Flip {
     return Math.abs(a[0] - b[0]) + Math.sqrt(da * da + db * db);
   }
 
-  /** Returns how much edges and points differ, in [0,1] (sec. 4.2). */
+  /** Returns the difference of edges and points, in [0,1] (sec. 4.2). */
   private static Plane featureDifference(Plane test, Plane reference) {
     Plane[] a = features(normalised(test));
     Plane[] b = features(normalised(reference));
@@ -190,7 +190,7 @@ final class Flip {
     return Plane.of(luminance.width(), luminance.height(), i -> (luminance.values()[i] + 16) / 116);
   }
 
-  /** Returns the strengths of edges, and those of points. */
+  /** Returns two planes: the strength of edges and the strength of points. */
   private static Plane[] features(Plane luminance) {
     double spread = .5 * FEATURE_WIDTH * PIXELS_PER_DEGREE;
     int reach = (int) Math.ceil(3 * spread);
@@ -223,7 +223,7 @@ final class Flip {
         });
   }
 
-  /** Returns weights of which the positive ones sum to 1 and the negative ones to -1. */
+  /** Returns scaled weights whose positive ones sum to 1 and whose negative ones sum to -1. */
   private static double[] balanced(double[] weights) {
     double positive = 0;
     double negative = 0;

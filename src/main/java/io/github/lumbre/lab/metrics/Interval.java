@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A value and an interval that holds the true one with a confidence of 95 %.
+ * An estimate with its confidence interval of 95 %.
  *
  * @param low at most {@code value}
  * @param high at least {@code value}
@@ -14,10 +14,10 @@ import java.util.stream.IntStream;
 public record Interval(double value, double low, double high) {
   private static final double CONFIDENCE = .95;
 
-  /** All values are on one side of the true median with a probability of 2^(1-n). */
+  /** With n values, all lie on one side of the true median with a probability of 2^(1-n). */
   private static final int FEWEST_FOR_MEDIAN = 6;
 
-  /** Returns the mean of independent values, at least one, by Student's t; of one, itself. */
+  /** Returns the mean of independent values by Student's t; a single value has a zero interval. */
   public static Interval ofMean(List<Double> values) {
     int count = values.size();
     double mean = values.stream().mapToDouble(v -> v).sum() / count;
@@ -31,8 +31,8 @@ public record Interval(double value, double low, double high) {
   }
 
   /**
-   * Returns the median of independent values and the order statistics around it that hold the true
-   * one, whatever the values' distribution (as in the sign test).
+   * Returns the median of independent values with an interval of order statistics, as in the sign
+   * test. It holds for every distribution of the values.
    *
    * @param values at least 6
    */
@@ -43,7 +43,7 @@ public record Interval(double value, double low, double high) {
       throw new IllegalArgumentException(
           "values: expected at least " + FEWEST_FOR_MEDIAN + ", found " + count);
     }
-    // The true median lies outside if fewer than so many of the values are on one side of it.
+    // The true median lies outside the interval if at most cut values are on one side of it.
     double outside = Math.scalb(1.0, -count);
     double term = outside;
     int cut = 0;
@@ -56,7 +56,7 @@ public record Interval(double value, double low, double high) {
     return new Interval(middle, sorted[cut], sorted[count - 1 - cut]);
   }
 
-  /** Returns the middle value, or the mean of the two in the middle; NaN of none. */
+  /** Returns the middle value, or the mean of the two in the middle; NaN without values. */
   public static double median(double... values) {
     double[] sorted = values.clone();
     Arrays.sort(sorted);
@@ -74,8 +74,8 @@ public record Interval(double value, double low, double high) {
   /**
    * Returns the geometric mean of the ratios of pairs.
    *
-   * @param over positive
-   * @param under positive, as many
+   * @param over numerators, positive
+   * @param under denominators, positive, the same number
    */
   public static Interval ofRatios(List<Double> over, List<Double> under) {
     return ofGeometricMean(

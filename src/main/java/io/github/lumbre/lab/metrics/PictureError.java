@@ -7,16 +7,16 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * How far a picture is from a reference, over all pixels and channels of linear light unless said
- * otherwise.
+ * The error of a picture against a reference, over all pixels and channels of linear light unless
+ * stated otherwise.
  *
  * @param rmse root of the mean squared error
- * @param relativeMse mean of (x − r)² / (r² + 0.01), r being the reference
+ * @param relativeMse mean of (x − r)² / (r² + 0.01), where r is the reference
  * @param bias mean of x − r
- * @param percentile999 absolute error that 99.9 % of the values do not exceed
- * @param largest absolute error
- * @param ssim mean structural similarity of encoded luminance; 1 for the same picture
- * @param flip mean of LDR-FLIP; 0 for the same picture
+ * @param percentile999 99.9th percentile of the absolute error
+ * @param largest largest absolute error
+ * @param ssim mean structural similarity of encoded luminance; 1 for identical pictures
+ * @param flip mean of LDR-FLIP; 0 for identical pictures
  */
 public record PictureError(
     double rmse,
@@ -26,7 +26,7 @@ public record PictureError(
     double largest,
     double ssim,
     double flip) {
-  /** Keeps dark pixels from counting for all; in units of squared linear light. */
+  /** Keeps dark pixels from dominating; in units of squared linear light. */
   public static final double FLOOR = PixelHalves.FLOOR;
 
   /**
@@ -64,7 +64,7 @@ public record PictureError(
         Flip.map(picture, reference).mean());
   }
 
-  /** Returns a picture's values, three a pixel, as they look over black. */
+  /** Returns a picture's values over black, three per pixel. */
   public static double[] seen(Image image) {
     double[] values = new double[image.rgb().length];
     for (int i = 0; i < values.length; i++) {
@@ -75,7 +75,7 @@ public record PictureError(
     return values;
   }
 
-  /** Returns all figures by the names under which they are told, in order. */
+  /** Returns all metrics by the names under which they are printed, in order. */
   public Map<String, Double> byName() {
     Map<String, Double> figures = new LinkedHashMap<>();
     figures.put("rmse", rmse);

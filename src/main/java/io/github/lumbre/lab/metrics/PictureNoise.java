@@ -6,17 +6,18 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * How noisy a picture is, estimated without a reference from pairs of renders that differ in
- * nothing but their seed.
+ * The noise of a picture, estimated without a reference from pairs of renders that differ only in
+ * their seeds.
  *
- * <p>For values a and b of a pair, (a − b)²/2 estimates their variance without bias, which is the
- * mean squared error of a renderer that is right on average. Divided by m² + 0.01, m being the mean
- * of all pictures, and averaged over pixels and channels, it is the relative mean squared error.
+ * <p>For values a and b of a pair, (a − b)²/2 is an unbiased estimate of their variance. The
+ * variance is the mean squared error of an unbiased renderer. Divided by m² + 0.01, where m is the
+ * mean of all pictures, and averaged over pixels and channels, it is the relative mean squared
+ * error.
  *
- * @param relativeMses one for each pair
+ * @param relativeMses one estimate per pair
  */
 public record PictureNoise(List<Double> relativeMses) {
-  /** Keeps dark pixels from counting for all; in units of squared linear light. */
+  /** Keeps dark pixels from dominating; in units of squared linear light. */
   private static final double FLOOR = .01;
 
   public PictureNoise {
@@ -26,7 +27,8 @@ public record PictureNoise(List<Double> relativeMses) {
   /**
    * Returns the noise of pictures.
    *
-   * @param pictures of one size and independent seeds, an even number: pair after pair
+   * @param pictures an even number of pictures, pair by pair, with the same size and independent
+   *     seeds
    */
   public static PictureNoise of(List<Image> pictures) {
     double[] means = means(pictures);

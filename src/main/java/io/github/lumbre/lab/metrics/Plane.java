@@ -3,9 +3,9 @@ package io.github.lumbre.lab.metrics;
 import java.util.Arrays;
 
 /**
- * A raster of one value a pixel, row by row from the top.
+ * A raster with one value per pixel, row by row from the top.
  *
- * @param values shared with whoever made it, who does not change them any more
+ * @param values not copied; the caller must not change them afterwards
  */
 record Plane(int width, int height, double[] values) {
   /** A function of a pixel's index. */
@@ -22,11 +22,11 @@ record Plane(int width, int height, double[] values) {
   }
 
   /**
-   * Returns the convolution with the product of two symmetric or antisymmetric kernels; beyond the
-   * border stands what is nearest to it.
+   * Returns the convolution with the product of two symmetric or antisymmetric kernels. Values
+   * beyond the border are those of the nearest pixel.
    *
-   * @param across weights along rows, an odd number
-   * @param down weights along columns, an odd number
+   * @param across weights along rows, an odd number of them
+   * @param down weights along columns, an odd number of them
    */
   Plane convolved(double[] across, double[] down) {
     double[] rows = new double[values.length];

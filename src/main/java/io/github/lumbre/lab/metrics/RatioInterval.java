@@ -4,22 +4,22 @@ import io.github.lumbre.math.Elementary;
 import java.util.List;
 
 /**
- * How many times as long one thing takes as another, with a confidence interval of 95 %.
+ * The ratio of two times, with a confidence interval of 95 %.
  *
- * <p>Times vary by factors rather than by amounts, so their logarithms are compared, by Welch's t
- * test (Welch 1947, "The generalization of 'Student's' problem when several different population
- * variances are involved"): it takes few repetitions and does not ask that both vary alike. What is
- * estimated is the ratio of the geometric means.
+ * <p>Times vary by factors rather than by amounts, so their logarithms are compared. Welch's t test
+ * (Welch 1947, "The generalization of 'Student's' problem when several different population
+ * variances are involved") needs few repetitions and no equal variances. The result is the ratio of
+ * the geometric means.
  *
- * @param ratio the second's time over the first's, > 0
- * @param low end of the interval
- * @param high end of the interval
+ * @param ratio second time over first time, > 0
+ * @param low lower end of the interval
+ * @param high upper end of the interval
  */
 public record RatioInterval(double ratio, double low, double high) {
-  /** How sure the interval is to hold the true ratio. */
+  /** The confidence level of the interval. */
   private static final double CONFIDENCE = .95;
 
-  /** What a comparison comes to. */
+  /** The result of a comparison. */
   public enum Verdict {
     FASTER("faster"),
     SLOWER("slower"),
@@ -37,7 +37,7 @@ public record RatioInterval(double ratio, double low, double high) {
     }
   }
 
-  /** Mean of logarithms, and the square of its standard error. */
+  /** The mean of logarithms and the square of its standard error. */
   private record LogMean(double mean, double squaredError, int count) {
     public static LogMean of(List<Double> values) {
       int count = values.size();
@@ -56,18 +56,18 @@ public record RatioInterval(double ratio, double low, double high) {
       return new LogMean(mean, squares / (count - 1) / count, count);
     }
 
-    /** Returns this one's part of the denominator of the Welch-Satterthwaite equation. */
+    /** Returns this mean's term in the denominator of the Welch-Satterthwaite equation. */
     double weight() {
       return squaredError * squaredError / (count - 1);
     }
   }
 
   /**
-   * Returns the ratio of two things' times.
+   * Returns the ratio of two sets of times.
    *
    * @param first times > 0
    * @param second times > 0, independent of the first
-   * @throws IllegalArgumentException if there are fewer than two of either
+   * @throws IllegalArgumentException if either has fewer than two times
    */
   public static RatioInterval of(List<Double> first, List<Double> second) {
     LogMean a = LogMean.of(first);
@@ -85,7 +85,7 @@ public record RatioInterval(double ratio, double low, double high) {
         Elementary.exp(difference + half));
   }
 
-  /** Returns what can be said with confidence. */
+  /** Returns the verdict that the interval supports. */
   public Verdict verdict() {
     if (high < 1) {
       return Verdict.FASTER;

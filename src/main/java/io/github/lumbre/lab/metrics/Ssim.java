@@ -7,11 +7,11 @@ import io.github.lumbre.math.Elementary;
 
 /**
  * The structural similarity of two pictures (Wang, Bovik, Sheikh &amp; Simoncelli 2004, "Image
- * Quality Assessment: From Error Visibility to Structural Similarity"): 1 for the same picture, 0
- * where nothing has to do with each other, of the encoded luminance in [0,1].
+ * Quality Assessment: From Error Visibility to Structural Similarity"): 1 for identical pictures, 0
+ * for unrelated ones. It compares the encoded luminance in [0,1].
  *
- * <p>The window is the paper's, a Gaussian of 1.5 pixels over 11 x 11; at the border it sees the
- * nearest pixels again, so that small pictures have a similarity too.
+ * <p>The window is the paper's, a Gaussian of 1.5 pixels over 11 x 11 pixels. At the border it
+ * repeats the nearest pixels, so that small pictures also have a similarity.
  */
 final class Ssim {
   private static final int REACH = 5;
@@ -21,7 +21,7 @@ final class Ssim {
 
   private Ssim() {}
 
-  /** Returns the mean similarity of two pictures of one size, at most 1. */
+  /** Returns the mean similarity of two pictures of the same size, at most 1. */
   static double of(Image a, Image b) {
     return map(luma(a), luma(b)).mean();
   }

@@ -10,13 +10,14 @@ public final class StudentT {
   private StudentT() {}
 
   /**
-   * Returns the t that |T| exceeds with a probability of 1 − confidence.
+   * Returns the critical value t: |T| exceeds it with a probability of 1 − confidence.
    *
    * <p>With t = √ν·tan θ the density is proportional to cos^(ν−1) θ (Abramowitz &amp; Stegun 1964,
-   * 26.7.1 by that substitution), so that the share below t is a ratio of two proper integrals.
+   * 26.7.1 with this substitution). The probability below t is then a ratio of two proper
+   * integrals.
    *
-   * @param confidence in (0,1)
-   * @param degrees of freedom ν, 1 or more and not necessarily whole
+   * @param confidence confidence level in (0,1)
+   * @param degrees degrees of freedom ν, at least 1, not necessarily an integer
    */
   public static double critical(double confidence, double degrees) {
     double wanted = confidence * integral(Math.PI / 2, degrees);

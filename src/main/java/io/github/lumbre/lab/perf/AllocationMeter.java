@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Counts the bytes that a render's threads allocate, and passes on what it hears to another. The
- * threads live for one render, so what each has allocated when its last bucket is done is its
- * share; garbage collection does not matter. Shared by the threads.
+ * Counts the bytes that a render's threads allocate, and forwards progress to another listener. The
+ * threads live for one render, so a thread's total at the end of its last bucket is its share.
+ * Garbage collection has no effect. Shared by the threads.
  */
 final class AllocationMeter implements Progress {
   private static final ThreadMXBean THREADS =
@@ -23,7 +23,7 @@ final class AllocationMeter implements Progress {
     this.listener = listener;
   }
 
-  /** Returns the sum over all threads, as of the buckets that are done. */
+  /** Returns the sum over all threads, up to their finished buckets. */
   long bytes() {
     return bytes.values().stream().mapToLong(Long::longValue).sum();
   }

@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /**
- * The machine that a render ran on.
+ * The machine that runs a render.
  *
- * @param cpu the processor's model, or its architecture where the system does not tell
- * @param cores logical ones, as many as this process may use
+ * @param cpu processor model, or its architecture where the system does not report a model
+ * @param cores number of logical cores available to this process
  * @param jvm name and version of the Java virtual machine
  * @param os name, version and architecture of the system
  */
@@ -24,7 +24,7 @@ public record Hardware(String cpu, int cores, String jvm, String os) {
         property("os.name") + " " + property("os.version") + " " + arch);
   }
 
-  /** Returns the first processor's model from Linux's list of them, or else what is given. */
+  /** Returns the first processor model in Linux's {@code /proc/cpuinfo}, or else a default. */
   static String cpu(Path list, String otherwise) {
     try (Stream<String> lines = Files.lines(list)) {
       return lines
@@ -38,7 +38,7 @@ public record Hardware(String cpu, int cores, String jvm, String os) {
     }
   }
 
-  /** Returns all of it as a line. */
+  /** Returns the description as one line. */
   public String line() {
     String count = cores == 1 ? "1 logical core" : cores + " logical cores";
     return cpu + ", " + count + "; " + jvm + "; " + os;

@@ -15,15 +15,15 @@ import java.util.Locale;
 import java.util.function.Consumer;
 
 /**
- * Reads scenes in two ways, in turn and in one process: plainly, and decoding what nothing uses,
- * too. Time and memory are those of the thread that reads, which is not the one that builds
- * hierarchies where there are several processors.
+ * Loads scenes alternately in one process: without and with decoding of unused meshes and textures.
+ * Time and memory are those of the loading thread. With several processors, other threads build the
+ * BVHs and are not included.
  */
 public final class PairedLoads {
-  /** So that medians have an interval. */
+  /** The smallest number of pairs for which medians have an interval. */
   public static final int FEWEST_PAIRS = 6;
 
-  /** Pairs before those that count, in which the virtual machine warms up. */
+  /** Untimed pairs that warm up the JVM. */
   private static final int WARM_PAIRS = 5;
 
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -32,26 +32,26 @@ public final class PairedLoads {
   private final Consumer<String> warnings;
 
   /**
-   * @param repeat how many pairs count, at least {@link #FEWEST_PAIRS}
-   * @param warnings hears those of the scenes
+   * @param repeat number of timed pairs, at least {@link #FEWEST_PAIRS}
+   * @param warnings receives the scenes' warnings
    */
   public PairedLoads(int repeat, Consumer<String> warnings) {
     this.warnings = warnings;
     this.repeat = repeat;
   }
 
-  /** What reading took. */
+  /** The cost of loading a scene once. */
   private record Load(double cpuSeconds, double bytes, int unused) {}
 
   /** Returns the lines above the rows, in Markdown. */
   public List<String> head() {
     return List.of(
-        "Reading scenes plainly, and what decoding unused meshes and textures takes in addition:"
-            + " medians of "
+        "Loading scenes, and the additional cost of decoding unused meshes and textures: medians of"
+            + " "
             + repeat
-            + " pairs in turn with intervals of 95 %.",
+            + " alternating pairs with 95 % intervals.",
         "",
-        "| scene | unused | CPU ms | MB allocated | CPU ms more | MB allocated more |",
+        "| scene | unused | CPU ms | MB allocated | additional CPU ms | additional MB |",
         "|---|--:|---|---|---|---|");
   }
 
@@ -65,7 +65,7 @@ public final class PairedLoads {
     List<Load> plain = new ArrayList<>();
     List<Load> all = new ArrayList<>();
     for (int pair = 0; pair < WARM_PAIRS + repeat; pair++) {
-      // In the order ABBA, lest a drift favours one of them.
+      // The order ABBA cancels a drift.
       boolean swap = pair % 2 == 1;
       Load first = load(scene, swap ? everything : parser);
       Load second = load(scene, swap ? parser : everything);

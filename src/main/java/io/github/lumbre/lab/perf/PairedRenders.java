@@ -19,20 +19,20 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Renders scenes in two ways, in turn and in one process, so that what the machine does meanwhile
- * falls on both: plainly, and as a plan has it. Each pair of renders has a seed of its own.
+ * Renders scenes alternately in one process with the baseline and with a plan's settings, so that
+ * other load on the machine affects both equally. Each pair of renders has its own seed.
  *
- * <p>The ratios are medians, whose intervals hold for whatever distribution; an error comes from
- * two renders each, so there are half as many ratios of errors.
+ * <p>The ratios are medians; their intervals hold for every distribution. Each error comes from two
+ * renders, so there are half as many error ratios.
  */
 public final class PairedRenders {
-  /** So that errors have an interval. */
+  /** The smallest number of pairs for which error ratios have an interval. */
   public static final int FEWEST_PAIRS = 12;
 
   private final PerfPlan plan;
   private final LabHost host;
 
-  /** What one of the ways took and gave, a render after the other. */
+  /** One of the two compared settings, with its renders in order. */
   private static final class Way {
     private final Scene scene;
     private final RenderSettings settings;
@@ -43,7 +43,7 @@ public final class PairedRenders {
       this.settings = settings;
     }
 
-    /** Renders and keeps what it took; returns false if that was stopped. */
+    /** Renders once and records the result. Returns false if stopped. */
     private boolean render(int number, int threads, LabHost host) throws InterruptedException {
       RenderSettings own =
           settings.toBuilder().threads(threads).seed(settings.seed() + number).build();
@@ -68,16 +68,16 @@ public final class PairedRenders {
   /** Returns the lines above the rows, in Markdown. */
   public List<String> head() {
     return List.of(
-        "Ratios to plain renders, medians of "
+        "Ratios to the baseline, medians of "
             + plan.repeat()
-            + " pairs in turn with intervals of 95 %; gain: one over time and error. "
+            + " alternating pairs with 95 % intervals; gain: 1 / (time × squared error). "
             + plan.sentences(),
         "",
         "| scene | size | samples | CPU time | memory allocated | squared error | gain | picture |",
         "|---|---|--:|---|---|---|---|---|");
   }
 
-  /** Returns a scene's row; nothing if it was stopped. */
+  /** Returns a scene's row; empty if stopped. */
   public Optional<String> row(Path scene)
       throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser = new SceneParser().overriding(plan.plain()::over);
@@ -89,14 +89,14 @@ public final class PairedRenders {
     Way changed = new Way(plan.over(file).scene(), settings);
     int threads = plan.threads().get(0);
     for (int pair = 0; pair < plan.repeat() + 1; pair++) {
-      // In the order ABBA, lest a drift favours one of them.
+      // The order ABBA cancels a drift.
       Way first = pair % 2 == 0 ? plain : changed;
       Way second = pair % 2 == 0 ? changed : plain;
       if (!first.render(pair, threads, host) || !second.render(pair, threads, host)) {
         return Optional.empty();
       }
       if (pair == 0) {
-        // What warms the virtual machine up does not count.
+        // The first pair warms up the JVM and is not counted.
         plain.renders.clear();
         changed.renders.clear();
       }
@@ -135,7 +135,7 @@ public final class PairedRenders {
         text(times, 1),
         text(memory, 1),
         errors,
-        isSame ? "same" : "other");
+        isSame ? "same" : "different");
   }
 
   private static List<Double> errorRatios(Way plain, Way changed) {
@@ -149,7 +149,7 @@ public final class PairedRenders {
     return ratios;
   }
 
-  /** Returns the median of powers of values, with its interval: {@code .98 (.97 to 1.01)}. */
+  /** Returns the median of values or their reciprocals: {@code 0.980 (0.970 to 1.010)}. */
   private static String text(List<Double> values, int power) {
     Interval interval = Interval.ofMedian(values.stream().map(v -> power < 0 ? 1 / v : v).toList());
     return String.format(

@@ -17,26 +17,26 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Two measurements of the same work, side by side. */
+/** Compares two measurements of the same work. */
 public final class PerfComparison {
   private final PerfTimes first;
   private final PerfTimes second;
   private final Clock clock;
   private final List<Row> rows;
 
-  /** Which times tell what is faster. */
+  /** The time that decides which measurement is faster. */
   public enum Clock {
-    /** Of the process, summed over processors: what else the machine does hardly shows. */
+    /** The process's CPU time, summed over processors: other load hardly affects it. */
     CPU,
 
-    /** On the wall: what users wait for, and what idle threads cost too. */
+    /** Wall-clock time: the time that users wait, including the cost of idle threads. */
     WALL
   }
 
   /**
-   * What both measured.
+   * Work that both measured.
    *
-   * @param cpuTime empty if a render was too short for the system to count its time
+   * @param cpuTime ratio of CPU times; empty if a render was too short for the CPU clock
    */
   private record Row(
       Series first, Series second, RatioInterval time, Optional<RatioInterval> cpuTime) {
@@ -73,9 +73,9 @@ public final class PerfComparison {
   }
 
   /**
-   * Compares.
+   * Compares two measurements.
    *
-   * @throws TaskException with the exit code of a wrong command line, if the two have no work in
+   * @throws TaskException with the exit code of an invalid command line, if the two have no work in
    *     common or too few repetitions of it
    */
   public static PerfComparison of(PerfTimes first, PerfTimes second, Clock clock)
@@ -105,20 +105,22 @@ public final class PerfComparison {
     return byWork;
   }
 
-  /** Tells whether something is slower in the second, or looks different. */
+  /** Returns whether any work is slower in the second measurement or any picture differs. */
   public boolean isWorse() {
     return rows.stream().anyMatch(row -> row.isWorse(clock));
   }
 
-  /** Returns all of it as Markdown. */
+  /** Returns the comparison as Markdown. */
   public List<String> lines() {
     Stream<String> head =
         Stream.of(
             "A: Lumbre " + first.caption() + ".",
             "B: Lumbre " + second.caption() + ".",
-            "Ratios of geometric means with 95 % confidence (Welch's t test of logarithms)."
-                + " Of 20 rows without a difference, one will seem to have one."
-                + (clock == Clock.CPU ? " B is: by CPU time." : " B is: by time on the wall."),
+            "Ratios of geometric means with 95 % confidence intervals (Welch's t test of"
+                + " logarithms). About 1 of 20 rows without a difference will seem to have one."
+                + (clock == Clock.CPU
+                    ? " Column \"B is\": by CPU time."
+                    : " Column \"B is\": by wall-clock time."),
             "",
             Markdown.row(
                 List.of(
@@ -162,7 +164,7 @@ public final class PerfComparison {
       return "same";
     }
     boolean sameScene = row.first.sceneHash().equals(row.second.sceneHash());
-    return sameScene ? "differ" : "differ, and so do the scenes";
+    return sameScene ? "differ" : "differ, as do the scenes";
   }
 
   private Stream<String> unmatched(String name, PerfTimes times) {

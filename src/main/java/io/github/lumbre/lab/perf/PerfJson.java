@@ -10,9 +10,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What scenes took, with every repetition, for programs to read. */
+/** Formats the measurements of scenes, with every repetition, as JSON. */
 public final class PerfJson {
-  /** What tells such a file from others; it changes when older readers would misunderstand. */
+  /** The JSON format's identifier; it changes with every incompatible change of the format. */
   static final String FORMAT = "lumbre-bench-1";
 
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();

@@ -5,13 +5,13 @@ import java.lang.management.ManagementFactory;
 import java.util.List;
 
 /**
- * What bears on times besides the program.
+ * The conditions, other than the program, that influence times.
  *
- * @param options of the virtual machine; system properties are left out, which may be private
- * @param maxHeapBytes that it may use
- * @param collectors of garbage
- * @param load how many threads of all programs were running or waiting to run, on average over the
- *     last minute; negative where the system does not tell
+ * @param options options of the JVM, without system properties, which may be private
+ * @param maxHeapBytes maximum heap size in bytes
+ * @param collectors names of the garbage collectors
+ * @param load mean number of running or runnable threads on the system over the last minute;
+ *     negative where the system does not report it
  */
 public record PerfMachine(
     Hardware hardware,
@@ -24,7 +24,7 @@ public record PerfMachine(
     collectors = List.copyOf(collectors);
   }
 
-  /** Returns this machine as it is now. */
+  /** Returns the current state of this machine. */
   public static PerfMachine here() {
     return new PerfMachine(
         Hardware.here(),

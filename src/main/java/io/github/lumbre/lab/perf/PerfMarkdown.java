@@ -5,7 +5,7 @@ import io.github.lumbre.lab.Release;
 import java.util.List;
 import java.util.Locale;
 
-/** What scenes took, as a table in Markdown, in parts as they become known. */
+/** Formats the measurements of scenes as a Markdown table, row by row. */
 public final class PerfMarkdown {
   private final PerfMachine machine;
   private final PerfPlan plan;
@@ -15,19 +15,19 @@ public final class PerfMarkdown {
     this.plan = plan;
   }
 
-  /** Returns caption and head of the table. */
+  /** Returns the caption and the header of the table. */
   public List<String> head() {
     return List.of(
         "Lumbre " + Release.number() + " on " + machine.hardware().line() + ".",
         machine.load() < 0
-            ? "The load before is unknown."
-            : String.format(Locale.ROOT, "Load average before: %.2f (0 is best).", machine.load()),
+            ? "Load average before: unknown."
+            : String.format(Locale.ROOT, "Load average before: %.2f (0 is ideal).", machine.load()),
         plan.sentences(),
-        "Rays include shadow rays. Warm-up: the time until a render is within 5 % of the final"
-            + " rate; only the first scene starts cold.",
-        "relMSE: mean over pixels and channels of ((a - b)^2 / 2) / (m^2 + 0.01) for pictures a, b"
-            + " of two seeds, m the mean of all pictures.",
-        "Time to relMSE 0.01: extrapolated as if the error went down as 1/samples.",
+        "Rays include shadow rays. Warm-up: the time until a render reaches 95 % of the final rate;"
+            + " only the first scene starts with a cold JVM.",
+        "relMSE: mean over pixels and channels of ((a - b)^2 / 2) / (m^2 + 0.01) for pictures a and"
+            + " b of two seeds; m: mean of all pictures.",
+        "To relMSE 0.01: time extrapolated with an error proportional to 1/samples.",
         "",
         Markdown.row(
             List.of(
@@ -49,7 +49,7 @@ public final class PerfMarkdown {
         "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|");
   }
 
-  /** Returns the line of one result. */
+  /** Returns the row of one result. */
   public String row(PerfResult result) {
     return Markdown.row(
         List.of(

@@ -12,17 +12,17 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
- * How scenes are rendered and timed.
+ * The plan of a measurement: how scenes are rendered and timed.
  *
- * @param size of the frame; empty means the scene's, shrunk to {@link #SIDE}
- * @param samples per pixel, at least 1
- * @param threads how many, each at least 1; every scene is timed with each number
- * @param warmup how many renders of one sample per pixel come before the timed ones
- * @param repeat how many renders are timed, at least 1
- * @param pairs of renders with seeds of their own that tell the noise, at least 1
- * @param without what the renderer is not to leave out though the scenes do not require it
- * @param adaptive whether noisy pixels get more of the samples
- * @param split how many ways paths go on, at least 1
+ * @param size frame size; empty for the scene's, scaled down to {@link #SIDE}
+ * @param samples samples per pixel, at least 1
+ * @param threads numbers of threads, each at least 1; every scene is timed with each of them
+ * @param warmup number of untimed renders with 1 sample per pixel before the timed ones
+ * @param repeat number of timed renders, at least 1
+ * @param pairs number of pairs of renders with different seeds that measure the noise, at least 1
+ * @param without specializations that are switched off
+ * @param adaptive whether noisy pixels get more samples
+ * @param split number of branches that paths are split into, at least 1
  */
 public record PerfPlan(
     Optional<Size> size,
@@ -34,10 +34,10 @@ public record PerfPlan(
     Set<Specialization> without,
     boolean adaptive,
     int split) {
-  /** The longer side, in pixels, that frames are shrunk to. */
+  /** The longer side, in pixels, that frames are scaled down to. */
   static final int SIDE = 320;
 
-  /** How many renders of one sample per pixel come after the timed ones, if any came before. */
+  /** The number of renders with 1 sample per pixel after the timed ones, if there is a warm-up. */
   static final int WARM_RENDERS = 5;
 
   public PerfPlan {
@@ -45,7 +45,7 @@ public record PerfPlan(
     without = Set.copyOf(without);
   }
 
-  /** Returns a scene's settings as the plan changes them, but for the number of threads. */
+  /** Returns a scene's settings with the plan's changes, except the number of threads. */
   RenderSettings over(RenderSettings inScene) {
     RenderSettings sized =
         size.map(s -> inScene.toBuilder().size(s.width(), s.height()).build())
@@ -53,12 +53,12 @@ public record PerfPlan(
     return sized.toBuilder().samples(samples).adaptive(adaptive).split(split).build();
   }
 
-  /** Returns the same plan with all shortcuts, even samples and paths that are not split. */
+  /** Returns the baseline of this plan: all specializations, uniform samples, no path splitting. */
   PerfPlan plain() {
     return new PerfPlan(size, samples, threads, warmup, repeat, pairs, Set.of(), false, 1);
   }
 
-  /** Returns a scene that takes no shortcut which the plan does without. */
+  /** Returns a scene with the plan's specializations switched off. */
   SceneFile over(SceneFile file) {
     Scene scene = file.scene();
     for (Specialization shortcut : without) {
@@ -67,7 +67,7 @@ public record PerfPlan(
     return file.with(scene);
   }
 
-  /** Returns all of it as sentences. */
+  /** Returns the plan as sentences. */
   String sentences() {
     String counts = threads.stream().map(String::valueOf).collect(Collectors.joining(", "));
     return "Threads: "
@@ -76,11 +76,11 @@ public record PerfPlan(
         + warmup
         + ". Timed renders: "
         + repeat
-        + ", of which the median counts. Pairs of seeds for the noise: "
+        + " (median reported). Pairs of seeds for the noise: "
         + pairs
         + "."
-        + (without.isEmpty() ? "" : " Without the shortcuts " + new TreeSet<>(without) + ".")
-        + (adaptive ? " Adaptive." : "")
+        + (without.isEmpty() ? "" : " Without the specializations " + new TreeSet<>(without) + ".")
+        + (adaptive ? " Adaptive sampling." : "")
         + (split > 1 ? " Paths split into " + split + "." : "");
   }
 }

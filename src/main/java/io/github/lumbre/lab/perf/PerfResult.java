@@ -8,17 +8,17 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 
 /**
- * What a scene took with one number of threads.
+ * The measurement of a scene with one number of threads.
  *
- * @param scene its file's name, without the ending
+ * @param scene file name of the scene, without its extension
  * @param sceneHash SHA-256 of the scene and of every file it refers to
- * @param settings that it was rendered by
- * @param loadSeconds that reading it took
- * @param warmUp how fast the first renders were
+ * @param settings settings of the renders
+ * @param loadSeconds loading time of the scene
+ * @param warmUp times of the first renders
  * @param repetitions the timed renders, all of the same picture
- * @param statistics of one of them
+ * @param statistics statistics of one render
  * @param imageHash see {@link RasterHash}
- * @param noise of the picture, the same for any number of threads
+ * @param noise noise of the picture, the same for any number of threads
  */
 public record PerfResult(
     String scene,
@@ -44,17 +44,17 @@ public record PerfResult(
    */
   record Repetition(double seconds, double cpuSeconds, long allocatedBytes) {}
 
-  /** Returns the median time by the clock on the wall. */
+  /** Returns the median wall-clock time. */
   double seconds() {
     return median(Repetition::seconds);
   }
 
-  /** Returns the median time of the process, summed over processors. */
+  /** Returns the median CPU time of the process, summed over processors. */
   double cpuSeconds() {
     return median(Repetition::cpuSeconds);
   }
 
-  /** Returns the median of the bytes allocated for each ray. */
+  /** Returns the median number of allocated bytes per ray. */
   double bytesPerRay() {
     return median(Repetition::allocatedBytes) / Math.max(1, rays());
   }
@@ -63,17 +63,17 @@ public record PerfResult(
     return Interval.median(repetitions.stream().mapToDouble(value).toArray());
   }
 
-  /** Returns how many rays were followed in one render, shadow rays included. */
+  /** Returns the number of rays traced in one render, including shadow rays. */
   long rays() {
     return statistics.rays() + statistics.shadowRays();
   }
 
-  /** Returns relative mean squared error times seconds: what a faster or better renderer lowers. */
+  /** Returns relative mean squared error × seconds; lower is better. */
   double errorSeconds() {
     return noise.relativeMse() * seconds();
   }
 
-  /** Returns the seconds to {@link #TARGET}, if the error goes down as 1/samples. */
+  /** Returns the seconds to {@link #TARGET}, assuming an error proportional to 1/samples. */
   double secondsToTarget() {
     return errorSeconds() / TARGET;
   }

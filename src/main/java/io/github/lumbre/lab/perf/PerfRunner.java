@@ -17,22 +17,22 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Renders scenes as a plan has it, and measures what they take. */
+/** Renders scenes by a plan, and measures time, memory and noise. */
 public final class PerfRunner {
   private final PerfPlan plan;
   private final LabHost host;
 
-  /** Ends a benchmark that was cancelled, from wherever it is. */
+  /** Unwinds a cancelled measurement. */
   private static final class Stopped extends Exception {
     private static final long serialVersionUID = 1;
   }
 
-  /** What is known of a scene with one number of threads, and one of its pictures. */
+  /** The times of a scene with one number of threads, and one of its renders. */
   private record Timed(
       RenderSettings settings, WarmUp warmUp, List<Repetition> repetitions, TimedRender render) {}
 
   /**
-   * @param host reads the scenes and shows every render
+   * @param host reads the scenes and displays each render
    */
   public PerfRunner(PerfPlan plan, LabHost host) {
     this.plan = plan;
@@ -40,7 +40,7 @@ public final class PerfRunner {
   }
 
   /**
-   * Returns what a scene took, a result for each number of threads; nothing if it was stopped.
+   * Measures a scene and returns one result for each number of threads; empty if stopped.
    *
    * @throws TaskException if the scene cannot be read, if the picture does not fit into memory, or
    *     if two renders of the scene differ
@@ -70,7 +70,7 @@ public final class PerfRunner {
     for (Timed timed : all) {
       requireSame(scene, hash, timed.render);
     }
-    // Only now: renders in between would have warmed up what is to be timed.
+    // Measure the noise last, because renders in between would warm up the timed ones.
     PictureNoise noise = noise(file, picture);
     return all.stream()
         .map(
@@ -105,7 +105,7 @@ public final class PerfRunner {
     return new Timed(settings, warmUp, repetitions, first);
   }
 
-  /** Returns the seconds that renders of one sample per pixel took. */
+  /** Renders with 1 sample per pixel and returns the seconds of each render. */
   private List<Double> shortRenders(SceneFile file, RenderSettings settings, int count)
       throws InterruptedException, Stopped {
     RenderSettings single = settings.toBuilder().samples(1).build();

@@ -13,24 +13,24 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The times of a measurement, read from what {@link PerfJson} writes.
+ * The times of a measurement, read from a file that {@link PerfJson} wrote.
  *
- * @param caption which program measured on which machine
- * @param series one for each scene and number of threads
+ * @param caption version, processor and JVM of the measurement
+ * @param series one series for each scene and number of threads
  */
 public record PerfTimes(String caption, List<Series> series) {
   public PerfTimes {
     series = List.copyOf(series);
   }
 
-  /** The work that was timed: times of different work cannot be compared. */
+  /** The timed work; times of different work cannot be compared. */
   record Work(String scene, String size, String mode, int samples, int threads) {}
 
   /**
    * The repetitions of one piece of work.
    *
-   * @param seconds by the clock on the wall, each > 0
-   * @param cpuSeconds of the process, each ≥ 0
+   * @param seconds wall-clock times, each > 0
+   * @param cpuSeconds CPU times of the process, each ≥ 0
    */
   record Series(
       Work work,
@@ -42,8 +42,8 @@ public record PerfTimes(String caption, List<Series> series) {
   /**
    * Reads a file.
    *
-   * @throws TaskException with the exit code of a wrong command line, if it cannot be read or is no
-   *     measurement
+   * @throws TaskException with the exit code of an invalid command line, if the file cannot be read
+   *     or is not a measurement
    */
   public static PerfTimes load(Path file) throws TaskException {
     String text = String.join("\n", TextFile.lines(file));
@@ -51,9 +51,7 @@ public record PerfTimes(String caption, List<Series> series) {
       return of(object(JsonParser.parseString(text), "a measurement"));
     } catch (JsonParseException | IllegalArgumentException e) {
       throw new TaskException(
-          Kind.USAGE,
-          file + ": expected a file that lumbre perf --json wrote: " + e.getMessage(),
-          e);
+          Kind.USAGE, file + ": expected a JSON file from 'lumbre perf': " + e.getMessage(), e);
     }
   }
 
@@ -110,7 +108,7 @@ public record PerfTimes(String caption, List<Series> series) {
   private static String text(JsonObject parent, String name) {
     JsonElement element = parent.get(name);
     if (!(element instanceof JsonPrimitive value) || !value.isString()) {
-      throw new IllegalArgumentException(name + ": expected a text");
+      throw new IllegalArgumentException(name + ": expected a string");
     }
     return value.getAsString();
   }

@@ -7,17 +7,17 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** A fingerprint of a picture's linear light: equal fingerprints mean the same bits. */
+/** A hash of a picture's linear light: equal hashes mean bit-identical pictures. */
 public final class RasterHash {
-  /** How many digits tables show: enough to distinguish any two pictures. */
+  /** The number of digits in tables, enough to distinguish any two pictures. */
   public static final int SHOWN_DIGITS = 16;
 
   private RasterHash() {}
 
   /**
-   * Returns the SHA-256, in hexadecimal, of width and height as 32-bit integers followed by the
-   * picture's red, green and blue floats row by row from the top, all little-endian. Alpha does not
-   * count.
+   * Returns the SHA-256 of a picture in hexadecimal. The hashed bytes are width and height as
+   * 32-bit integers, then the red, green and blue floats row by row from the top, all
+   * little-endian. Alpha is not included.
    */
   public static String of(Image image) {
     MessageDigest digest = sha256();

@@ -7,30 +7,30 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.OptionalDouble;
 
-/** How many samples fit into a given time, by a short pilot of the same scene. */
+/** Estimates the number of samples that fit into a time, by a short pilot render of the scene. */
 public final class SampleBudget {
-  /** The least number of samples that makes a picture worth looking at. */
+  /** The minimum number of samples per pixel of a useful picture. */
   public static final int LEAST = 64;
 
   private static final int MULTIPLE = 16;
 
-  /** The longer side of the pilot's frame, which shows all of the scene. */
+  /** The longer side, in pixels, of the pilot render's frame, which shows the whole view. */
   private static final int PILOT_SIDE = 160;
 
   private SampleBudget() {}
 
   /**
-   * Returns how many samples per second this machine takes of a scene; nothing if that was stopped.
-   * Renders small pictures, each with twice the samples of the last, until one takes long enough.
+   * Returns the number of samples per second of a scene on this machine; empty if stopped. Renders
+   * small pictures, each with twice the samples of the previous one, until one takes long enough.
    *
-   * @param seconds that the last of them takes at least
+   * @param seconds minimum time of the last picture
    */
   public static OptionalDouble rate(SceneFile file, double seconds, Progress progress)
       throws InterruptedException {
     return rate(file.scene(), file.settings(), seconds, progress);
   }
 
-  /** Returns the same of a scene with other settings. */
+  /** Returns the number of samples per second of a scene with other settings; empty if stopped. */
   public static OptionalDouble rate(
       Scene scene, RenderSettings settings, double seconds, Progress progress)
       throws InterruptedException {
@@ -49,7 +49,10 @@ public final class SampleBudget {
     }
   }
 
-  /** Returns settings of the same view in a frame whose longer side is at most so many pixels. */
+  /**
+   * Returns settings with the same view in a frame whose longer side has at most a number of
+   * pixels.
+   */
   public static RenderSettings shrunk(RenderSettings settings, int side) {
     double factor = Math.min(1, side / (double) Math.max(settings.width(), settings.height()));
     return settings.toBuilder()
@@ -59,8 +62,8 @@ public final class SampleBudget {
   }
 
   /**
-   * Returns the number of samples per pixel, whatever the scene asks for: a multiple of 16, at
-   * least 64.
+   * Returns the number of samples per pixel that fits into a time: a multiple of 16, at least 64.
+   * The scene's own number is ignored.
    *
    * @param rate in samples per second
    */
@@ -71,7 +74,7 @@ public final class SampleBudget {
   }
 
   /**
-   * Returns the seconds that {@value #LEAST} samples per pixel take, the fewest that {@link
+   * Returns the time in seconds of {@value #LEAST} samples per pixel, the minimum that {@link
    * #samples} returns.
    *
    * @param rate in samples per second

@@ -9,19 +9,19 @@ import io.github.lumbre.scene.Scene;
 import java.lang.management.ManagementFactory;
 
 /**
- * A render and what it took.
+ * A render with its times and allocated memory.
  *
- * @param seconds by the clock on the wall
- * @param cpuSeconds of the whole process, summed over processors: compiling and collecting garbage
- *     meanwhile count
- * @param allocatedBytes by the threads that rendered
+ * @param seconds wall-clock time
+ * @param cpuSeconds CPU time of the whole process, summed over processors, including JIT
+ *     compilation and garbage collection
+ * @param allocatedBytes bytes allocated by the rendering threads
  */
 public record TimedRender(
     RenderResult result, double seconds, double cpuSeconds, long allocatedBytes) {
   private static final OperatingSystemMXBean PROCESS =
       ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
-  /** Renders. */
+  /** Renders a scene and measures the render. */
   public static TimedRender of(Scene scene, RenderSettings settings, Progress progress)
       throws InterruptedException {
     AllocationMeter meter = new AllocationMeter(progress);

@@ -7,13 +7,13 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 
 /**
- * How fast a scene's first renders were, while the virtual machine was still compiling.
+ * The times of a scene's first renders, while the JIT is still compiling.
  *
- * @param seconds of each render, in order
- * @param warmSeconds of renders of the same work when all is compiled; none if there were no others
+ * @param seconds time of each render, in order
+ * @param warmSeconds times of renders of the same work after compilation; may be empty
  */
 record WarmUp(List<Double> seconds, List<Double> warmSeconds) {
-  /** The share of the final rate at which a render counts as warm. */
+  /** The share of the final rate from which a render is warm. */
   private static final double WARM = .95;
 
   WarmUp {
@@ -21,13 +21,13 @@ record WarmUp(List<Double> seconds, List<Double> warmSeconds) {
     warmSeconds = List.copyOf(warmSeconds);
   }
 
-  /** Returns which render is the first at 95 % of the final rate or more; empty if none is. */
+  /** Returns the index of the first render with at least 95 % of the final rate; empty if none. */
   OptionalInt firstWarm() {
     double limit = Interval.median(array(warmSeconds)) / WARM;
     return IntStream.range(0, seconds.size()).filter(i -> seconds.get(i) <= limit).findFirst();
   }
 
-  /** Returns how long it took until then: {@code 1.24 s}, or {@code > 3.10 s} if that was never. */
+  /** Returns the time before the first warm render: {@code 1.24 s}, or {@code > 3.10 s} if none. */
   String text() {
     if (seconds.isEmpty()) {
       return "-";

@@ -1,5 +1,5 @@
 /**
- * How fast this machine renders: timed renders, comparisons of two measurements, and paired
+ * Measurements of rendering speed: timed renders, comparisons of two measurements, and paired
  * measurements of two settings.
  */
 package io.github.lumbre.lab.perf;

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The report's table with this machine's times, for programs to read. */
+/** Formats the report's table with this machine's times as comma-separated values. */
 public final class BenchmarkCsv {
   private final Hardware hardware;
   private final BenchmarkPlan plan;
@@ -21,7 +21,7 @@ public final class BenchmarkCsv {
     this.plan = plan;
   }
 
-  /** Returns the file's text: a line of names, and a line for each row; nothing for no rows. */
+  /** Returns the file's text: a line of names and a line for each row; empty without rows. */
   public String text(List<BenchmarkResult> results) {
     Stream<String> head = results.stream().limit(1).map(r -> Csv.line(names(r)));
     Stream<String> lines = results.stream().map(r -> Csv.line(List.copyOf(values(r).values())));

@@ -9,7 +9,7 @@ import java.nio.charset.Charset;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The report's table with this machine's times, in Markdown, in parts as they become known. */
+/** Formats the report's table with this machine's times in Markdown, row by row. */
 public final class BenchmarkMarkdown {
   private static final String ABOUT =
       Charset.defaultCharset().newEncoder().canEncode('≈') ? "≈" : "~";
@@ -22,15 +22,14 @@ public final class BenchmarkMarkdown {
     this.plan = plan;
   }
 
-  /** Returns caption and head of the table. */
+  /** Returns the caption and the header of the table. */
   List<String> head() {
     return List.of(
         "Lumbre " + Release.number() + " on " + hardware.line() + ".",
         plan.sentences(),
         "Rays include shadow rays. Image: the first "
             + RasterHash.SHOWN_DIGITS
-            + " digits of the picture's"
-            + " SHA-256, which is the same on every machine.",
+            + " digits of the picture's SHA-256, identical on every machine.",
         "",
         Markdown.row(
             List.of(
@@ -52,7 +51,7 @@ public final class BenchmarkMarkdown {
         "|--:|---|---|---|--:|--:|--:|---|---|---|---|---|--:|--:|---|");
   }
 
-  /** Returns the line of one row. */
+  /** Returns the table row of a result. */
   String row(BenchmarkResult result) {
     ReportRow row = result.row();
     return Markdown.row(
@@ -88,7 +87,7 @@ public final class BenchmarkMarkdown {
     return result.isExtrapolated() ? ABOUT + " " + time + " extrapolated" : time;
   }
 
-  /** Returns what follows the table: what is odd about its rows in the report. */
+  /** Returns the lines below the table: notes on peculiarities of the report's rows. */
   List<String> foot(List<BenchmarkResult> results) {
     List<String> notes =
         results.stream()

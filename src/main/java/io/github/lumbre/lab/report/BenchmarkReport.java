@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Collects a benchmark's results, and prints each in a table as soon as it is known. Mutable. */
+/** Collects the results of a benchmark and prints each one as a table row. Mutable. */
 public final class BenchmarkReport {
   private final BenchmarkMarkdown table;
   private final Consumer<String> out;
@@ -15,18 +15,18 @@ public final class BenchmarkReport {
     this.out = out;
   }
 
-  /** Prints what comes before all results. */
+  /** Prints the caption and the header. */
   public void begin() {
     table.head().forEach(out);
   }
 
-  /** Takes and prints a result. */
+  /** Adds and prints a result. */
   public void add(BenchmarkResult result) {
     out.accept(table.row(result));
     results.add(result);
   }
 
-  /** Prints what comes after all results. */
+  /** Prints the notes below the table. */
   public void end() {
     table.foot(results).forEach(out);
   }

@@ -4,13 +4,13 @@ import io.github.lumbre.lab.perf.RasterHash;
 import io.github.lumbre.render.RenderStatistics;
 
 /**
- * What a row of the table took here.
+ * The measurement of a table row on this machine.
  *
- * @param samples per pixel that were rendered
- * @param threads that rendered them
- * @param loadSeconds that reading the scene took
- * @param seconds that one render took, the median of all
- * @param statistics of one render
+ * @param samples rendered samples per pixel
+ * @param threads number of threads
+ * @param loadSeconds loading time of the scene
+ * @param seconds median time of a render
+ * @param statistics statistics of one render
  * @param sceneHash SHA-256 of the scene and of every file it refers to
  * @param imageHash see {@link RasterHash}
  */
@@ -23,17 +23,17 @@ public record BenchmarkResult(
     RenderStatistics statistics,
     String sceneHash,
     String imageHash) {
-  /** Tells whether these were fewer samples than the report's. */
+  /** Returns whether fewer samples than the report's were rendered. */
   boolean isExtrapolated() {
     return samples != row.samples();
   }
 
-  /** Returns the time of all samples, extrapolated unless all were rendered. */
+  /** Returns the time of all of the report's samples, extrapolated if fewer were rendered. */
   double allSeconds() {
     return row.extrapolated(seconds, samples);
   }
 
-  /** Returns how many rays were followed, shadow rays included. */
+  /** Returns the number of rays traced, including shadow rays. */
   long rays() {
     return statistics.rays() + statistics.shadowRays();
   }

@@ -18,20 +18,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Renders rows of the report's table and measures how long they take. */
+/** Renders rows of the report's table and measures their times. */
 public final class BenchmarkRunner {
   private final SceneFolder scenes;
   private final BenchmarkPlan plan;
   private final SceneParser parser;
   private final LabHost host;
 
-  /** What is kept of a render. */
+  /** The recorded data of a render. */
   private record Timed(
       boolean complete, double seconds, RenderStatistics statistics, String hash) {}
 
   /**
-   * @param parser of the scenes
-   * @param host reads the scenes and shows every render
+   * @param parser parser of the scenes
+   * @param host reads the scenes and displays each render
    */
   public BenchmarkRunner(SceneFolder scenes, BenchmarkPlan plan, SceneParser parser, LabHost host) {
     this.scenes = scenes;
@@ -45,7 +45,7 @@ public final class BenchmarkRunner {
   }
 
   /**
-   * Returns what a row took; nothing if it was stopped.
+   * Measures a row and returns the result; empty if stopped.
    *
    * @throws TaskException if the scene cannot be read, if the picture does not fit into memory, or
    *     if two renders of the row differ

@@ -7,13 +7,14 @@ import java.math.RoundingMode;
 import java.util.OptionalInt;
 
 /**
- * A row of the report's table: what was rendered, on which hardware, and how long that took.
+ * A row of the report's table: the render, its hardware and its time.
  *
- * @param number in the table
- * @param scene name of the project's own scene file for it, without ending
- * @param samples per pixel
- * @param depth of paths, or of mirrors and of glass in ray mode; empty means as the scene says
- * @param note what is odd about the row in the report, or nothing
+ * @param number row number in the table
+ * @param scene name of the project's scene file for the row, without its extension
+ * @param samples samples per pixel
+ * @param depth path depth, or the reflection and refraction depth in ray mode; empty for the
+ *     scene's
+ * @param note note on a peculiarity of the row in the report; may be empty
  */
 public record ReportRow(
     int number,
@@ -42,7 +43,7 @@ public record ReportRow(
   }
 
   /**
-   * Returns how many samples a share of the row's is: rounded up, and so at least 1.
+   * Returns a share of the row's samples, rounded up, so at least 1.
    *
    * @param share in (0,1]
    */
@@ -50,12 +51,12 @@ public record ReportRow(
     return share.multiply(BigDecimal.valueOf(samples)).setScale(0, RoundingMode.CEILING).intValue();
   }
 
-  /** Returns the time for all samples if some of them took so many seconds. */
+  /** Returns the time for all samples, extrapolated from the time of some of them. */
   double extrapolated(double seconds, int rendered) {
     return seconds * samples / rendered;
   }
 
-  /** Returns a scene's settings, but with everything that the row prescribes. */
+  /** Returns a scene's settings, overridden by those of the row. */
   RenderSettings over(RenderSettings inScene) {
     return settings(inScene, width, height, mode, samples, bucket, depth);
   }

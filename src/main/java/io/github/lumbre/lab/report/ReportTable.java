@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 
-/** The report's table, which is a file beside the scenes. */
+/** Reads the report's table, a file in the folder of scenes. */
 public final class ReportTable {
   /** The file's name. */
   public static final String FILE = "table.csv";
@@ -26,7 +26,7 @@ public final class ReportTable {
   /**
    * Returns the rows of the table in a folder of scenes.
    *
-   * @throws TaskException if the file is missing, or naming the line that is wrong
+   * @throws TaskException if the file is missing or a line is invalid; it names the line
    */
   public static List<ReportRow> load(Path directory) throws TaskException {
     Path file = directory.resolve(FILE);
@@ -74,7 +74,7 @@ public final class ReportTable {
   /**
    * Returns the rows with the given numbers, in the table's order; all if none are given.
    *
-   * @throws IllegalArgumentException naming a number that no row has
+   * @throws IllegalArgumentException that names a number without a row
    */
   public static List<ReportRow> select(List<ReportRow> rows, List<Integer> numbers) {
     List<Integer> known = rows.stream().map(ReportRow::number).toList();

@@ -1,12 +1,12 @@
 package io.github.lumbre.lab.report;
 
-/** Times as the report of 2016 writes them. */
+/** Formats times as the 2016 report does. */
 public final class ReportTime {
   private ReportTime() {}
 
   /**
-   * Returns a time as text: {@code 1h 26m 32s 336ms}. Hours, minutes and seconds that would begin
-   * it with a zero are left out; hours are not limited to a day.
+   * Returns a time as text: {@code 1h 26m 32s 336ms}. Leading zero units are omitted; hours are not
+   * limited to a day.
    *
    * @param seconds finite, at least 0
    */

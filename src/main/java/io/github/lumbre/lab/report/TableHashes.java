@@ -13,7 +13,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
-/** The fingerprints that the table's pictures are to have, kept beside the scenes. Mutable. */
+/** The expected hashes of the table's pictures, stored in the folder of scenes. Mutable. */
 public final class TableHashes {
   /** The file's name. */
   public static final String FILE = "table-hashes.csv";
@@ -24,7 +24,7 @@ public final class TableHashes {
   private final Path file;
   private final Map<Key, String> hashes = new TreeMap<>(Key.ORDER);
 
-  /** What a fingerprint is of. */
+  /** The render that a hash belongs to. */
   private record Key(int row, String scene, String size, int samples) {
     private static final Comparator<Key> ORDER =
         Comparator.comparingInt(Key::row)
@@ -37,7 +37,7 @@ public final class TableHashes {
       return new Key(row.number(), row.scene(), row.size(), result.samples());
     }
 
-    /** Tells whether both are of the same row, but of different pictures of it. */
+    /** Returns whether both belong to the same row but to a different scene or size. */
     boolean contradicts(Key o) {
       return row == o.row && !(scene.equals(o.scene) && size.equals(o.size));
     }
@@ -48,9 +48,9 @@ public final class TableHashes {
   }
 
   /**
-   * Returns what is stored in a folder of scenes; nothing if there is no such file.
+   * Returns the hashes stored in a folder of scenes; none if the file does not exist.
    *
-   * @throws TaskException if the file cannot be read or is not what it should be
+   * @throws TaskException if the file cannot be read or is invalid
    */
   public static TableHashes load(Path directory) throws TaskException {
     TableHashes hashes = new TableHashes(directory.resolve(FILE));
@@ -81,7 +81,7 @@ public final class TableHashes {
     }
   }
 
-  /** Returns what is wrong with a result: nothing, or a line that says so. */
+  /** Returns an error message if a result's hash differs or is not stored; otherwise empty. */
   public Optional<String> complaint(BenchmarkResult result) {
     Key key = Key.of(result);
     String what =
@@ -93,10 +93,10 @@ public final class TableHashes {
     String stored = hashes.get(key);
     return stored.equals(found)
         ? Optional.empty()
-        : Optional.of(what + "the picture differs, stored " + stored + ", found " + found);
+        : Optional.of(what + "the picture differs: expected " + stored + ", found " + found);
   }
 
-  /** Takes a result's fingerprint as the right one; those of the row's former scene go. */
+  /** Stores the hash of a result, and removes hashes of the row's previous scene or size. */
   public void put(BenchmarkResult result) {
     Key key = Key.of(result);
     hashes.keySet().removeIf(key::contradicts);

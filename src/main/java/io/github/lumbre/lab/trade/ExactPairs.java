@@ -15,8 +15,8 @@ import java.util.function.DoubleSupplier;
 import java.util.stream.Stream;
 
 /**
- * Compares settings that must not change the picture: renders in pairs, whose order changes from
- * pair to pair, lest a drift of the machine favours one of the two.
+ * Compares settings that must not change the picture. It renders them in pairs and alternates the
+ * order, which cancels a drift of the machine.
  */
 final class ExactPairs {
   private static final int PAIRS = 5;
@@ -25,14 +25,14 @@ final class ExactPairs {
   private final int samples;
   private final DoubleSupplier cpuSeconds;
 
-  /** One of the two. */
+  /** One of the two compared settings. */
   private record Side(Scene scene, RenderSettings settings) {}
 
   private record Timed(double seconds, double cpu, Image picture) {}
 
   /**
-   * @param setting with which all are rendered
-   * @param samples per pixel
+   * @param setting setting of all renders
+   * @param samples samples per pixel
    */
   ExactPairs(TradeSetting setting, int samples, DoubleSupplier cpuSeconds) {
     this.setting = setting;
@@ -40,14 +40,14 @@ final class ExactPairs {
     this.cpuSeconds = cpuSeconds;
   }
 
-  /** Renders all pairs. The first compares a setting with itself: what it tells is chance. */
+  /** Renders all pairs. The first compares a setting with itself and shows the effect of chance. */
   List<ExactRow> rows() throws InterruptedException {
     Scene scene = setting.scene().scene();
     RenderSettings base = setting.settings().toBuilder().threads(1).bucketSize(32).build();
     Side usual = new Side(scene, base);
     int processors = Runtime.getRuntime().availableProcessors();
     List<ExactRow> rows = new ArrayList<>();
-    rows.add(pairs("the same again", usual, usual));
+    rows.add(pairs("no change (control)", usual, usual));
     if (processors > 1) {
       Side many = new Side(scene, base.toBuilder().threads(processors).build());
       rows.add(pairs("threads " + processors + " / 1", usual, many));

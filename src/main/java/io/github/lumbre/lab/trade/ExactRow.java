@@ -4,12 +4,12 @@ import io.github.lumbre.lab.metrics.Interval;
 import java.util.Optional;
 
 /**
- * A setting that must not change the picture, beside the one that it was compared with.
+ * The comparison of a setting that must not change the picture with another value of it.
  *
- * @param setting as flags say it
- * @param timeRatio its time over the other's, of renders in turn
- * @param cpuRatio the same of processor time; empty if renders are too short for its clock
- * @param isSamePicture whether every bit of the picture is the same
+ * @param setting name of the setting and its two values
+ * @param timeRatio ratio of wall-clock times, from alternating renders
+ * @param cpuRatio ratio of CPU times; empty if renders are too short for the CPU clock
+ * @param isSamePicture whether the pictures are bit-identical
  */
 public record ExactRow(
     String setting, Interval timeRatio, Optional<Interval> cpuRatio, boolean isSamePicture) {}

@@ -2,18 +2,18 @@ package io.github.lumbre.lab.trade;
 
 import java.util.List;
 
-/** Writes a page, element by element. Mutable. */
+/** Builds an HTML page, element by element. Mutable. */
 final class Html {
-  /** From this number of columns on, a table is wider than narrow screens. */
+  /** Tables with at least this many columns are wider than narrow screens. */
   private static final int WIDE = 4;
 
   private final StringBuilder text = new StringBuilder();
 
   /**
-   * A table's line.
+   * A table row.
    *
-   * @param cells texts, one for each column
-   * @param style class of the line; may be empty
+   * @param cells text of each column
+   * @param style CSS class of the row; may be empty
    */
   record Row(List<String> cells, String style) {
     static Row of(String... cells) {
@@ -21,7 +21,7 @@ final class Html {
     }
   }
 
-  /** Returns a text as HTML and SVG can hold it. */
+  /** Returns a text escaped for HTML and SVG. */
   static String escaped(String text) {
     return text.replace("&", "&amp;")
         .replace("<", "&lt;")
@@ -29,13 +29,13 @@ final class Html {
         .replace("\"", "&quot;");
   }
 
-  /** Adds what is HTML already. */
+  /** Adds HTML without escaping it. */
   Html raw(String html) {
     text.append(html).append('\n');
     return this;
   }
 
-  /** Adds an element that holds a text. */
+  /** Adds an element with escaped text. */
   Html element(String name, String content) {
     return raw("<" + name + ">" + escaped(content) + "</" + name + ">");
   }
@@ -45,7 +45,7 @@ final class Html {
     return raw("<p class=\"note\">" + escaped(content) + "</p>");
   }
 
-  /** Adds a table that scrolls sideways by itself where the page is too narrow for it. */
+  /** Adds a table that scrolls sideways where the page is too narrow for it. */
   Html table(List<String> head, List<Row> rows) {
     return table("", head, rows);
   }
@@ -53,14 +53,11 @@ final class Html {
   /**
    * Adds a table.
    *
-   * @param above a line of the head above the other, as HTML; may be empty
+   * @param above an additional header row, as HTML; may be empty
    */
   Html table(String above, List<String> head, List<Row> rows) {
     if (head.size() >= WIDE) {
-      raw(
-          "<div class=\"hint\">Scroll the table sideways for all "
-              + head.size()
-              + " columns \u2192</div>");
+      raw("<div class=\"hint\">Scroll sideways for all " + head.size() + " columns \u2192</div>");
     }
     text.append("<div class=\"scroll\" tabindex=\"0\"><table><thead>").append(above).append("<tr>");
     head.forEach(cell -> text.append("<th>").append(escaped(cell)).append("</th>"));

@@ -10,31 +10,32 @@ import java.util.stream.DoubleStream;
 /**
  * A logarithmic axis.
  *
- * @param low value at its beginning, positive
+ * @param low value at its start, positive
  * @param high value at its end, larger
- * @param from coordinate of its beginning
+ * @param from coordinate of its start
  * @param to coordinate of its end
  */
 record LogAxis(double low, double high, double from, double to) {
-  /** What is left free at either end, as a share of the values' range in logarithms. */
+  /** The margin at either end, as a share of the logarithmic range of the values. */
   private static final double MARGIN = .04;
 
   private static final int[] COARSE = {1};
   private static final int[] FINE = {1, 2, 5};
   private static final int[] FINEST = {1, 2, 3, 4, 5, 7};
 
-  /** What lies closer together than so many times is shown close together. */
+  /** The smallest ratio of the axis's ends, so that close values are drawn close together. */
   private static final double LEAST_SPAN = 3;
 
-  /** Over more than so many times its low end an axis has coarse marks, and fine ones. */
+  /** Axes whose ends have a larger ratio than this get coarse tick marks. */
   private static final double MUCH = 150;
 
+  /** Axes whose ends have a larger ratio than this get fine tick marks; others get the finest. */
   private static final double LITTLE = 5;
 
-  /** A mark. */
+  /** A tick mark. */
   record Tick(double at, String text) {}
 
-  /** Returns an axis over all values that are positive. */
+  /** Returns an axis over all positive finite values. */
   static LogAxis over(DoubleStream values, double from, double to) {
     DoubleSummaryStatistics range =
         values.filter(v -> v > 0 && Double.isFinite(v)).summaryStatistics();
@@ -46,13 +47,13 @@ record LogAxis(double low, double high, double from, double to) {
     return new LogAxis(range.getMin() / stretch, range.getMax() * stretch, from, to);
   }
 
-  /** Returns the coordinate of a value; of one beyond the axis, its end. */
+  /** Returns the coordinate of a value, clamped to the axis. */
   double at(double value) {
     double place = value <= low ? 0 : Elementary.log(value / low) / Elementary.log(high / low);
     return from + Math.min(place, 1) * (to - from);
   }
 
-  /** Returns the marks: powers of ten, and on short axes multiples of those. */
+  /** Returns the tick marks: powers of ten, and on short axes also multiples of them. */
   List<Tick> ticks() {
     double span = high / low;
     int[] digits = span > MUCH ? COARSE : span > LITTLE ? FINE : FINEST;

@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.stream.DoubleStream;
 
 /**
- * A chart of points with intervals on two logarithmic axes, as SVG. Colours are those of the style
- * sheet around it, so that it follows a page into the dark.
+ * A chart of points with intervals on two logarithmic axes, as SVG. Its colors are those of the
+ * surrounding style sheet, so that it follows the page's dark mode.
  */
 final class LogChart {
   private static final int WIDTH = 460;
@@ -18,13 +18,13 @@ final class LogChart {
   private static final int BELOW = 42;
   private static final int LEGEND_LINE = 18;
 
-  /** Three columns of a legend hold names of so many letters. */
+  /** The longest name, in letters, that fits into a legend of three columns. */
   private static final int SHORT_NAME = 17;
 
-  /** How many colours the style sheet has. */
+  /** The number of series colors in the style sheet. */
   private static final int COLOURS = 8;
 
-  /** For a chart that is a file of its own. */
+  /** The style sheet of a standalone chart. */
   private static final String STYLE =
       """
       svg{background:#fff;--ink:#1c2430;--faint:#9aa3ad;--grid:#e3e7ec;--s0:#0b62a8;--s1:#c4472b;
@@ -34,7 +34,7 @@ final class LogChart {
       --s6:#ff85b8;--s7:#b4bcc6}}
       """;
 
-  /** What makes a file of its own a drawing; within a page it is one without. */
+  /** The XML namespace that a standalone SVG file needs. */
   private static final String NAMESPACE = " xmlns=\"http://www.w3.org/2000/svg\"";
 
   private final String title;
@@ -48,25 +48,26 @@ final class LogChart {
   private final List<String> lines = new ArrayList<>();
 
   /**
-   * A point.
+   * A data point.
    *
-   * @param low end of the interval of y; at most 0 if it reaches out of the chart
-   * @param label above the point; may be empty
-   * @param isFaint whether another point is better in every way
+   * @param low lower end of the interval of y; at most 0 if it leaves the chart
+   * @param high upper end of the interval of y
+   * @param label label above the point; may be empty
+   * @param isFaint whether another point dominates this one
    */
   record Point(double x, double y, double low, double high, String label, boolean isFaint) {}
 
   /**
-   * Points that belong together.
+   * A series of points.
    *
-   * @param isJoined whether a line goes from each to the next
+   * @param isJoined whether a line connects consecutive points
    */
   record Series(String name, List<Point> points, boolean isJoined) {}
 
   /**
-   * @param title of the chart; may be empty
-   * @param across what the horizontal axis is
-   * @param up what the vertical axis is
+   * @param title title of the chart; may be empty
+   * @param across label of the horizontal axis
+   * @param up label of the vertical axis
    */
   LogChart(String title, String across, String up, List<Series> series) {
     this.title = title;
@@ -82,7 +83,7 @@ final class LogChart {
   }
 
   private static DoubleStream heights(Point point) {
-    // An interval may reach down to nothing, which no logarithm shows.
+    // An interval may reach down to 0, which a logarithmic axis cannot show.
     return DoubleStream.of(point.y, point.high, Math.max(point.low, point.y / 3));
   }
 
@@ -90,12 +91,12 @@ final class LogChart {
     return TOP + (double) PLOT_HEIGHT;
   }
 
-  /** Returns the drawing, to stand in a page with a style sheet. */
+  /** Returns the SVG for a page with a style sheet. */
   String svg() {
     return drawing("");
   }
 
-  /** Returns the drawing as a file of its own. */
+  /** Returns the SVG as a standalone file. */
   String file() {
     return drawing("<style>" + STYLE + "</style>") + "\n";
   }
@@ -171,7 +172,7 @@ final class LogChart {
     }
   }
 
-  /** Returns a sign whose form tells the series without its colour. */
+  /** Returns a marker whose shape identifies the series without color. */
   private static String mark(double px, double py, int number, String colour) {
     return switch (number % 3) {
       case 0 -> format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"/>", px, py, colour);

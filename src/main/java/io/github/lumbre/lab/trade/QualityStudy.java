@@ -18,14 +18,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Measures how wrong pictures are that end at an error of their own estimate and at a depth, with
- * several seeds each, against a reference of great depth.
+ * Measures the error of renders that end at a target error, with a given depth and several seeds.
+ * The reference has a large depth.
  */
 public final class QualityStudy {
   /** Differs from all seeds of the study. */
   private static final long REFERENCE_SEED = -1;
 
-  /** Roulette ends paths long before. */
+  /** A depth that Russian roulette hardly ever lets a path reach. */
   private static final int DEEP = 1000;
 
   private static final int FEWEST_SAMPLES = 64;
@@ -38,21 +38,21 @@ public final class QualityStudy {
   private final double referenceNoise;
 
   /**
-   * What one quality gave.
+   * The result for one quality.
    *
-   * @param samples per pixel, mean over the seeds
-   * @param error relative mean squared error, the reference's own taken off
-   * @param largest error of all seeds, likewise
-   * @param bias that samples would not take away
+   * @param samples samples per pixel, mean over the seeds
+   * @param error relative mean squared error, without the reference's own
+   * @param largest largest error of all seeds, without the reference's own
+   * @param bias error that more samples do not reduce
    */
   public record Row(Interval samples, Interval error, double largest, TradeRow.Bias bias) {}
 
   /**
    * Renders the reference.
    *
-   * @param settings for path tracing
-   * @param relativeMse that the reference is to have at most
-   * @param seconds for everything, of which the reference takes half at most
+   * @param settings settings for path tracing
+   * @param relativeMse target relative mean squared error of the reference
+   * @param seconds time for the whole study; the reference takes at most half of it
    * @throws InterruptedException if the calling thread is interrupted
    */
   public QualityStudy(Scene scene, RenderSettings settings, double relativeMse, double seconds)
@@ -63,7 +63,7 @@ public final class QualityStudy {
     end = start + seconds;
     FilmRenderer renderer = renderer(DEEP, REFERENCE_SEED);
     reference = renderer.newFilm();
-    // Whatever the time, lest there is nothing to compare with.
+    // Render these samples regardless of the time, so that there is always a reference.
     TradeClimb.climb(renderer, reference, FEWEST_SAMPLES);
     render(renderer, reference, Math.sqrt(relativeMse), start + seconds / 2);
     truth = reference.develop();
@@ -75,7 +75,7 @@ public final class QualityStudy {
         settings.toBuilder().maxTraceDepth(depth).adaptive(false).seed(seed).build(), scene);
   }
 
-  /** Renders until an error, or a moment; returns whether the error was reached. */
+  /** Renders until a target error or a deadline. Returns whether the error was reached. */
   private static boolean render(FilmRenderer renderer, Film film, double error, double deadline)
       throws InterruptedException {
     Budget budget =
@@ -85,11 +85,11 @@ public final class QualityStudy {
   }
 
   /**
-   * Renders with an error and a depth.
+   * Renders with a target error and a depth.
    *
    * @param error relative root mean squared error at which each render ends
-   * @param seeds at least 3
-   * @return empty if there is no time for that
+   * @param seeds number of seeds, at least 3
+   * @return the result; empty if the time does not suffice
    * @throws InterruptedException if the calling thread is interrupted
    */
   public Optional<Row> measure(double error, int depth, int seeds) throws InterruptedException {
@@ -115,7 +115,7 @@ public final class QualityStudy {
             TradeStudy.bias(pictures, truth, referenceNoise)));
   }
 
-  /** Returns the cells of a table that tell a row: samples, error, its largest, bias. */
+  /** Returns the table cells of a row: samples, error, largest error, bias. */
   public static List<String> cells(Row row) {
     TradeRow.Bias bias = row.bias;
     return List.of(
@@ -127,7 +127,7 @@ public final class QualityStudy {
             : "< " + TradeText.rootPercent(bias.high()));
   }
 
-  /** Returns the cells that tell the reference: its samples and noise. */
+  /** Returns the table cell of the reference: its samples and noise. */
   public String referenceCell() {
     return String.format(Locale.ROOT, "%.0f: ", reference.meanSamples())
         + TradeText.rootPercent(referenceNoise);

@@ -11,11 +11,11 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Studies of several scenes side by side: tables in Markdown, and charts as files of their own. */
+/** Formats studies of several scenes as tables in Markdown and standalone charts. */
 public final class SceneTables {
   private static final double[] TARGETS = {1e-2, 1e-3};
 
-  /** What of a run bears on its times. */
+  /** The facts about a run that influence its times. */
   private static final List<String> TOLD = List.of("machine", "threads", "load", "version", "took");
 
   private final List<SceneTrade> scenes;
@@ -28,9 +28,9 @@ public final class SceneTables {
   }
 
   /**
-   * Returns all tables with what they tell, and how to make them again.
+   * Returns all tables with explanations, and the commands that produce them.
    *
-   * @param command that puts the studies side by side
+   * @param command command line that makes the tables from the studies
    */
   public String markdown(String command) {
     return String.join("\n", commands(command), noise(), floors(), gains(), work(), runs());
@@ -45,8 +45,8 @@ public final class SceneTables {
         .forEach(lines::add);
     lines.addAll(List.of(command, "```\n"));
     lines.add(
-        "Each study is a file of its own, so that one may be made anew and the tables drawn again."
-            + " [trade.md](trade.md#the-projects-scenes) tells what the scenes stand for.\n");
+        "Each study is a separate file, so a single study can be repeated and the tables made"
+            + " again. [trade.md](trade.md#the-projects-scenes) explains the choice of scenes.\n");
     return String.join("\n", lines);
   }
 
@@ -62,7 +62,7 @@ public final class SceneTables {
     return String.join("\n", lines) + "\n";
   }
 
-  /** Returns a chart of noise against rays: work that is the same on every machine. */
+  /** Returns a chart of noise against rays, a measure of work that is the same on every machine. */
   public String noiseChart() {
     List<LogChart.Series> series = new ArrayList<>();
     for (SceneTrade scene : scenes) {
@@ -81,11 +81,10 @@ public final class SceneTables {
       }
       series.add(new LogChart.Series(scene.scene(), points, true));
     }
-    return new LogChart("Noise falls with work", "rays per pixel", "relative RMSE, %", series)
-        .file();
+    return new LogChart("Noise against work", "rays per pixel", "relative RMSE, %", series).file();
   }
 
-  /** Returns a chart of the bias of depths, where it was detected. */
+  /** Returns a chart of the bias of each depth, where it was detected. */
   public String depthChart() {
     List<LogChart.Series> series = new ArrayList<>();
     for (SceneTrade scene : scenes) {
@@ -105,12 +104,12 @@ public final class SceneTables {
       }
       series.add(new LogChart.Series(scene.scene(), points, true));
     }
-    return new LogChart("What depth leaves out", "depth", "bias, relative RMS, %", series).file();
+    return new LogChart("Bias against depth", "depth", "bias, relative RMS, %", series).file();
   }
 
   private String noise() {
     List<String> lines = new ArrayList<>();
-    lines.add("## Noise, and the time it takes away\n");
+    lines.add("## Noise, and the cost of reducing it\n");
     lines.add(
         "| scene | pixels | seeds | reference | noise | convergence exponent | samples to 1e-2"
             + " | rays | CPU s | samples to 1e-3 | rays | CPU s |");
@@ -140,23 +139,24 @@ public final class SceneTables {
       lines.add(line(cells));
     }
     lines.add(
-        "\nNoise: relative RMSE at the most samples, the reference's own (estimated, beside its"
-            + " samples) taken off. 1e-2 and 1e-3 are relative mean squared errors, 10 % and 3.2 %;"
-            + " rays are for one pixel, processor seconds for a million, all between measured"
-            + " numbers of samples, each twice the one before. Convergence exponent: the squared"
-            + " error is proportional to the samples to this power; -1 for independent samples."
-            + " An asterisk marks what is not"
-            + " measured so: some seed reaches the error with no number of samples that was tried,"
-            + " and the squared error is taken to be inverse to the samples from there on, more"
-            + " slowly than it mostly falls; or the squared error of the reference is"
-            + " more than an eighth of the one to be told.\n");
+        "\n"
+            + "Noise: relative RMSE at the largest number of samples, without the reference's own"
+            + " estimated noise (next to its samples). 1e-2 and 1e-3 are relative mean squared"
+            + " errors, 10 % and 3.2 % as relative RMSE. Rays are per pixel, CPU seconds per"
+            + " million pixels, interpolated between measured numbers of samples, each twice the"
+            + " previous. Convergence exponent: the squared error is proportional to the samples to"
+            + " this power; -1 for independent samples. An asterisk marks less reliable values."
+            + " Either a seed does not reach the error with the measured samples; beyond them the"
+            + " squared error is assumed inversely proportional to the samples, which is slower"
+            + " than it usually falls. Or the squared error of the reference exceeds 1/8 of the"
+            + " target.\n");
     return String.join("\n", lines);
   }
 
   private String floors() {
     Set<String> labels = labels(false);
     List<String> lines = new ArrayList<>();
-    lines.add("## What knobs with bias leave wrong\n");
+    lines.add("## Bias of biased settings\n");
     lines.add("| scene | " + String.join(" | ", labels) + " |");
     lines.add("|---" + "|--:".repeat(labels.size()) + "|");
     for (SceneTrade scene : scenes) {
@@ -168,7 +168,8 @@ public final class SceneTables {
       lines.add(line(cells));
     }
     lines.add(
-        "\nRelative root mean squared bias. \"<\": not detected; the most that it may be with 95 %"
+        "\n"
+            + "Relative root mean squared bias. \"<\": not detected; upper bound with 95 %"
             + " confidence.\n");
     return String.join("\n", lines);
   }
@@ -176,7 +177,7 @@ public final class SceneTables {
   private String gains() {
     Set<String> labels = labels(true);
     List<String> lines = new ArrayList<>();
-    lines.add("## What other ways to the same light bring\n");
+    lines.add("## Efficiency of unbiased settings\n");
     lines.add("| scene | " + String.join(" | ", labels) + " |");
     lines.add("|---" + "|--:".repeat(labels.size()) + "|");
     for (SceneTrade scene : scenes) {
@@ -188,14 +189,15 @@ public final class SceneTables {
       lines.add(line(cells));
     }
     lines.add(
-        "\nEfficiency relative to the baseline: one over squared error times rays, with its"
+        "\n"
+            + "Efficiency relative to the baseline: 1 / (squared error × rays), with its 95 %"
             + " interval; below 1 is worse.\n");
     return String.join("\n", lines);
   }
 
   private String work() {
     List<String> lines = new ArrayList<>();
-    lines.add("## Work of a sample\n");
+    lines.add("## Work per sample\n");
     lines.add("| scene | rays | shadow rays | nodes | look-ups |");
     lines.add("|---|--:|--:|--:|--:|");
     for (SceneTrade scene : scenes) {

@@ -5,16 +5,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a study of one scene found, as far as tables of several scenes need it.
+ * The results of a study of one scene that tables of several scenes need.
  *
- * @param scene its name
- * @param width of the frame in pixels
- * @param height of the frame in pixels
- * @param seeds of each setting
- * @param referenceSamples per pixel
- * @param referenceRmse relative, of the reference itself
- * @param facts of the run, by name, as its page tells them
- * @param rows by setting, that which was taken for the truth first, and by number of samples
+ * @param scene name of the scene
+ * @param width width of the frame in pixels
+ * @param height height of the frame in pixels
+ * @param seeds number of seeds of each setting
+ * @param referenceSamples samples per pixel of the reference
+ * @param referenceRmse relative RMSE of the reference itself
+ * @param facts facts about the run, by name
+ * @param rows results by setting, the baseline first, and by number of samples
  */
 public record SceneTrade(
     String scene,
@@ -36,10 +36,10 @@ public record SceneTrade(
   /**
    * A setting at a number of samples.
    *
-   * @param isUnbiased whether the setting keeps the truth
-   * @param cost of each seed
-   * @param work of one sample
-   * @param bias of all seeds together
+   * @param isUnbiased whether the setting is unbiased
+   * @param cost error and time of each seed
+   * @param work work per sample
+   * @param bias bias, estimated from all seeds
    */
   public record Row(
       String knob,
@@ -66,35 +66,35 @@ public record SceneTrade(
     return rows.stream().filter(row -> row.label().equals(label)).toList();
   }
 
-  /** Returns the rows of the setting that was taken for the truth. */
+  /** Returns the rows of the baseline. */
   List<Row> usual() {
     return of(rows.get(0).label());
   }
 
-  /** Returns the row with the most samples of rows of one setting. */
+  /** Returns the row with the most samples, given the rows of one setting. */
   static Row most(List<Row> own) {
     return own.get(own.size() - 1);
   }
 
-  /** Returns what the truth costs and brings, the reference's own noise taken off. */
+  /** Returns the errors and times of the baseline, without the reference's own noise. */
   List<TimeToError.Cost> usualCosts() {
     double noise = referenceRmse * referenceRmse;
     return usual().stream().map(row -> row.cost().less(noise)).toList();
   }
 
-  /** Returns what the truth takes to an error. */
+  /** Returns the cost of reaching an error with the baseline. */
   TimeToError toError(double relativeMse) {
     return TimeToError.of(usualCosts(), relativeMse);
   }
 
-  /** Tells whether the reference is near enough to the truth for such errors to be measured. */
+  /** Returns whether the reference is accurate enough to measure such an error. */
   boolean canTell(double relativeMse) {
     return referenceRmse * referenceRmse <= relativeMse / TradePlan.REFERENCE_MARGIN;
   }
 
   /**
-   * Returns how many times as far as the usual setting another gets with as many rays, at the most
-   * samples of the other.
+   * Returns the efficiency of a setting relative to the baseline with the same number of rays, at
+   * the setting's largest number of samples.
    */
   Interval gainByRays(List<Row> other) {
     Row most = most(other);

@@ -8,36 +8,37 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * What a setting takes to reach an error: for each seed, the place where the line through its
- * measured errors, on logarithmic axes, meets it.
+ * The cost of reaching an error with a setting. For each seed it is interpolated linearly between
+ * the measured errors on logarithmic axes.
  *
- * @param samples per pixel, geometric mean over the seeds
- * @param cpuSeconds geometric mean over the seeds
- * @param isExtrapolated whether a seed reaches the error with no number of samples that was
- *     measured; beyond the last the squared error is taken to be inverse to the samples
+ * @param samples samples per pixel, geometric mean over the seeds
+ * @param cpuSeconds CPU time in seconds, geometric mean over the seeds
+ * @param isExtrapolated whether a seed does not reach the error with the measured samples; beyond
+ *     them the squared error is assumed inversely proportional to the samples
  */
 public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtrapolated) {
   /**
-   * What one number of samples costs and brings: a value for each seed, in the same order in both.
+   * The error and time at one number of samples: a value for each seed, in the same order in both
+   * lists.
    *
-   * @param samples per pixel
-   * @param relativeMse of the pictures
-   * @param cpuSeconds for all samples up to these; 0 if the clock has not ticked meanwhile
+   * @param samples samples per pixel
+   * @param relativeMse relative mean squared errors of the pictures
+   * @param cpuSeconds CPU time of all samples so far; 0 if it is too short for the CPU clock
    */
   public record Cost(int samples, List<Double> relativeMse, List<Double> cpuSeconds) {
-    /** What is left at least of an error, lest chance leaves nothing of it. */
+    /** The smallest share of an error that remains after subtraction, so that it stays positive. */
     private static final double LEAST_SHARE = .1;
 
     private static final double LEAST_SECONDS = 1e-9;
 
-    /** Returns the same without the noise of the reference, as a relative mean squared error. */
+    /** Returns this cost with the reference's relative mean squared error subtracted. */
     Cost less(double referenceNoise) {
       List<Double> own =
           relativeMse.stream().map(e -> Math.max(e - referenceNoise, LEAST_SHARE * e)).toList();
       return new Cost(samples, own, cpuSeconds);
     }
 
-    /** Returns one seed's time or, where a time is too short for the clock, what it would be. */
+    /** Returns one seed's time, or an estimate if a time is too short for the CPU clock. */
     private double positiveSeconds(int seed, double secondsPerSample) {
       boolean isTold = cpuSeconds.stream().allMatch(seconds -> seconds > 0);
       return isTold ? cpuSeconds.get(seed) : Math.max(LEAST_SECONDS, samples * secondsPerSample);
@@ -45,9 +46,9 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
   }
 
   /**
-   * Returns what reaching an error takes.
+   * Returns the cost of reaching an error.
    *
-   * @param rows of one unbiased setting, by number of samples
+   * @param rows costs of one unbiased setting, by number of samples
    * @param relativeMse the error, positive
    */
   public static TimeToError of(List<Cost> rows, double relativeMse) {
@@ -72,7 +73,7 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
     return rows.stream().anyMatch(row -> row.relativeMse.get(seed) <= wanted);
   }
 
-  /** Returns the cost, positive at all rows, at which one seed's error falls to the wanted one. */
+  /** Returns the cost, positive in all rows, at which one seed's error falls to the wanted one. */
   private static double reach(
       List<Cost> rows, int seed, double wanted, ToDoubleFunction<Cost> cost) {
     double logWanted = Elementary.log(wanted);

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The part of a study's page that answers what to set for a wanted error. */
+/** The section of a study's page that recommends settings for a target error. */
 final class TradeAdvice {
-  /** Errors that a reader may want, as relative root mean squared errors. */
+  /** Target errors of the table, relative root mean squared errors. */
   private static final double[] TARGETS = {.5, .3, .2, .1, .05, .03, .02, .01};
 
   private static final String GROUPS =
@@ -21,7 +21,7 @@ final class TradeAdvice {
 
   /** Adds the table to a page. */
   static void addTo(Html html, TradeResult result) {
-    html.element("h2", "For this error pick these settings");
+    html.element("h2", "Recommended settings for a target error");
     List<Row> rows = new ArrayList<>();
     for (double target : TARGETS) {
       List<String> cells = new ArrayList<>(List.of(TradeText.percent(target)));
@@ -32,7 +32,7 @@ final class TradeAdvice {
     html.table(
             GROUPS,
             List.of(
-                "error wanted",
+                "target error",
                 "flags",
                 "CPU time",
                 "rays",
@@ -43,17 +43,17 @@ final class TradeAdvice {
                 "bias"),
             rows)
         .note(
-            "Error: relative RMSE against the reference, noise and bias together, mean over the"
-                + " seeds. Each entry is the cheapest in CPU time of the settings that have flags."
-                + " On the left are settings without bias (bias: none), and those whose bias was"
-                + " not detected and is at most the wanted error with 95 % confidence (bias: < that"
-                + " bound). Times there are interpolated between measured numbers of samples."
-                + " Extrapolated: no measured setting reaches the error, and the squared error is"
-                + " taken to be inversely proportional to the samples. On the right is any measured"
-                + " setting with bias. Errors below the reference's own cannot be measured.");
+            "Error: relative RMSE against the reference, including noise and bias, mean over the"
+                + " seeds. Each entry is the setting with the least CPU time among those with"
+                + " flags. Left: unbiased settings (bias: none), and settings whose bias was not"
+                + " detected and is at most the target error with 95 % confidence (bias: < that"
+                + " bound). Their times are interpolated between measured numbers of samples."
+                + " Extrapolated: no measured setting reaches the error; the squared error is"
+                + " assumed inversely proportional to the samples. Right: the measured settings"
+                + " with bias. Errors below the reference's own cannot be measured.");
   }
 
-  /** What a setting takes to reach an error. */
+  /** A setting and its cost of reaching an error. */
   private record Choice(TradeRow most, TimeToError cost) {
     double cpuSeconds() {
       return cost.cpuSeconds().value();
@@ -75,9 +75,9 @@ final class TradeAdvice {
   }
 
   /**
-   * Returns the cheapest setting with flags that is without bias, or whose bias is not detected and
-   * at most the wanted error. A setting that was measured to reach the error goes before all that
-   * would have to be extrapolated.
+   * Returns the cheapest setting with flags that is unbiased, or whose bias is not detected and at
+   * most the target error. Settings that were measured to reach the error precede extrapolated
+   * ones.
    */
   private static Choice cheapest(TradeResult result, double target) {
     double squared = target * target;
@@ -101,7 +101,7 @@ final class TradeAdvice {
     return !bias.isDetected() && bias.high() <= squaredError;
   }
 
-  /** Returns settings, time, rays and bias of the measured row that costs least. */
+  /** Returns flags, time, rays and bias of the cheapest measured row with bias. */
   private static List<String> biased(TradeResult result, double target) {
     Optional<TradeRow> best =
         result.rows().stream()

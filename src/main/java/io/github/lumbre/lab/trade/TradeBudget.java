@@ -9,17 +9,18 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How long a study may take, and what that comes to.
+ * The time of a study, and the work that fits into it.
  *
- * @param seconds from the start, the page included
- * @param samples the most per pixel of a setting; then the time does not count, but for a target
- * @param target relative root mean squared error that the usual setting is to reach, with as many
- *     samples as that takes and the time allows; samples are to be given then
- * @param reference samples per pixel of the reference, at least those if there is a target;
- *     otherwise 64 times those of a setting
- * @param seeds of each setting; otherwise as many as fit into the time
- * @param size of the frame, if it is not to be the scene's, shrunk
- * @param isQuick whether the frame is to be smaller still
+ * @param seconds time from the start, including the page
+ * @param samples largest number of samples per pixel of a setting; if given, the time limits only
+ *     the samples for a target
+ * @param target relative root mean squared error that the baseline must reach, within the time;
+ *     requires {@code samples}
+ * @param reference samples per pixel of the reference, the minimum if there is a target; by default
+ *     64 times the largest number of a setting
+ * @param seeds number of seeds of each setting; by default as many as fit into the time
+ * @param size frame size; by default the scene's, scaled down
+ * @param isQuick whether the default frame is even smaller
  */
 public record TradeBudget(
     double seconds,
@@ -29,47 +30,49 @@ public record TradeBudget(
     Optional<Integer> seeds,
     Optional<Size> size,
     boolean isQuick) {
-  /** The most samples per pixel of a setting. */
+  /** The largest accepted number of samples per pixel of a setting. */
   public static final int LARGEST = 1 << 20;
 
   private static final int PAGE_SIDE = 160;
   private static final int QUICK_SIDE = 96;
   private static final int LEAST_SIDE = 48;
 
-  /** With less than so many samples at most, a smaller frame tells more. */
+  /** If fewer samples per pixel than this fit into the time, a smaller frame is more useful. */
   private static final int WORTHWHILE = 16;
 
-  /** How many settings there are at most, or about. */
+  /** The approximate maximum number of settings. */
   private static final int MANY_SETTINGS = 20;
 
-  /** How many seeds are planned for; fewer, but these, where time runs out. */
+  /** The planned number of seeds; if time runs out, at least {@link #LEAST_SEEDS}. */
   private static final int PLANNED_SEEDS = 4;
 
   private static final int LEAST_SEEDS = 3;
   private static final int MOST_SEEDS = 32;
 
-  /** How many times as many samples as a setting's most the reference has. */
+  /** The reference's samples over the largest number of samples of a setting. */
   private static final int REFERENCE_FACTOR = 64;
 
   /**
-   * The share of the time that is planned for by the pilot's rate: what is left if the machine has
-   * more to do meanwhile, and goes into more seeds if it has not.
+   * The share of the time that is planned from the pilot render's rate. The rest is a reserve for
+   * other load on the machine; without such load it is used for more seeds.
    */
   private static final double PLANNED = .6;
 
-  /** The share after which no seed begins that would end beyond; the rest is for the page. */
+  /** The share of the time in which all seeds must end; the rest is for the page. */
   private static final double RENDERING = .85;
 
-  /** Renders of one thread that compare exact settings, and the share of the time for them. */
+  /** The number of single-threaded renders that compare exact settings. */
   private static final int EXACT_RENDERS = 50;
 
+  /** The share of the time for comparing exact settings. */
   private static final double EXACT_SHARE = .1;
+
   private static final int MOST_EXACT_SAMPLES = 16;
   private static final int STEP = 4;
 
   /**
-   * Returns settings with the frame of a study: the one asked for, or the scene's, shrunk to a side
-   * of 160 pixels, or of 96 if it is to be quick; further where time is short.
+   * Returns settings with the frame of a study. Without a given size, the scene's frame is scaled
+   * down to a side of 160 pixels (96 for a quick study), or less if time is short.
    *
    * @param rate samples per second of all threads
    */
@@ -87,11 +90,11 @@ public record TradeBudget(
   }
 
   /**
-   * Returns as much work as fits.
+   * Returns the plan that fits into the time.
    *
    * @param rate samples per second of all threads
    * @param spent seconds so far
-   * @param settings how many are measured
+   * @param settings number of settings
    */
   public TradePlan plan(double rate, double spent, int settings, RenderSettings frame) {
     if (samples.isPresent()) {
@@ -114,12 +117,12 @@ public record TradeBudget(
     return powerOfTwo(PLANNED * affordable(rate, spent, frame) / each, LARGEST);
   }
 
-  /** Returns how many samples of each pixel fit into the time. */
+  /** Returns the number of samples per pixel that fit into the time. */
   private double affordable(double rate, double spent, RenderSettings frame) {
     return rate * (seconds - spent) / ((double) frame.width() * frame.height());
   }
 
-  /** Returns the largest power of two that is not above a number, from 1 to a limit. */
+  /** Returns the largest power of two that is at most a number, clamped to 1 and a limit. */
   private static int powerOfTwo(double number, int limit) {
     return Integer.highestOneBit((int) Math.max(1, Math.min(number, limit)));
   }

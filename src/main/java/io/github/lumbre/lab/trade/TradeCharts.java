@@ -7,17 +7,17 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/** The charts of a study: for each kind of knob the front of the best, and each knob by itself. */
+/** The charts of a study: the Pareto front of each kind of setting, and each setting separately. */
 final class TradeCharts {
   private static final String ACROSS = "CPU seconds";
   private static final String UP = "relative RMSE, %";
 
   private TradeCharts() {}
 
-  /** Returns charts of the settings without bias. */
+  /** Returns charts of the unbiased settings. */
   static List<LogChart> noise(TradeResult result) {
     List<LogChart> charts = new ArrayList<>();
-    charts.add(front("All without bias, and their Pareto front", Kind.NOISE, result));
+    charts.add(front("Unbiased settings with Pareto front", Kind.NOISE, result));
     TradeSetting usual = result.usual().get(0).setting();
     for (String knob : knobs(result, Kind.NOISE)) {
       List<LogChart.Series> series = new ArrayList<>();
@@ -34,10 +34,10 @@ final class TradeCharts {
     return charts;
   }
 
-  /** Returns charts of the settings with bias. */
+  /** Returns charts of the biased settings. */
   static List<LogChart> bias(TradeResult result) {
     List<LogChart> charts = new ArrayList<>();
-    charts.add(front("All with bias, and their Pareto front", Kind.BIAS, result));
+    charts.add(front("Biased settings with Pareto front", Kind.BIAS, result));
     for (String knob : knobs(result, Kind.BIAS)) {
       List<LogChart.Series> series = new ArrayList<>();
       for (TradeSetting setting : result.settings(Kind.BIAS)) {
@@ -49,7 +49,7 @@ final class TradeCharts {
     }
     List<LogChart.Series> floors = floors(result);
     if (!floors.isEmpty()) {
-      charts.add(new LogChart("Bias, which samples do not reduce", ACROSS, "bias, %", floors));
+      charts.add(new LogChart("Bias, not reduced by samples", ACROSS, "bias, %", floors));
     }
     return charts;
   }
@@ -64,13 +64,13 @@ final class TradeCharts {
     return switch (knob) {
       case "sampler" -> "Sampler: Sobol points or independent";
       case "lights" -> "Light selection";
-      case "strategy" -> "Sampling technique: MIS, or one alone";
-      case "roulette" -> "First vertex with Russian roulette";
-      case "split" -> "Path splitting: branches";
+      case "strategy" -> "Sampling technique: MIS or a single one";
+      case "roulette" -> "Russian roulette: first vertex";
+      case "split" -> "Path splitting: number of branches";
       case "depth" -> "Depth: scattering vertices of a path";
       case "mode" -> "Classic ray tracing";
-      case "filter" -> "Texture filter other than the scene's";
-      case "clamp" -> "Clamped samples";
+      case "filter" -> "Other texture filters than the scene's";
+      case "clamp" -> "Clamping";
       case "adaptive" -> "Adaptive sampling";
       default -> knob;
     };
@@ -95,7 +95,7 @@ final class TradeCharts {
         isFaint);
   }
 
-  /** Returns the chart of all points of a kind; those that nothing beats are joined. */
+  /** Returns the chart of all points of a kind; the points of the Pareto front are connected. */
   private static LogChart front(String title, Kind kind, TradeResult result) {
     List<LogChart.Point> best = new ArrayList<>();
     List<LogChart.Point> others = new ArrayList<>();
@@ -112,7 +112,7 @@ final class TradeCharts {
         UP,
         List.of(
             new LogChart.Series("front", best, true),
-            new LogChart.Series("beaten", others, false)));
+            new LogChart.Series("dominated", others, false)));
   }
 
   private static List<LogChart.Series> floors(TradeResult result) {

@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.function.DoubleSupplier;
 
 /**
- * A setting rendered with one seed, to ever more samples, and what they took. Mutable; for one
- * thread.
+ * A setting rendered with one seed to increasing numbers of samples, with the time used. Mutable,
+ * not thread-safe.
  */
 final class TradeClimb {
   private final TradeSetting setting;
@@ -26,7 +26,7 @@ final class TradeClimb {
   private int samples;
 
   /**
-   * @param cpuSeconds tells the processor time of the process so far
+   * @param cpuSeconds supplies the CPU time of the process so far
    */
   TradeClimb(TradeSetting setting, long seed, DoubleSupplier cpuSeconds) {
     this.setting = setting;
@@ -35,7 +35,7 @@ final class TradeClimb {
     film = renderer.newFilm();
   }
 
-  /** Adds samples until each pixel has so many. */
+  /** Adds samples until each pixel has a given number. */
   void to(int goal) throws InterruptedException {
     double cpuStart = cpuSeconds.getAsDouble();
     double start = clock();
@@ -45,33 +45,33 @@ final class TradeClimb {
     samples = goal;
   }
 
-  /** Returns what there is by now, compared with a reference. */
+  /** Returns the current picture and its error against a reference. */
   TradeTrial against(Image truth) {
     Image picture = film.develop();
     return new TradeTrial(setting, samples, seconds, cpu, PictureError.of(picture, truth), picture);
   }
 
-  /** Returns the samples so far. */
+  /** Returns the film with the samples so far. */
   Film film() {
     return film;
   }
 
-  /** Returns samples per pixel so far. */
+  /** Returns the number of samples per pixel so far. */
   int samples() {
     return samples;
   }
 
-  /** Returns the time on the wall so far, in seconds. */
+  /** Returns the wall-clock time so far, in seconds. */
   double seconds() {
     return seconds;
   }
 
-  /** Returns seconds since some moment. */
+  /** Returns the seconds since an arbitrary origin. */
   static double clock() {
     return System.nanoTime() * 1e-9;
   }
 
-  /** Adds samples to a film, in growing passes, until each pixel has so many. */
+  /** Adds samples to a film, in growing passes, until each pixel has a given number. */
   static RenderStatistics climb(FilmRenderer renderer, Film film, int goal)
       throws InterruptedException {
     RenderStatistics statistics = RenderStatistics.ZERO;

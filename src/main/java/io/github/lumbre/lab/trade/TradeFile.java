@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** A study as {@link TradeTables#json} wrote it, in Gson's own way: filled field by field. */
+/** A study's JSON file written by {@link TradeTables#json}; Gson fills the fields. */
 public final class TradeFile {
   public String format = "";
   private Map<String, String> facts = Map.of();
@@ -66,7 +66,7 @@ public final class TradeFile {
     private double high;
   }
 
-  /** Returns what the tables need of it. */
+  /** Returns the data that the tables need. */
   public SceneTrade trade() {
     String[] size = facts.getOrDefault("size", "1x1").split("x");
     List<SceneTrade.Row> all = new ArrayList<>();

@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The page that shows what a study found: one HTML file that needs no other. {@link TradeAdvice},
- * {@link TradeCharts} and {@link TradePictures} make its parts.
+ * The page of a study's results: a single self-contained HTML file. {@link TradeAdvice}, {@link
+ * TradeCharts} and {@link TradePictures} produce its sections.
  */
 public final class TradePage {
-  /** In place of a ratio of times that the processor's clock does not tell. */
-  private static final String TOO_SHORT = "too short to tell";
+  /** Shown instead of a time ratio if the times are too short for the CPU clock. */
+  private static final String TOO_SHORT = "too short to measure";
 
   private final Map<String, String> facts;
   private final TradeResult result;
@@ -29,9 +29,9 @@ public final class TradePage {
   /**
    * Returns the page.
    *
-   * @param scene its name
-   * @param facts of the run, by name: machine, seeds, how to repeat it
-   * @param options by which pictures become visible
+   * @param scene name of the scene
+   * @param facts facts about the run, by name: machine, seeds, command line
+   * @param options options for writing the pictures
    * @throws IOException if pictures cannot be written to the directory for temporary files
    */
   public static String of(
@@ -46,7 +46,7 @@ public final class TradePage {
     String title = "Speed for accuracy: " + scene;
     html.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">")
         .raw("<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">")
-        // An empty icon, lest browsers ask for one.
+        // An empty icon keeps browsers from requesting one.
         .raw("<link rel=\"icon\" href=\"data:,\">")
         .element("title", title)
         .raw("<style>\n" + TradeStyle.SHEET + "</style></head><body>")
@@ -63,8 +63,8 @@ public final class TradePage {
   }
 
   private String lead() {
-    return ("%s pixels, %d seeds of each setting, against a reference of %s samples per pixel whose"
-            + " own relative RMSE is about %s.")
+    return ("%s pixels, %d seeds of each setting, compared with a reference of %s samples per"
+            + " pixel. The relative RMSE of the reference itself is about %s.")
         .formatted(
             facts.get("size"),
             result.seeds(),
@@ -73,12 +73,12 @@ public final class TradePage {
   }
 
   private void noise() {
-    html.element("h2", "Noise: knobs that keep the truth")
+    html.element("h2", "Unbiased settings: noise")
         .element(
             "p",
-            "These settings all converge to the same picture. Their error is noise alone, and falls"
-                + " with time; the lower line wins. Numbers at the points are samples per pixel,"
-                + " bars are intervals of 95 % over the seeds.");
+            "These settings all converge to the same picture. Their error is only noise and falls"
+                + " with time; lower lines are better. Numbers at the points are samples per pixel;"
+                + " bars are 95 % intervals over the seeds.");
     charts(TradeCharts.noise(result));
     List<Row> rows = new ArrayList<>();
     for (TradeSetting setting : result.settings(Kind.NOISE)) {
@@ -103,7 +103,7 @@ public final class TradePage {
             List.of(
                 "setting",
                 "gain for the same rays",
-                "for the same time",
+                "gain for the same time",
                 "error",
                 "CPU time",
                 "rays",
@@ -112,24 +112,24 @@ public final class TradePage {
                 "convergence exponent"),
             rows)
         .note(
-            "Gain: efficiency relative to the baseline, one over squared error times rays or"
-                + " processor time, at the most samples; below 1 is worse. Rays, visited nodes of"
-                + " the bounding volume hierarchy and texture look-ups are per sample, and the same"
-                + " on every machine. Convergence exponent: the squared error is proportional to"
-                + " the samples to this power; -1 for independent samples, lower is better."
-                + " Baseline: Sobol points, lights selected by their expected contribution, light"
-                + " and BSDF sampling combined by multiple importance sampling (MIS) with the power"
-                + " heuristic, Russian roulette from vertex 3. Settings named \"only\" use one of"
-                + " the two sampling techniques.");
+            "Gain: efficiency relative to the baseline, 1 / (squared error × rays) or 1 / (squared"
+                + " error × CPU time), at the largest number of samples; below 1 is worse. Rays,"
+                + " visited nodes of the bounding volume hierarchy and texture look-ups are per"
+                + " sample, and the same on every machine. Convergence exponent: the squared error"
+                + " is proportional to the samples to this power; -1 for independent samples, lower"
+                + " is better. Baseline: Sobol points, lights selected by their expected"
+                + " contribution, light and BSDF sampling combined by multiple importance sampling"
+                + " (MIS) with the power heuristic, Russian roulette from vertex 3. Settings named"
+                + " \"only\" use a single sampling technique.");
   }
 
   private void bias() {
-    html.element("h2", "Bias: knobs that leave something out")
+    html.element("h2", "Biased settings")
         .element(
             "p",
-            "These settings converge to another picture, so no number of samples takes their error"
-                + " below a floor. They are not to be ranked with those above: what they leave out"
-                + " may matter more, or less, than noise.");
+            "These settings converge to a different picture, so more samples do not reduce their"
+                + " error below their bias. Do not rank them with the unbiased settings: bias may"
+                + " matter more or less than noise.");
     charts(TradeCharts.bias(result));
     List<Row> rows = new ArrayList<>();
     for (TradeSetting setting : result.settings(Kind.BIAS)) {
@@ -174,7 +174,7 @@ public final class TradePage {
   }
 
   private void exact() {
-    html.element("h2", "Exact: knobs that change the time alone")
+    html.element("h2", "Settings that change only the time")
         .table(
             List.of("setting", "CPU time ratio (95 %)", "time ratio (95 %)", "picture"),
             result.exact().stream()
@@ -185,14 +185,16 @@ public final class TradePage {
                                 row.setting(),
                                 row.cpuRatio().map(TradeText::ratio).orElse(TOO_SHORT),
                                 TradeText.ratio(row.timeRatio()),
-                                row.isSamePicture() ? "the same bits" : "DIFFERENT"),
+                                row.isSamePicture() ? "identical" : "DIFFERENT"),
                             row.isSamePicture() ? "" : "bad"))
                 .toList())
-        .note("Five pairs each, in turn. The first row is what chance does on this machine.");
+        .note(
+            "Five alternating pairs each. The first row compares a setting with itself and shows"
+                + " the effect of chance.");
   }
 
   private void everything() {
-    html.element("h2", "All that was measured");
+    html.element("h2", "All measurements");
     List<Row> rows = new ArrayList<>();
     for (TradeRow row : result.rows()) {
       Interval error = row.relativeMse();
@@ -226,7 +228,7 @@ public final class TradePage {
                 "max error",
                 "FLIP"),
             rows)
-        .note("Grey: another row of the same kind takes less time and has less error.");
+        .note("Gray: another row of the same kind takes less time and has less error.");
   }
 
   private void method() {
@@ -242,7 +244,7 @@ public final class TradePage {
     html.raw("</table>")
         .note(
             "Errors are relative: the root of the mean over pixels and channels of (x - r)² / (r² +"
-                + " 0.01), r being the reference. Times are of this machine and vary with what else"
-                + " it does; rays, nodes and look-ups are the same everywhere.");
+                + " 0.01), where r is the reference. Times depend on this machine and its load;"
+                + " rays, nodes and look-ups are the same everywhere.");
   }
 }

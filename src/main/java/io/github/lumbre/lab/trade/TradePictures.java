@@ -11,13 +11,13 @@ import java.util.Base64;
 import java.util.LinkedHashSet;
 import java.util.List;
 
-/** The part of a study's page that shows pictures, each beside where it is wrong. */
+/** The section of a study's page that shows each picture beside its error map. */
 final class TradePictures {
   private final TradeResult result;
   private final ImageWriter.Options options;
 
   /**
-   * @param options by which pictures become visible
+   * @param options options for writing the pictures
    */
   TradePictures(TradeResult result, ImageWriter.Options options) {
     this.result = result;
@@ -26,13 +26,13 @@ final class TradePictures {
 
   /** Adds the pictures to a page. */
   void addTo(Html html) throws IOException {
-    html.element("h2", "Pictures and where they are wrong")
+    html.element("h2", "Pictures and error maps")
         .raw("<div class=\"pictures\"><figure>")
         .raw(image(result.reference(), options, "reference"))
         .raw("<figcaption>reference, " + result.referenceSamples() + " samples</figcaption>")
         .raw("</figure></div>");
     scale(html);
-    html.element("h3", "More samples of the usual setting");
+    html.element("h3", "Baseline with increasing samples");
     pairs(html, result.usual());
     List<TradeRow> others = new ArrayList<>();
     for (TradeSetting setting : settings()) {
@@ -40,7 +40,7 @@ final class TradePictures {
         others.add(result.most(setting));
       }
     }
-    html.element("h3", "The other settings");
+    html.element("h3", "Other settings");
     pairs(html, others);
   }
 
@@ -50,13 +50,14 @@ final class TradePictures {
     return settings;
   }
 
-  /** Adds the colours of errors, with what they stand for. */
+  /** Adds the color scale of the error maps. */
   private static void scale(Html html) {
     html.raw(
         "<div class=\"scale\" style=\"background:linear-gradient(90deg,"
             + String.join(",", ErrorMap.webColours())
-            + ")\"></div><div class=\"marks\"><span>0.1 %</span><span>1 %</span><span>10 %</span>"
-            + "<span>100 %</span></div><p class=\"note\">Colours of the errors of pixels.</p>");
+            + ")\"></div><div class=\"marks\"><span>0.1 %</span><span>1 %</span><span>10"
+            + " %</span><span>100 %</span></div><p class=\"note\">Colors of the relative error of"
+            + " pixels.</p>");
   }
 
   private void pairs(Html html, List<TradeRow> rows) throws IOException {

@@ -3,16 +3,16 @@ package io.github.lumbre.lab.trade;
 import java.util.List;
 
 /**
- * How much a study renders.
+ * The amount of work of a study.
  *
  * @param ladder numbers of samples per pixel, ascending
- * @param leastSeeds of each setting, at least 2, whatever the time
- * @param mostSeeds of each setting, as many as the time allows
- * @param referenceSamples per pixel, at least
- * @param exactSamples per pixel of the renders of which only the time counts
- * @param seconds after which nothing further begins that would end beyond
- * @param targetRelativeMse until which the usual setting goes on with more samples than the ladder
- *     has, and the reference until its own is an eighth of that; 0 if they are not to
+ * @param leastSeeds minimum number of seeds of each setting, at least 2, regardless of the time
+ * @param mostSeeds maximum number of seeds of each setting, within the time
+ * @param referenceSamples minimum number of samples per pixel of the reference
+ * @param exactSamples samples per pixel of the renders that compare only times
+ * @param seconds time limit; work that would exceed it is not started
+ * @param targetRelativeMse squared error down to which the baseline is rendered beyond the ladder,
+ *     and the reference down to 1/8 of it; 0 for no target
  */
 public record TradePlan(
     List<Integer> ladder,
@@ -22,10 +22,10 @@ public record TradePlan(
     int exactSamples,
     double seconds,
     double targetRelativeMse) {
-  /** The most samples per pixel of anything. */
+  /** The largest number of samples per pixel of any render. */
   static final int LIMIT = 1 << 20;
 
-  /** How many times less than the error to be reached the reference's own is to be, squared. */
+  /** The ratio of the target squared error to the squared error of the reference. */
   static final double REFERENCE_MARGIN = 8;
 
   public TradePlan {
@@ -35,12 +35,12 @@ public record TradePlan(
     }
   }
 
-  /** Tells whether the usual setting is to reach an error. */
+  /** Returns whether there is a target error. */
   boolean hasTarget() {
     return targetRelativeMse > 0;
   }
 
-  /** Returns the most samples per pixel of a setting, those for a target error not counted. */
+  /** Returns the largest number of samples per pixel of the ladder. */
   public int mostSamples() {
     return ladder.get(ladder.size() - 1);
   }

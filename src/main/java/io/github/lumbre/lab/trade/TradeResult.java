@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a study found.
+ * The results of a study.
  *
- * @param reference that all is compared with
- * @param referenceSamples per pixel
- * @param referenceNoise of the reference itself
- * @param rows by setting, and for each by number of samples
- * @param exact settings that change the time alone
+ * @param reference reference picture
+ * @param referenceSamples samples per pixel of the reference
+ * @param referenceNoise noise of the reference itself
+ * @param rows results by setting and number of samples
+ * @param exact settings that change only the time
  */
 public record TradeResult(
     Image reference,
@@ -21,7 +21,7 @@ public record TradeResult(
     NoiseEstimate referenceNoise,
     List<TradeRow> rows,
     List<ExactRow> exact) {
-  /** Returns the rows of the setting that is taken for the truth, by number of samples. */
+  /** Returns the rows of the baseline, by number of samples. */
   public List<TradeRow> usual() {
     return of(rows.get(0).setting());
   }
@@ -46,15 +46,15 @@ public record TradeResult(
     return own.get(own.size() - 1);
   }
 
-  /** Returns how many seeds each setting was rendered with. */
+  /** Returns the number of seeds of each setting. */
   public int seeds() {
     return rows.get(0).errors().size();
   }
 
   /**
-   * Returns how many times as far as the usual setting another gets in the same processor time: the
-   * ratio of squared error times time, at the most samples of the other. Empty if renders are too
-   * short for the processor's clock.
+   * Returns the efficiency of a setting relative to the baseline for the same CPU time. It is the
+   * ratio of squared error × time, at the setting's largest number of samples. Empty if renders are
+   * too short for the CPU clock.
    */
   public Optional<Interval> gain(TradeSetting setting) {
     TradeRow most = most(setting);
@@ -64,7 +64,9 @@ public record TradeResult(
         : Optional.empty();
   }
 
-  /** Returns the same gain for as many rays instead of time: it is that of every machine. */
+  /**
+   * Returns the relative efficiency for the same number of rays; it is independent of the machine.
+   */
   public Interval gainByRays(TradeSetting setting) {
     TradeRow most = most(setting);
     return Interval.ofRatios(usual(most.samples()).costsInRays(), most.costsInRays());
@@ -75,8 +77,8 @@ public record TradeResult(
   }
 
   /**
-   * Tells whether another row of the same kind of knob takes no more processor time and has no more
-   * error, and less of one of them.
+   * Returns whether another row of the same kind dominates a row: it has at most its CPU time and
+   * error, and less of at least one.
    */
   public boolean isDominated(TradeRow row) {
     double time = row.cpuTime().value();

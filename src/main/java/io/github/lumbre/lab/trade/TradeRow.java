@@ -7,16 +7,16 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * What a setting cost and how wrong it was at one number of samples: a value for each seed, in the
- * same order in all lists.
+ * The time and error of a setting at one number of samples: a value for each seed, in the same
+ * order in all lists.
  *
- * @param samples per pixel
- * @param seconds on the wall, for all samples up to these
- * @param cpuSeconds of the process
- * @param errors against the reference
- * @param work for one sample
- * @param bias how far the mean of all seeds' pictures is from the reference
- * @param picture of the first seed
+ * @param samples samples per pixel
+ * @param seconds wall-clock time of all samples so far
+ * @param cpuSeconds CPU time of the process
+ * @param errors errors against the reference
+ * @param work work per sample
+ * @param bias difference between the mean of all seeds' pictures and the reference
+ * @param picture picture of the first seed
  */
 public record TradeRow(
     TradeSetting setting,
@@ -29,47 +29,48 @@ public record TradeRow(
     Image picture) {
 
   /**
-   * The part of the relative mean squared error that more samples do not take away: the mean over
-   * pixels of ((m − r)² − s²/K − s_r²) / (r² + 0.01), m and s² being mean and variance over the K
-   * seeds and s_r² the reference's own. Unbiased, so it may come out negative where there is none.
+   * The part of the relative mean squared error that more samples do not reduce: the mean over
+   * pixels of ((m − r)² − s²/K − s_r²) / (r² + 0.01). Here m and s² are the mean and variance over
+   * the K seeds, and s_r² is the variance of the reference. The estimate is unbiased, so it can be
+   * negative if there is no bias.
    *
    * @param squared the estimate
-   * @param low end of its interval of 95 %, by the jackknife over seeds
-   * @param high end of its interval, at least what was taken off for the reference: less than that
-   *     cannot be told
+   * @param low lower end of its 95 % interval, by the jackknife over seeds
+   * @param high upper end of its interval, at least the reference's own squared error: a smaller
+   *     bias cannot be detected
    */
   public record Bias(double squared, double low, double high) {
-    /** Tells whether the interval leaves 0 out. */
+    /** Returns whether the interval excludes 0. */
     public boolean isDetected() {
       return low > 0;
     }
   }
 
-  /** Returns what the samples cost and bring. */
+  /** Returns the errors and times of the samples. */
   TimeToError.Cost cost() {
     return new TimeToError.Cost(
         samples, errors.stream().map(PictureError::relativeMse).toList(), cpuSeconds);
   }
 
-  /** Returns rays and shadow rays of all samples together. */
+  /** Returns the number of rays and shadow rays of all samples. */
   public double allRays() {
     double pixels = (double) picture.width() * picture.height();
     return (work.rays() + work.shadowRays()) * samples * pixels;
   }
 
-  /** Tells whether the processor's clock has ticked in every render. */
+  /** Returns whether every render was long enough for the CPU clock. */
   boolean isTimed() {
     return cpuSeconds.stream().allMatch(time -> time > 0);
   }
 
-  /** Returns each seed's relative mean squared error times its processor time. */
+  /** Returns each seed's relative mean squared error × CPU time. */
   List<Double> costs() {
     return IntStream.range(0, errors.size())
         .mapToObj(i -> Math.max(1e-30, errors.get(i).relativeMse() * cpuSeconds.get(i)))
         .toList();
   }
 
-  /** Returns each seed's relative mean squared error times the rays of a sample. */
+  /** Returns each seed's relative mean squared error × rays per sample. */
   List<Double> costsInRays() {
     double rays = work.rays() + work.shadowRays();
     return errors.stream().map(e -> Math.max(1e-30, e.relativeMse() * rays)).toList();
@@ -80,12 +81,12 @@ public record TradeRow(
     return Interval.ofMean(errors.stream().map(PictureError::relativeMse).toList());
   }
 
-  /** Returns the mean time on the wall. */
+  /** Returns the mean wall-clock time. */
   public Interval time() {
     return Interval.ofMean(seconds);
   }
 
-  /** Returns the mean processor time. */
+  /** Returns the mean CPU time. */
   public Interval cpuTime() {
     return Interval.ofMean(cpuSeconds);
   }

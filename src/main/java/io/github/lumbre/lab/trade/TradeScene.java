@@ -4,11 +4,11 @@ import io.github.lumbre.scene.Scene;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * A scene that a study renders, and its double that is slower and counts the work.
+ * A scene of a study, and a slower copy that counts the work.
  *
- * @param scene whose times are taken
- * @param counting the same scene, which tells the two counters
- * @param nodes that searches for hits have visited
- * @param lookUps of values of textures
+ * @param scene scene for timed renders
+ * @param counting copy of the scene that updates the two counters
+ * @param nodes counter of visited BVH nodes
+ * @param lookUps counter of texture look-ups
  */
 public record TradeScene(Scene scene, Scene counting, LongAdder nodes, LongAdder lookUps) {}

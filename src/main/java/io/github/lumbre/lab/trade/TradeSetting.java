@@ -13,15 +13,15 @@ import java.util.function.Function;
 import java.util.function.LongFunction;
 
 /**
- * A way to render a scene that a study measures at several numbers of samples.
+ * A setting that a study measures at several numbers of samples.
  *
- * @param knob what is turned: {@code depth}, {@code mode}, ...
- * @param value of the knob, as on the command line if it is there
- * @param kind what the knob changes beside the time
- * @param flags that choose the setting on the command line; empty if none do
- * @param scene as read for the settings' mode
- * @param method makes the integrator of a scene
- * @param samplers makes the random numbers of a seed
+ * @param knob varied parameter: {@code depth}, {@code mode}, ...
+ * @param value value of the parameter, as on the command line if it has a flag
+ * @param kind whether the setting changes the noise or the bias
+ * @param flags command line flags of the setting; empty if there are none
+ * @param scene scene, read for the mode of the settings
+ * @param method creates the integrator of a scene
+ * @param samplers creates the sampler of a seed
  */
 public record TradeSetting(
     String knob,
@@ -33,15 +33,17 @@ public record TradeSetting(
     Function<Scene, Integrator> method,
     LongFunction<Sampler> samplers) {
 
-  /** What a knob changes beside the time; settings of different kinds are not ranked together. */
+  /**
+   * The effect of a setting besides the time; settings of different kinds are not ranked together.
+   */
   public enum Kind {
-    /** The noise: the mean of all such pictures is the truth. */
+    /** The setting is unbiased and changes only the noise. */
     NOISE,
-    /** What the pictures converge to, so that no number of samples brings the truth. */
+    /** The setting is biased: its pictures converge to a different limit. */
     BIAS
   }
 
-  /** Returns a setting of path tracing with Sobol points. */
+  /** Returns a setting for path tracing with Sobol points. */
   static TradeSetting ofPaths(
       String knob,
       String value,
@@ -61,7 +63,7 @@ public record TradeSetting(
         SobolSampler::new);
   }
 
-  /** Returns the setting of ray tracing with the depths of its settings. */
+  /** Returns the setting for ray mode with the depths of its settings. */
   static TradeSetting ofRays(TradeScene scene, RenderSettings settings) {
     return new TradeSetting(
         "mode",
@@ -74,22 +76,22 @@ public record TradeSetting(
         SobolSampler::new);
   }
 
-  /** Tells whether samples alone stand between picture and reference. */
+  /** Returns whether the setting is unbiased. */
   public boolean isUnbiased() {
     return kind == Kind.NOISE;
   }
 
-  /** Returns the setting's name in the terms of the field. */
+  /** Returns the setting's display name. */
   public String label() {
     return TradeText.label(knob, value);
   }
 
-  /** Returns what renders the setting with a seed. */
+  /** Returns a renderer of the setting with a seed. */
   FilmRenderer renderer(long seed) {
     return renderer(scene.scene(), settings.toBuilder().seed(seed).build());
   }
 
-  /** Returns what renders the setting in another scene, and a frame of other settings. */
+  /** Returns a renderer of the setting for another scene and other frame settings. */
   FilmRenderer renderer(Scene other, RenderSettings frame) {
     return new FilmRenderer(frame, other, method.apply(other), samplers);
   }

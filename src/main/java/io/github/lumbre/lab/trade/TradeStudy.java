@@ -17,17 +17,17 @@ import java.util.function.DoubleFunction;
 import java.util.function.DoubleSupplier;
 
 /**
- * Measures what settings cost and how wrong they are: renders a reference, and each setting with
- * several seeds at each number of samples. Settings take turns within each seed, so that what
- * happens on the machine meanwhile falls on all of them.
+ * Measures the time and error of settings: renders a reference, and each setting with several seeds
+ * at each number of samples. Within each seed the settings alternate, so that other load on the
+ * machine affects all of them.
  */
 public final class TradeStudy {
-  /** Differs from all seeds of the study in every bit that matters. */
+  /** A seed that differs from all seeds of the study. */
   private static final long REFERENCE_SEED = 0x5eed_0f_7e_fe_7e_9ceL;
 
   private static final int FRAME_FOR_COUNTERS = 20_000;
 
-  /** The share of the time after which a reference is taken as it is. */
+  /** The largest share of the time for the reference. */
   private static final double REFERENCE_SHARE = .5;
 
   private final TradeSweep sweep;
@@ -36,7 +36,7 @@ public final class TradeStudy {
   private final Consumer<String> log;
   private final List<TradeTrial> trials = new ArrayList<>();
 
-  /** The usual setting's films, one for each seed. */
+  /** The baseline's films, one for each seed. */
   private final List<TradeClimb> usual = new ArrayList<>();
 
   private TradePlan plan;
@@ -44,10 +44,10 @@ public final class TradeStudy {
   private double start;
 
   /**
-   * @param sweep settings to be measured
-   * @param planner tells what fits if so many samples a second are rendered
-   * @param cpuSeconds tells the processor time of the process so far
-   * @param log hears what is being done
+   * @param sweep settings to measure
+   * @param planner returns the plan for a rate in samples per second
+   * @param cpuSeconds supplies the CPU time of the process so far
+   * @param log receives progress messages
    */
   public TradeStudy(
       TradeSweep sweep,
@@ -61,10 +61,9 @@ public final class TradeStudy {
   }
 
   /**
-   * Runs the study. Not to be called twice.
+   * Runs the study. Must be called only once.
    *
-   * @param rate samples that are rendered in a second, as far as that is known; the reference tells
-   *     it better
+   * @param rate estimate of the samples per second; the reference refines it
    * @throws InterruptedException if the calling thread is interrupted
    */
   public TradeResult run(double rate) throws InterruptedException {
@@ -74,11 +73,11 @@ public final class TradeStudy {
     planAgain(reference);
     Image truth = reference.film().develop();
     NoiseEstimate noise = noise(reference);
-    log.accept("settings that change the time alone");
+    log.accept("settings that change only the time");
     List<ExactRow> exact = new ExactPairs(reference(), plan.exactSamples(), cpuSeconds).rows();
     renderSeeds(truth);
     reachTarget(truth, noise.relativeMse());
-    log.accept("nodes and textures");
+    log.accept("counting BVH nodes and texture look-ups");
     return new TradeResult(
         truth, reference.samples(), noise, rows(truth, noise.relativeMse()), exact);
   }
@@ -88,7 +87,9 @@ public final class TradeStudy {
     settings = sweep.settings(plan.mostSamples());
   }
 
-  /** Plans by the time that the reference took, and goes on with it if it is to be better. */
+  /**
+   * Plans again by the reference's rate, and adds samples to the reference if the plan has more.
+   */
   private void planAgain(TradeClimb reference) throws InterruptedException {
     Film film = reference.film();
     planFor(film.totalSamples() / Math.max(1e-9, reference.seconds()));
@@ -124,8 +125,8 @@ public final class TradeStudy {
   }
 
   /**
-   * Renders what all is compared with: if there is an error to be reached, until its own is small
-   * beside that, or half of the time is over.
+   * Renders the reference. With a target error, adds samples until the reference's own error is
+   * small enough, or half of the time is used.
    */
   private TradeClimb renderReference() throws InterruptedException {
     TradeClimb climb = new TradeClimb(reference(), REFERENCE_SEED, cpuSeconds);
@@ -144,13 +145,13 @@ public final class TradeStudy {
     }
   }
 
-  /** Returns the next power of two, or half as much again of one. */
+  /** Returns the next larger number of the form 2^n or 1.5 · 2^n. */
   private static int afterwards(int samples) {
     int power = Integer.highestOneBit(samples);
     return samples == power ? power + power / 2 : 2 * power;
   }
 
-  /** Tells whether what takes so long ends within a share of the time. */
+  /** Returns whether work of a given duration ends within a share of the time. */
   private boolean fits(double seconds, double share) {
     return TradeClimb.clock() + seconds - start <= share * plan.seconds();
   }
@@ -183,8 +184,8 @@ public final class TradeStudy {
   }
 
   /**
-   * Doubles the samples of the usual setting until every seed's error is small enough, or the time
-   * is over. Each of the seeds' films is as far as the others, so that the means tell something.
+   * Doubles the samples of the baseline until every seed's error is small enough, or the time is
+   * used. All seeds keep the same number of samples, so that their mean is meaningful.
    */
   private void reachTarget(Image truth, double truthNoise) throws InterruptedException {
     for (int samples = 2 * plan.mostSamples();
@@ -194,7 +195,7 @@ public final class TradeStudy {
         log.accept("no time for " + samples + " samples per pixel");
         return;
       }
-      log.accept("usual setting: " + samples + " samples per pixel");
+      log.accept("baseline: " + samples + " samples per pixel");
       for (TradeClimb climb : usual) {
         climb.to(samples);
         trials.add(climb.against(truth));
@@ -202,7 +203,7 @@ public final class TradeStudy {
     }
   }
 
-  /** Tells whether the last trials of the usual setting all have the error that is wanted. */
+  /** Returns whether the last trials of the baseline all reach the target error. */
   private boolean isReached(double truthNoise) {
     int samples = usual.get(0).samples();
     return trials.stream()
@@ -210,7 +211,7 @@ public final class TradeStudy {
         .allMatch(t -> t.error().relativeMse() - truthNoise <= plan.targetRelativeMse());
   }
 
-  /** Counts the work of a sample: of one in each pixel, or more where there are few. */
+  /** Counts the work per sample, with one sample per pixel, or more for small frames. */
   private static TradeWork work(TradeSetting setting) throws InterruptedException {
     TradeScene scene = setting.scene();
     RenderSettings frame = setting.settings().toBuilder().seed(1).build();
@@ -218,7 +219,7 @@ public final class TradeStudy {
     int samples = Math.max(1, FRAME_FOR_COUNTERS / pixels);
     FilmRenderer renderer = setting.renderer(scene.counting(), frame);
     Film film = renderer.newFilm();
-    // Domes look at their textures when they are made: only what follows counts.
+    // Environment lights read their textures when they are created; do not count these look-ups.
     scene.nodes().reset();
     scene.lookUps().reset();
     RenderStatistics statistics = TradeClimb.climb(renderer, film, samples);
@@ -245,7 +246,7 @@ public final class TradeStudy {
         own.get(0).picture());
   }
 
-  /** Returns the bias of pictures of independent seeds, its interval by the jackknife. */
+  /** Returns the bias of pictures of independent seeds, with its interval by the jackknife. */
   static TradeRow.Bias bias(List<Image> pictures, Image truth, double truthNoise) {
     int count = pictures.size();
     double[][] seen = pictures.stream().map(PictureError::seen).toArray(double[][]::new);
@@ -265,7 +266,7 @@ public final class TradeStudy {
     return new TradeRow.Bias(all, all - half, Math.max(all + half, truthNoise));
   }
 
-  /** Returns the mean of ((m − r)² − s²/K) / (r² + 0.01), one picture left out. */
+  /** Returns the mean of ((m − r)² − s²/K) / (r² + 0.01), without one of the pictures. */
   private static double squaredBias(double[][] pictures, int left, double[] r) {
     int count = left < 0 ? pictures.length : pictures.length - 1;
     double sum = 0;

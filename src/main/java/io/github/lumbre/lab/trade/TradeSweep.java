@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** The settings that a study compares: one knob at a time is turned away from the reference. */
+/** The settings that a study compares: each differs from the baseline in one parameter. */
 public final class TradeSweep {
-  /** All knobs, in the order in which they are told. */
+  /** The names of all parameters, in the order of the page. */
   public static final List<String> KNOBS =
       List.of(
           "sampler",
@@ -30,7 +30,7 @@ public final class TradeSweep {
 
   private static final String ADAPTIVE = "adaptive";
 
-  /** Twice those of the pilot after which adaptive sampling begins. */
+  /** Twice the samples per pixel after which adaptive sampling starts. */
   private static final int ADAPTIVE_SAMPLES = 64;
 
   private static final int[] DEPTHS = {1, 2, 3, 5, 8, 16};
@@ -38,7 +38,7 @@ public final class TradeSweep {
   private static final int[] SPLITS = {2, 4, 8};
   private static final int[] CLAMPS = {1, 10, 100};
 
-  /** Roulette ends paths long before. */
+  /** A depth that Russian roulette hardly ever lets a path reach. */
   private static final int DEEP = 1000;
 
   private static final PathOptions USUAL = PathOptions.toDepth(DEEP);
@@ -49,9 +49,9 @@ public final class TradeSweep {
   private final List<TradeSetting> all = new ArrayList<>();
 
   /**
-   * @param scene as read for path tracing
-   * @param settings for path tracing, whose depth does not count
-   * @param knobs to be turned
+   * @param scene scene, read for path tracing
+   * @param settings settings for path tracing; their depth is ignored
+   * @param knobs names of the parameters to vary
    */
   public TradeSweep(TradeScene scene, RenderSettings settings, Set<String> knobs) {
     this.scene = scene;
@@ -73,7 +73,7 @@ public final class TradeSweep {
     }
   }
 
-  /** Returns the settings for path tracing that are taken for the truth. */
+  /** Returns the baseline's settings for path tracing. */
   public static RenderSettings usual(RenderSettings settings) {
     return settings.toBuilder()
         .maxTraceDepth(DEEP)
@@ -154,14 +154,14 @@ public final class TradeSweep {
     return TradeSetting.ofPaths(knob, name, kind, flags, scene, settings, options);
   }
 
-  /** Adds ray tracing of the scene as read for it, if modes are compared. */
+  /** Adds ray mode, with the scene read for it, if modes are compared. */
   public void addRays(TradeScene read, RenderSettings ofRays) {
     if (knobs.contains("mode")) {
       all.add(TradeSetting.ofRays(read, ofRays));
     }
   }
 
-  /** Adds the scene as read with another filter of its textures, if filters are compared. */
+  /** Adds the scene read with another texture filter, if filters are compared. */
   public void addFilter(String name, TradeScene read) {
     if (knobs.contains("filter")) {
       all.add(TradeSetting.ofPaths("filter", name, Kind.BIAS, "", read, settings, USUAL));
@@ -169,9 +169,10 @@ public final class TradeSweep {
   }
 
   /**
-   * Returns all settings, the reference's first.
+   * Returns all settings, the baseline first.
    *
-   * @param mostSamples per pixel; with few of them adaptive sampling does nothing
+   * @param mostSamples largest number of samples per pixel; with few samples adaptive sampling has
+   *     no effect and is skipped
    */
   public List<TradeSetting> settings(int mostSamples) {
     return all.stream()

@@ -10,9 +10,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a study of settings found, for programs to read: each seed of each setting. */
+/** Formats the results of a study as CSV and JSON, with each seed of each setting. */
 public final class TradeTables {
-  /** What tells such a file from others; it changes when older readers would misunderstand. */
+  /** The JSON format's identifier; it changes with every incompatible change of the format. */
   public static final String FORMAT = "lumbre-trade-2";
 
   private static final Gson GSON =
@@ -47,7 +47,7 @@ public final class TradeTables {
     return String.join("\n", lines) + "\n";
   }
 
-  /** Returns all of the study as a JSON object. */
+  /** Returns the whole study as a JSON object. */
   public static String json(Map<String, String> facts, TradeResult result) {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("format", FORMAT);

@@ -5,11 +5,11 @@ import io.github.lumbre.math.Elementary;
 import java.util.List;
 import java.util.Locale;
 
-/** Figures of a study as its page and tables tell them. */
+/** Formats the numbers of a study for its page and tables. */
 final class TradeText {
   private TradeText() {}
 
-  /** Returns a setting's name in the terms of the field. */
+  /** Returns a setting's display name. */
   static String label(String knob, String value) {
     return switch (knob) {
       case "sampler" -> value + " samples";
@@ -40,7 +40,7 @@ final class TradeText {
         : String.format(Locale.ROOT, "%.2g %%", value);
   }
 
-  /** Returns a share given by its square, as squared errors are; what is below 0 counts as 0. */
+  /** Returns the root of a squared error as a percentage; negative values count as 0. */
   static String rootPercent(double squared) {
     return percent(Math.sqrt(Math.max(0, squared)));
   }
@@ -76,7 +76,7 @@ final class TradeText {
             : String.format(Locale.ROOT, "%.0f", value);
   }
 
-  /** Returns the exponent at which the squared error of rows falls with samples, as a text. */
+  /** Returns the convergence exponent of rows as text; empty with fewer than two rows. */
   static String slope(List<TimeToError.Cost> rows) {
     if (rows.size() < 2) {
       return "";

@@ -6,10 +6,10 @@ import io.github.lumbre.lab.metrics.PictureError;
 /**
  * One render of one setting with one seed, up to one number of samples.
  *
- * @param samples per pixel
- * @param seconds on the wall, for all samples up to these
- * @param cpu seconds of the process
- * @param error against the reference
+ * @param samples samples per pixel
+ * @param seconds wall-clock time of all samples so far
+ * @param cpu CPU seconds of the process
+ * @param error error against the reference
  */
 record TradeTrial(
     TradeSetting setting,

@@ -1,5 +1,5 @@
 /**
- * What each setting of a render costs, and the error that it leaves.
+ * Measurements of the time and error of render settings.
  *
  * <p>{@link io.github.lumbre.lab.trade.TradeStudy} measures the settings of a {@link
  * io.github.lumbre.lab.trade.TradeSweep}; {@link io.github.lumbre.lab.trade.TradePage} and {@link

@@ -17,7 +17,7 @@ class ForecastReportTest {
   void samplesAndTimesHaveIntervals() {
     assertThat(line(.5, 1 << 30, OptionalDouble.empty()))
         .isEqualTo(
-            "forecast: the error takes about 200 samples per pixel (100 to 400),"
+            "forecast: the target error takes about 200 samples per pixel (100 to 400),"
                 + " 100 s (50 s to 3 min)");
     assertThat(line(.01, 1 << 30, OptionalDouble.empty())).endsWith(" 2.0 s (1.0 s to 4.0 s)");
     assertThat(line(60, 1 << 30, OptionalDouble.empty())).endsWith(" 3 h (100 min to 7 h)");

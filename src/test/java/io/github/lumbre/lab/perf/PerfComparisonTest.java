@@ -63,14 +63,14 @@ class PerfComparisonTest {
     Path changed = file("b.json", other);
     Files.writeString(changed, Files.readString(changed).replace("feed", "beef"));
     assertThat(compare(file("a.json", BEFORE), changed).out())
-        .contains("| differ, and so do the scenes |");
+        .contains("| differ, as do the scenes |");
   }
 
   @Test
   void clockDecides() throws IOException {
     Path a = file("a.json", BEFORE);
     Path b = file("b.json", PerfFixture.result("tiny", "aa", 2, 2.02, 2.04));
-    // The same CPU time, twice the time on the wall.
+    // The same CPU time, twice the wall-clock time.
     String text = Files.readString(b).replace("\"cpu_seconds\": 4.0,", "\"cpu_seconds\": 2.0,");
     text = text.replace("\"cpu_seconds\": 4.04,", "\"cpu_seconds\": 2.02,");
     text = text.replace("\"cpu_seconds\": 4.08,", "\"cpu_seconds\": 2.04,");
@@ -114,7 +114,7 @@ class PerfComparisonTest {
       value = {
         "{                                | End of input",
         "[]                               | a measurement: expected an object",
-        "{}                               | format: expected a text",
+        "{}                               | format: expected a string",
         "{'format': 'x'}                  | format: expected lumbre-bench-1, found x",
         "{'format': 'lumbre-bench-1'}     | machine: expected an object",
       })
@@ -124,7 +124,7 @@ class PerfComparisonTest {
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
     assertThat(outcome.err())
         .hasLineCount(1)
-        .contains("expected a file that lumbre perf --json wrote: ", message);
+        .contains("expected a JSON file from 'lumbre perf': ", message);
   }
 
   @Test

@@ -21,7 +21,7 @@ class BenchmarkTableTest {
         .contains("1.5 % of its samples", "extrapolated", "1 render of 1 sample per pixel")
         .contains("median of 3 renders");
     assertThat(String.join("\n", markdown("1").head()))
-        .contains("all its samples")
+        .contains("all of its samples")
         .doesNotContain("extrapolated");
   }
 
