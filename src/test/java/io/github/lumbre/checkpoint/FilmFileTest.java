@@ -258,4 +258,21 @@ class FilmFileTest {
     assertThat(faults.firstRejected()).isEmpty();
     assertThat(faults.rejected()).isEqualTo(film.header().faults().rejected());
   }
+
+  @Test
+  void filmsOfAnyVersionAreKnownByTheirFirstBytes() throws IOException {
+    assertThat(FilmFile.startsIn(content())).isTrue();
+    assertThat(FilmFile.startsIn(ascii("LUMBRE-FILM 99\n"))).isTrue();
+    assertThat(FilmFile.startsIn(ascii("LUMBRE-FIL"))).isFalse();
+    assertThat(FilmFile.startsIn(ascii("{\"camera\": {}}"))).isFalse();
+    assertThat(FilmFile.startsIn(new byte[0])).isFalse();
+  }
+
+  @Test
+  void noRejectedSamplesMayBeStated() throws IOException {
+    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    String none = withRejected(text, "0").replaceFirst("first-rejected: [^\n]*\n", "");
+    writeSealed(ascii(none));
+    assertThat(FilmFile.read(path).header().faults().rejected()).isZero();
+  }
 }

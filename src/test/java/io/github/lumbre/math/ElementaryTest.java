@@ -179,7 +179,7 @@ class ElementaryTest {
     assertThat(Elementary.log1p(-(1 - 0x1p-53))).isCloseTo(-53 * Math.log(2), within(1e-14));
   }
 
-  /** The table of {@link Elementary#erfcScaled} is made of this series. */
+  /** The table of {@link Elementary#erfcScaled} is made from this series. */
   @ParameterizedTest
   @CsvSource({
     "0, 1",
@@ -208,7 +208,8 @@ class ElementaryTest {
   @Test
   void logarithmUndoesTheExponential() {
     for (double x = -700; x < 700; x += 7.3) {
-      assertThat(Elementary.log(Elementary.exp(x))).isCloseTo(x, within(4 * EPS * (1 + Math.abs(x))));
+      assertThat(Elementary.log(Elementary.exp(x)))
+          .isCloseTo(x, within(4 * EPS * (1 + Math.abs(x))));
     }
     assertThat(Elementary.log(1)).isZero();
     assertThat(Elementary.log(0)).isEqualTo(Double.NEGATIVE_INFINITY);

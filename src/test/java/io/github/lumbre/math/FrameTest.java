@@ -106,7 +106,7 @@ class FrameTest {
     }
   }
 
-  /** A direction in the plane of normal and tangent names no side: the frame keeps its hand. */
+  /** A direction in the plane of the normal and the tangent lies on neither side. */
   @Test
   void bitangentsWithoutASideGiveTheHandednessOfFramesAroundNormals() {
     for (Vec3 v : new Vec3[] {Vec3.ZERO, Vec3.X, Vec3.Z}) {
@@ -127,7 +127,6 @@ class FrameTest {
 
   @Test
   void textNamesAllThreeAxes() {
-    assertThat(Frame.WORLD)
-        .hasToString("Frame[" + Vec3.X + ", " + Vec3.Y + ", " + Vec3.Z + "]");
+    assertThat(Frame.WORLD).hasToString("Frame[" + Vec3.X + ", " + Vec3.Y + ", " + Vec3.Z + "]");
   }
 }

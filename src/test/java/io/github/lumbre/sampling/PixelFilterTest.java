@@ -92,7 +92,7 @@ class PixelFilterTest {
     }
   }
 
-  /** The tables are made of these: in proportion to the definitions, whatever the factor. */
+  /** The tables are made of these densities, which are known up to a factor. */
   @Test
   void tabulatedDensitiesAreInProportionToTheirDefinitions() {
     assertInProportion(PixelFilter.GAUSSIAN, PixelFilter::gaussian);

@@ -295,7 +295,7 @@ class SobolSamplerTest {
     }
   }
 
-  /** Films keep the name and are resumed by it: as long as it stands, so do the numbers. */
+  /** Films store the name: renders are resumed by it, so its numbers must never change. */
   @Test
   void numbersAreThoseThatTheNameStandsFor() {
     assertThat(SobolSampler.ID).isEqualTo("owen-sobol 1");
@@ -322,7 +322,7 @@ class SobolSamplerTest {
           values.add(sampler.get1d(0));
         }
       }
-      // Of 32 bits, two of 4096 numbers are the same once in five hundred times.
+      // Two of 4096 random numbers of 32 bits are equal with a probability of 1/500.
       assertThat(values).hasSizeGreaterThan(4096 - 3);
     }
   }

@@ -83,7 +83,7 @@ class RenderSettingsTest {
   }
 
   @Test
-  void withoutAWordAllHaveTheirDefaults() {
+  void withoutChangesAllHaveTheirDefaults() {
     for (Setting<?> setting : Setting.all()) {
       assertThat(RenderSettings.DEFAULT.isSet(setting)).as("%s", setting).isFalse();
       assertThat(RenderSettings.DEFAULT.get(setting)).isEqualTo(setting.missing());

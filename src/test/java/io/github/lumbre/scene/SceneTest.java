@@ -128,7 +128,7 @@ class SceneTest {
     assertThat(scene.environments()).hasSize(1);
   }
 
-  /** What sends out nothing need not be sampled; surfaces of it are seen all the same. */
+  /** Black lights are never sampled; their surfaces are still visible. */
   @Test
   void blackLightsAreLeftOut() {
     SceneBuilder builder =
@@ -146,7 +146,7 @@ class SceneTest {
     assertThat(scene.emitterAt(hit)).isEqualTo(-1);
   }
 
-  /** An infinite plane cannot be sampled: it lights other things by being hit. */
+  /** An infinite plane cannot be sampled: it lights other things only when a ray hits it. */
   @Test
   void infiniteEmittersAreHitAndNotSampled() {
     Scene scene = empty().addEmissive(FLOOR, glow(2)).build();
@@ -182,7 +182,7 @@ class SceneTest {
     }
   }
 
-  /** Lights that are alike are told apart by their order. */
+  /** Equal lights are distinguished by their order. */
   @Test
   void emittersAreFoundFromLightsAndEnvironments() {
     Scene scene =

@@ -19,10 +19,13 @@ class SettingTest {
 
   @Test
   void settingsOfAGroupStandTogether() {
-    assertThat(Setting.all()).extracting(Setting::group).isSorted().contains(Setting.Group.values());
+    assertThat(Setting.all())
+        .extracting(Setting::group)
+        .isSorted()
+        .contains(Setting.Group.values());
   }
 
-  /** The same in files and on the command line: a default that is written is read again. */
+  /** Files and the command line share one text form: a default that is written is read again. */
   @Test
   void defaultsAreInRangeAndTheirTextsAreRead() {
     Setting.all().forEach(SettingTest::assertDefaultIsRead);
@@ -45,7 +48,7 @@ class SettingTest {
     }
   }
 
-  /** How the work is divided and how the picture is developed leave samples as they are. */
+  /** The division of work and the development of the picture do not change samples. */
   @Test
   void samplesDependOnTheFrameAndTheTransportOnly() {
     for (Setting<?> setting : Setting.all()) {
@@ -60,9 +63,9 @@ class SettingTest {
     }
   }
 
-  /** What scene files cannot state, the command line can. */
+  /** Splitting and clamping belong to a run, not to a scene. */
   @Test
-  void scenesStateWhatIsNoMatterOfOneRun() {
+  void scenesStateSettingsOfThePictureOnly() {
     assertThat(Setting.WIDTH.isInScenes()).isTrue();
     assertThat(Setting.FILTER.isInScenes()).isTrue();
     assertThat(Setting.SPLIT.isInScenes()).isFalse();
