@@ -153,6 +153,9 @@ class FilmFileTest {
     String text = new String(content, StandardCharsets.ISO_8859_1);
     int pixels = text.indexOf("\n\n") + 2;
     assertRefusedFor("after its last pixel", Arrays.copyOf(content, content.length + 1));
+    // As many bytes too many in the buffer as behind it.
+    int twice = content.length + 2 * ((1 << 16) - content.length);
+    assertRefusedFor("after its last pixel", Arrays.copyOf(content, twice));
     assertRefusedFor("pixel 83 cannot be read", Arrays.copyOf(content, content.length - 1));
     assertRefusedFor("less than a byte for each pixel", Arrays.copyOf(content, pixels + 83));
     assertRefusedFor("no end of its header", Arrays.copyOf(content, pixels - 1));
