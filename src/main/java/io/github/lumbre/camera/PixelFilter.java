@@ -47,7 +47,7 @@ public enum PixelFilter {
    *
    * @param t from the center, in radii, in [-1,1]
    */
-  private static double gaussian(double t) {
+  static double gaussian(double t) {
     double deviations = 3 * t;
     return Elementary.exp(-.5 * deviations * deviations) - Elementary.exp(-4.5);
   }
@@ -58,7 +58,7 @@ public enum PixelFilter {
    *
    * @param t from the center, in radii, in [-1,1]
    */
-  private static double blackmanHarris(double t) {
+  static double blackmanHarris(double t) {
     return .35875
         + .48829 * Elementary.cosTurns(t / 2)
         + .14128 * Elementary.cosTurns(t)

@@ -203,7 +203,8 @@ public final class Elementary {
     return t * ERFC_OVER_T.at(t);
   }
 
-  private static double erfcSeries(double t) {
+  /** Returns erfc(x) exp(x²) / t for t = 2 / (2 + x) in (0,1], by its Chebyshev series. */
+  static double erfcSeries(double t) {
     double y = 4 * t - 2;
     double b = 0;
     double next = 0;

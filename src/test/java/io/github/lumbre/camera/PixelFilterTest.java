@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -89,5 +90,31 @@ class PixelFilterTest {
     for (double u : new double[] {0, Double.MIN_VALUE, 0x1p-60, 0x1p-53}) {
       assertThat(filter.sample(u)).isBetween(.5 - filter.radius(), .5);
     }
+  }
+
+  /** The tables are made of these densities, which are known up to a factor. */
+  @Test
+  void tabulatedDensitiesAreInProportionToTheirDefinitions() {
+    assertInProportion(PixelFilter.GAUSSIAN, PixelFilter::gaussian);
+    assertInProportion(PixelFilter.BLACKMAN_HARRIS, PixelFilter::blackmanHarris);
+  }
+
+  private static void assertInProportion(PixelFilter filter, DoubleUnaryOperator density) {
+    DoubleUnaryOperator expected = DENSITIES.get(filter);
+    double factor = density.applyAsDouble(0) / expected.applyAsDouble(0);
+    assertThat(factor).isPositive();
+    for (double t = -1; t <= 1; t += 1 / 64.) {
+      assertThat(density.applyAsDouble(t))
+          .isCloseTo(factor * expected.applyAsDouble(t * filter.radius()), within(1e-14));
+    }
+  }
+
+  /** The Blackman-Harris window ends at 6e-5 of its peak (Harris 1978, table 1). */
+  @Test
+  void gaussianEndsInZeroAndBlackmanHarrisNearlySo() {
+    assertThat(PixelFilter.gaussian(1)).isZero();
+    assertThat(PixelFilter.gaussian(-1)).isZero();
+    assertThat(PixelFilter.blackmanHarris(1)).isCloseTo(6e-5, within(1e-15));
+    assertThat(PixelFilter.blackmanHarris(0)).isCloseTo(1, within(1e-15));
   }
 }

@@ -167,7 +167,9 @@ class CheckpointFileTest {
     Files.write(OutputFile.previous(path), new byte[100]);
     assertThatThrownBy(() -> CheckpointFile.load(path))
         .isInstanceOf(FilmFormatException.class)
-        .hasMessageContaining("a.film.bak");
+        .hasMessage(
+            "is not a film, or is damaged; nor can %s be used: is not a film, or is damaged",
+            OutputFile.previous(path));
     Files.delete(path);
     Files.delete(OutputFile.previous(path));
     assertThatThrownBy(() -> CheckpointFile.load(path)).isInstanceOf(NoSuchFileException.class);
@@ -212,5 +214,14 @@ class CheckpointFileTest {
     assertThat(samples(loaded.file())).isEqualTo(2);
     assertThat(loaded.from()).isEqualTo(path);
     assertThat(loaded.problem()).isEmpty();
+  }
+
+  /** The system's own words differ; they begin in lower case, as the rest of a sentence. */
+  @Test
+  void reasonWhyTheFilmBeforeCannotBeReadIsReported() throws IOException {
+    Files.createDirectory(OutputFile.previous(path));
+    assertThatThrownBy(() -> CheckpointFile.load(path))
+        .isInstanceOf(FilmFormatException.class)
+        .hasMessageMatching("does not exist; nor can .*a\\.film\\.bak be used: [a-z].+");
   }
 }

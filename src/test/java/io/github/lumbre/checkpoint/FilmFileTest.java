@@ -153,6 +153,9 @@ class FilmFileTest {
     String text = new String(content, StandardCharsets.ISO_8859_1);
     int pixels = text.indexOf("\n\n") + 2;
     assertRefusedFor("after its last pixel", Arrays.copyOf(content, content.length + 1));
+    // As many bytes too many in the buffer as behind it.
+    int twice = content.length + 2 * ((1 << 16) - content.length);
+    assertRefusedFor("after its last pixel", Arrays.copyOf(content, twice));
     assertRefusedFor("pixel 83 cannot be read", Arrays.copyOf(content, content.length - 1));
     assertRefusedFor("less than a byte for each pixel", Arrays.copyOf(content, pixels + 83));
     assertRefusedFor("no end of its header", Arrays.copyOf(content, pixels - 1));
@@ -257,5 +260,22 @@ class FilmFileTest {
     RenderStatistics faults = FilmFile.read(path).header().faults();
     assertThat(faults.firstRejected()).isEmpty();
     assertThat(faults.rejected()).isEqualTo(film.header().faults().rejected());
+  }
+
+  @Test
+  void filmsOfAnyVersionAreKnownByTheirFirstBytes() throws IOException {
+    assertThat(FilmFile.startsIn(content())).isTrue();
+    assertThat(FilmFile.startsIn(ascii("LUMBRE-FILM 99\n"))).isTrue();
+    assertThat(FilmFile.startsIn(ascii("LUMBRE-FIL"))).isFalse();
+    assertThat(FilmFile.startsIn(ascii("{\"camera\": {}}"))).isFalse();
+    assertThat(FilmFile.startsIn(new byte[0])).isFalse();
+  }
+
+  @Test
+  void noRejectedSamplesMayBeStated() throws IOException {
+    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    String none = withRejected(text, "0").replaceFirst("first-rejected: [^\n]*\n", "");
+    writeSealed(ascii(none));
+    assertThat(FilmFile.read(path).header().faults().rejected()).isZero();
   }
 }

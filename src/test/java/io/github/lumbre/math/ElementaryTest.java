@@ -178,4 +178,53 @@ class ElementaryTest {
     assertThat(Elementary.expm1(1e-9)).isCloseTo(1e-9 + .5e-18, within(1e-24));
     assertThat(Elementary.log1p(-(1 - 0x1p-53))).isCloseTo(-53 * Math.log(2), within(1e-14));
   }
+
+  /** The table of {@link Elementary#erfcScaled} is made from this series. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, 1",
+    "1e-12, .99999999999887162083",
+    ".1, .89645697996912663666",
+    "1, .42758357615580700441",
+    "3.7, .14743499753718507247",
+    "20, .028174348741051319319",
+    "1e8, 5.6418958354775625874e-9",
+  })
+  void seriesOfTheErrorFunctionIsRightTo14Digits(double x, double expected) {
+    double t = 2 / (2 + x);
+    assertThat(t * Elementary.erfcSeries(t)).isCloseTo(expected, within(1e-14 * expected));
+  }
+
+  @Test
+  void tangentIsSineOverCosine() {
+    for (double degrees = -89.5; degrees < 90; degrees += .5) {
+      double expected = Elementary.sinDegrees(degrees) / Elementary.cosDegrees(degrees);
+      assertThat(Elementary.tanDegrees(degrees))
+          .isCloseTo(expected, within(1e-13 * Math.abs(expected)));
+    }
+    assertThat(Elementary.tanDegrees(45)).isCloseTo(1, within(2 * EPS));
+  }
+
+  @Test
+  void logarithmUndoesTheExponential() {
+    for (double x = -700; x < 700; x += 7.3) {
+      assertThat(Elementary.log(Elementary.exp(x)))
+          .isCloseTo(x, within(4 * EPS * (1 + Math.abs(x))));
+    }
+    assertThat(Elementary.log(1)).isZero();
+    assertThat(Elementary.log(0)).isEqualTo(Double.NEGATIVE_INFINITY);
+  }
+
+  @Test
+  void powersMultiplyAsTheirExponentsAdd() {
+    assertThat(Elementary.pow(3, 4)).isEqualTo(81);
+    assertThat(Elementary.pow(2, -3)).isEqualTo(.125);
+    for (int i = 0; i < 1000; i++) {
+      double base = random.nextDouble(.01, 10);
+      double a = random.nextDouble(-3, 3);
+      double b = random.nextDouble(-3, 3);
+      double product = Elementary.pow(base, a) * Elementary.pow(base, b);
+      assertThat(Elementary.pow(base, a + b)).isCloseTo(product, within(1e-14 * product));
+    }
+  }
 }

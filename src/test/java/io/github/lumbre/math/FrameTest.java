@@ -105,4 +105,28 @@ class FrameTest {
       assertThat(frame.toLocal(frame.normal()).minus(Vec3.Z).length()).isLessThan(4 * EPS);
     }
   }
+
+  /** A direction in the plane of the normal and the tangent lies on neither side. */
+  @Test
+  void bitangentsWithoutASideGiveTheHandednessOfFramesAroundNormals() {
+    for (Vec3 v : new Vec3[] {Vec3.ZERO, Vec3.X, Vec3.Z}) {
+      assertThat(handedness(Frame.around(Vec3.Z, Vec3.X, v))).isEqualTo(1);
+    }
+  }
+
+  @Test
+  void framesAreEqualIfAllThreeAxesAre() {
+    Frame frame = new Frame(Vec3.X, Vec3.Y, Vec3.Z);
+    assertThat(frame).isEqualTo(Frame.WORLD).hasSameHashCodeAs(Frame.WORLD);
+    assertThat(frame).isNotEqualTo(new Frame(Vec3.X.negated(), Vec3.Y, Vec3.Z));
+    assertThat(frame).isNotEqualTo(new Frame(Vec3.X, Vec3.Y.negated(), Vec3.Z));
+    assertThat(frame).isNotEqualTo(new Frame(Vec3.X, Vec3.Y, Vec3.Z.negated()));
+    assertThat(frame).isNotEqualTo(Vec3.X);
+    assertThat(frame.hashCode()).isNotEqualTo(new Frame(Vec3.Y, Vec3.X, Vec3.Z).hashCode());
+  }
+
+  @Test
+  void textNamesAllThreeAxes() {
+    assertThat(Frame.WORLD).hasToString("Frame[" + Vec3.X + ", " + Vec3.Y + ", " + Vec3.Z + "]");
+  }
 }

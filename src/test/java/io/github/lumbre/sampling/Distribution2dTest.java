@@ -105,4 +105,13 @@ class Distribution2dTest {
     assertThat(distribution.pdf(point())).isCloseTo(1, within(1e-15));
     assertThat(distribution.sample(point()).pdf()).isCloseTo(1, within(1e-15));
   }
+
+  @Test
+  void farEdgesOfTheSquareBelongToTheLastCells() {
+    Distribution2d distribution = new Distribution2d(new double[][] {{1, 2, 3}, {4, 5, 6}});
+    assertThat(distribution.pdf(new Point2(1, 1)))
+        .isEqualTo(distribution.pdf(new Point2(LAST, LAST)));
+    assertThat(distribution.pdf(new Point2(1, 0))).isEqualTo(distribution.pdf(new Point2(LAST, 0)));
+    assertThat(distribution.pdf(new Point2(0, 1))).isEqualTo(distribution.pdf(new Point2(0, LAST)));
+  }
 }

@@ -8,7 +8,9 @@ import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.Statistics;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.LongFunction;
 import java.util.function.ToDoubleFunction;
@@ -280,5 +282,77 @@ class SobolSamplerTest {
               return p.x() * p.x() * (1 + p.y());
             });
     assertThat(Statistics.deviation(moments.z(.5))).isLessThan(Statistics.CRITICAL_Z);
+  }
+
+  @Test
+  void hashesOfAKeyAreTheOutputsOfSplitMix64SeededWithIt() {
+    for (long key : new long[] {0, 1, -5, Long.MAX_VALUE}) {
+      // The reference implementation of the Java library.
+      SplittableRandom outputs = new SplittableRandom(key);
+      for (long number = 1; number < 100; number++) {
+        assertThat(Hash.of(key, number)).isEqualTo(outputs.nextLong());
+      }
+    }
+  }
+
+  /** Films store the name: renders are resumed by it, so its numbers must never change. */
+  @Test
+  void numbersAreThoseThatTheNameStandsFor() {
+    assertThat(SobolSampler.ID).isEqualTo("owen-sobol 1");
+    assertNumbers(new SobolSampler(0), 0, 0, 0, 0, 0x1.32ec13aep-2, 0x1.07e0f09bp-1);
+    assertNumbers(new SobolSampler(1), 1, 0, 0, 0, 0x1.0589496cp-3, 0x1.8c07d2cbp-1);
+    assertNumbers(new SobolSampler(-7), 3, 4, 5, 6, 0x1.37e025fdp-1, 0x1.dc8db063p-1);
+    SobolSampler far = new SobolSampler(1L << 40);
+    assertNumbers(far, 65534, 1000, 123456789, 97, 0x1.f9d90b38p-4, 0x1.ec8cb61cp-3);
+  }
+
+  private static void assertNumbers(
+      SobolSampler sampler, int x, int y, int sample, int dimension, double first, double second) {
+    assertThat(value(sampler, x, y, sample, dimension)).isEqualTo(first);
+    assertThat(sampler.get2d(dimension)).isEqualTo(new Point2(first, second));
+  }
+
+  @Test
+  void everyPixelHasNumbersOfItsOwn() {
+    for (Sampler sampler : new Sampler[] {new SobolSampler(2), new IndependentSampler(2)}) {
+      Set<Double> values = new HashSet<>();
+      for (int y = 0; y < 64; y++) {
+        for (int x = 0; x < 64; x++) {
+          sampler.startSample(x, y, 0);
+          values.add(sampler.get1d(0));
+        }
+      }
+      // Two of 4096 random numbers of 32 bits are equal with a probability of 1/500.
+      assertThat(values).hasSizeGreaterThan(4096 - 3);
+    }
+  }
+
+  /** The camera's dimensions, then those of one vertex after the other. */
+  @Test
+  void noTwoUsesShareADimension() {
+    int[][] cameras = {{Sampler.FILM, 2}, {Sampler.LENS, 2}, {Sampler.MASK, 3}};
+    int[][] uses = {
+      {Sampler.LIGHT_CHOICE, 1},
+      {Sampler.LIGHT_POINT, 2},
+      {Sampler.LOBE, 1},
+      {Sampler.DIRECTION, 2},
+      {Sampler.ROULETTE, 1}
+    };
+    Set<Integer> taken = new HashSet<>();
+    for (int[] use : cameras) {
+      assertFree(taken, use[0], use[1]);
+    }
+    for (int vertex = 0; vertex < 100; vertex++) {
+      for (int[] use : uses) {
+        assertFree(taken, Sampler.vertex(vertex) + use[0], use[1]);
+      }
+    }
+  }
+
+  private static void assertFree(Set<Integer> taken, int first, int count) {
+    for (int dimension = first; dimension < first + count; dimension++) {
+      assertThat(dimension).isNotNegative();
+      assertThat(taken.add(dimension)).as("dimension %d", dimension).isTrue();
+    }
   }
 }
