@@ -25,6 +25,9 @@ final class HelpLayout {
 
   private static final String REST = "Other";
 
+  /** The heading of flags that only one command has. */
+  private static final String OWN = "This command";
+
   static {
     COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop"));
     COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel"));
@@ -61,6 +64,7 @@ final class HelpLayout {
     FLAGS.put("Checkpoints", List.of("--checkpoint", "--checkpoint-interval"));
     FLAGS.put("Execution", List.of("--threads", "--bucket", "--kernel", "--dry-run"));
     FLAGS.put("Reports", List.of("--progress", "--json", "--stats", "--quiet", "--debug"));
+    FLAGS.put("Help", List.of("--help", "--version"));
   }
 
   private HelpLayout() {}
@@ -119,6 +123,7 @@ final class HelpLayout {
   static Map<String, List<OptionSpec>> divided(CommandSpec command) {
     Set<OptionSpec> left = new LinkedHashSet<>(visible(command));
     Map<String, List<OptionSpec>> divided = new LinkedHashMap<>();
+    divided.put(OWN, List.of());
     FLAGS.forEach(
         (heading, names) -> {
           List<OptionSpec> found = new ArrayList<>();
@@ -132,8 +137,10 @@ final class HelpLayout {
             divided.put(heading, found);
           }
         });
-    if (!left.isEmpty()) {
-      divided.put(REST, List.copyOf(left));
+    if (left.isEmpty()) {
+      divided.remove(OWN);
+    } else {
+      divided.put(OWN, List.copyOf(left));
     }
     return divided;
   }

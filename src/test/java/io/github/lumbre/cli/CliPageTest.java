@@ -124,6 +124,6 @@ All commands use the same codes. Each command below lists its own meanings.
 
   /** Returns the lines of a description as one, as picocli prints them. */
   private static String plain(String[] lines) {
-    return List.of(lines).stream().collect(Collectors.joining(" ")).replace("%%", "%");
+    return List.of(lines).stream().collect(Collectors.joining(" ")).replace("%n", " ").replace("%%", "%").strip();
   }
 }

@@ -3,10 +3,10 @@ package io.github.lumbre.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.sampling.PixelFilter;
 import io.github.lumbre.scene.RenderSettings.Builder;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;

@@ -305,7 +305,7 @@ class SceneTest {
     assertSameContent(scalar, scene);
     assertThat(scalar.takes(Specialization.ONE_EMITTER)).isTrue();
     assertThat(one().searchedBy(Kernel.SCALAR).kernel()).isEqualTo(Kernel.SCALAR);
-    assertThat(one().kernel()).isEqualTo(Kernel.configured());
+    assertThat(one().kernel()).isEqualTo(Kernel.AUTO);
   }
 
   @Test

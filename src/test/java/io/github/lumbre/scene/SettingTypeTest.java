@@ -3,8 +3,8 @@ package io.github.lumbre.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
-import io.github.lumbre.sampling.PixelFilter;
 import io.github.lumbre.scene.SettingType.ChoiceType;
 import io.github.lumbre.scene.SettingType.ExposureType;
 import io.github.lumbre.scene.SettingType.FlagType;
