@@ -7,6 +7,7 @@ import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.StandardOutput;
+import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.file.FileFailure;
 import java.io.FileDescriptor;
@@ -129,7 +130,25 @@ public final class Lumbre implements Runnable {
 
   /** Returns the program with all of its commands. */
   static CommandLine commandLine() {
-    CommandLine command = new CommandLine(new Lumbre());
+    return commandLine(Engine.LOCAL);
+  }
+
+  private static CommandLine commandLine(Engine engine) {
+    CommandLine.IFactory factory =
+        new CommandLine.IFactory() {
+          private final CommandLine.IFactory others = CommandLine.defaultFactory();
+
+          @Override
+          public <K> K create(Class<K> type) throws Exception {
+            if (type == RenderCommand.class) {
+              return type.cast(new RenderCommand(engine));
+            }
+            return type == ResumeCommand.class
+                ? type.cast(new ResumeCommand(engine))
+                : others.create(type);
+          }
+        };
+    CommandLine command = new CommandLine(new Lumbre(), factory);
     HelpLayout.applyToProgram(command);
     return command;
   }
@@ -146,7 +165,16 @@ public final class Lumbre implements Runnable {
 
   /** Runs the command that the arguments name, and returns its exit code. */
   static int run(String[] args, PrintWriter out, PrintWriter err) {
-    CommandLine command = commandLine();
+    return run(args, out, err, Engine.LOCAL);
+  }
+
+  /**
+   * Runs the command that the arguments name, and returns its exit code.
+   *
+   * @param engine renders the passes of {@code render} and {@code resume}
+   */
+  public static int run(String[] args, PrintWriter out, PrintWriter err, Engine engine) {
+    CommandLine command = commandLine(engine);
     Failures failures = new Failures();
     command.setOut(out).setErr(err);
     FlagConverters.registerNumbers(command);

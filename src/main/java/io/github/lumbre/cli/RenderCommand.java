@@ -21,6 +21,7 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.StandardOutput;
 import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.Interruption;
@@ -94,6 +95,8 @@ import picocli.CommandLine.Spec;
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; a started render is saved"
     })
 final class RenderCommand implements Callable<Integer> {
+  private final Engine engine;
+
   @Mixin private SceneOptions options;
 
   @Option(
@@ -155,6 +158,15 @@ final class RenderCommand implements Callable<Integer> {
   @Mixin private OverwriteFlag overwrite;
 
   @Spec private CommandSpec spec;
+
+  /** Creates the command that renders in this process. */
+  RenderCommand() {
+    this(Engine.LOCAL);
+  }
+
+  RenderCommand(Engine engine) {
+    this.engine = engine;
+  }
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
@@ -236,7 +248,8 @@ final class RenderCommand implements Callable<Integer> {
         RenderStatistics.ZERO,
         file.settings());
     RenderJob.How how = run.how(bits, options.isStrict()).withJpegQuality(jpegQuality);
-    return new RenderJob(scene, file, picture, keeper, monitor, run.errors(), report, budget, how);
+    return new RenderJob(
+        scene, file, picture, keeper, monitor, run.errors(), report, budget, how, engine);
   }
 
   private int estimate(SceneFile file, JsonSummary report) throws TaskException {

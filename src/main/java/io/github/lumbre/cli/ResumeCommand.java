@@ -16,6 +16,7 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
@@ -85,6 +86,8 @@ import picocli.CommandLine.Spec;
 final class ResumeCommand implements Callable<Integer> {
   /** The number of samples per pixel that means no limit. */
   private static final int OPEN = RenderSettings.MAX_SAMPLES;
+
+  private final Engine engine;
 
   @Parameters(
       paramLabel = "FILM",
@@ -176,10 +179,20 @@ final class ResumeCommand implements Callable<Integer> {
                 run.errors(),
                 report,
                 budget,
-                run.how(notes.bits(), false))
+                run.how(notes.bits(), false),
+                engine)
             .run(loaded.file());
       }
     }
+  }
+
+  /** Creates the command that renders in this process. */
+  ResumeCommand() {
+    this(Engine.LOCAL);
+  }
+
+  ResumeCommand(Engine engine) {
+    this.engine = engine;
   }
 
   private void validate() throws TaskException {

@@ -26,7 +26,7 @@ import java.util.function.UnaryOperator;
  * function of scene, seed, pixel and number, and films add exactly: so neither the passes nor the
  * threads nor the buckets change a bit of the sums.
  */
-public final class FilmRenderer {
+public final class FilmRenderer implements PassRenderer {
   /**
    * Which samples a scene, its settings and a seed have: raised whenever any of them changes in any
    * bit, by whatever change of the program. Films of other revisions are not gone on with.
@@ -109,6 +109,7 @@ public final class FilmRenderer {
   }
 
   /** Returns what decides on the passes over a new film, or one whose passes it went on with. */
+  @Override
   public Schedule schedule() {
     return schedule(settings.samples());
   }
@@ -144,6 +145,7 @@ public final class FilmRenderer {
    *     and the film holds what they did
    * @throws RenderException if a worker failed
    */
+  @Override
   public PassResult addSamples(Film film, SampleTarget target, Progress progress)
       throws InterruptedException {
     requireOwn(film);

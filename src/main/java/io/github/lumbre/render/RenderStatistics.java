@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import java.io.Serializable;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
@@ -27,7 +28,8 @@ public record RenderStatistics(
     long saturated,
     long unreadable,
     long clamped,
-    double clampedLight) {
+    double clampedLight)
+    implements Serializable {
   /** Nothing done. */
   public static final RenderStatistics ZERO =
       new RenderStatistics(0, 0, 0, 0, List.of(), 0, 0, 0, 0);
@@ -67,7 +69,8 @@ public record RenderStatistics(
   }
 
   /** Where a sample was rejected, so that it can be repeated: pixel of the full frame, number. */
-  public record RejectedSample(int x, int y, int sample) implements Comparable<RejectedSample> {
+  public record RejectedSample(int x, int y, int sample)
+      implements Comparable<RejectedSample>, Serializable {
     private static final Comparator<RejectedSample> ORDER =
         Comparator.comparingInt(RejectedSample::y)
             .thenComparingInt(RejectedSample::x)

@@ -80,6 +80,21 @@ public final class BudgetWatch {
   }
 
   /**
+   * Returns the next number of samples per pixel after which a render in the passes of {@link
+   * Passes} checks its error, or the goal if no check comes before.
+   *
+   * @param done samples per pixel so far
+   * @param goal samples per pixel at the end, more than {@code done}
+   */
+  public static int nextCheck(int done, int goal) {
+    int end = Passes.next(done, goal);
+    while (end < goal && StoppingSchedule.due(end) == StoppingSchedule.due(done)) {
+      end = Passes.next(end, goal);
+    }
+    return end;
+  }
+
+  /**
    * Returns whether the film's frame is too small for a bound of its noise, so that no number of
    * samples reaches the target error.
    */

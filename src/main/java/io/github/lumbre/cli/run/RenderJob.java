@@ -16,6 +16,7 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassRenderer;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
@@ -46,7 +47,8 @@ public record RenderJob(
     Messages messages,
     JsonSummary report,
     RunBudget budget,
-    How how) {
+    How how,
+    Engine engine) {
   /**
    * The options of the picture and the summary.
    *
@@ -75,11 +77,12 @@ public record RenderJob(
 
   private int run(FilmRenderer renderer, Film film, RenderStatistics faults) throws TaskException {
     long start = System.nanoTime();
-    Schedule schedule = renderer.schedule();
+    PassRenderer passes = engine.over(scene, file, renderer, budget.secondsLeft().isPresent());
+    Schedule schedule = passes.schedule();
     RenderStatistics statistics;
     LightReport light;
     try (monitor) {
-      statistics = addSamples(renderer, schedule, film, faults);
+      statistics = addSamples(passes, schedule, film, faults);
       light = light(film, statistics);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -113,7 +116,7 @@ public record RenderJob(
    * @return statistics of the new samples, with the faults of all samples
    */
   private RenderStatistics addSamples(
-      FilmRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
+      PassRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
       throws InterruptedException {
     monitor.limited(budget);
     long all = (long) film.window().width() * film.window().height() * file.settings().samples();
@@ -127,9 +130,15 @@ public record RenderJob(
       if (target.isEmpty()) {
         break;
       }
+      OptionalDouble whole = renderer.seconds(film, target.get());
+      if (!isFirstPass(film) && whole.isPresent() && budget.endsWithin(whole.getAsDouble())) {
+        break;
+      }
       // Complete the first pass even after --time, so that every pixel has a sample.
-      Progress progress = isFirstPass(film) ? monitor : budget.within(monitor);
-      PassResult pass = renderer.addSamples(film, target.get(), keeper.pausing(progress));
+      Progress progress = isFirstPass(film) || whole.isPresent() ? monitor : budget.within(monitor);
+      PassResult pass =
+          renderer.addSamples(
+              film, target.get(), whole.isPresent() ? progress : keeper.pausing(progress));
       statistics = statistics.plus(pass.statistics());
       keeper.saveIfDue(film, statistics);
       monitor.estimable(() -> budget.noise(film));

@@ -31,6 +31,7 @@ public final class RunBudget {
   private final Deadline time;
   private boolean reachedTarget;
   private boolean hopeless;
+  private boolean isTooShort;
 
   /**
    * @param time deadline after which no more samples are taken
@@ -117,7 +118,18 @@ public final class RunBudget {
    * enough samples.
    */
   boolean isUsedUp() {
-    return reachedTarget || hopeless || time.hasPassed();
+    return reachedTarget || hopeless || isTooShort || time.hasPassed();
+  }
+
+  /**
+   * Returns whether the deadline comes before a pass of a duration would be complete; if so, the
+   * run is used up.
+   *
+   * @param seconds duration of the pass
+   */
+  boolean endsWithin(double seconds) {
+    isTooShort |= time.secondsLeft().orElse(Double.POSITIVE_INFINITY) < seconds;
+    return isTooShort;
   }
 
   /** Returns a listener that also ends passes when the deadline has passed. */

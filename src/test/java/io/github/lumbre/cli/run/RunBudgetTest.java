@@ -102,7 +102,7 @@ class RunBudgetTest {
       RenderJob.How how = new RenderJob.How(8, 90, false, false, false);
       JsonSummary report = new JsonSummary("render", target);
       int code =
-          new RenderJob(target, file, picture, keeper, monitor, messages, report, budget, how)
+          new RenderJob(target, file, picture, keeper, monitor, messages, report, budget, how, Engine.LOCAL)
               .run(0);
       assertThat(code).isZero();
     }

@@ -1,0 +1,166 @@
+package io.github.lumbre.spark;
+
+import io.github.lumbre.cli.Lumbre;
+import io.github.lumbre.cli.run.Interruption;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.apache.spark.SparkConf;
+import org.apache.spark.api.java.JavaSparkContext;
+
+/**
+ * The program for {@code spark-submit}: {@code RenderOnSpark SCENE... [OPTIONS]} renders scenes with
+ * the options of {@code lumbre render}, and {@code RenderOnSpark resume FILM [OPTIONS]} resumes a
+ * checkpoint. Without {@code spark.master} it runs on all cores of this machine.
+ */
+public final class RenderOnSpark {
+  private static final String USAGE =
+      """
+      Render scenes on Apache Spark; pictures are bit-identical to those of one machine.
+      Usage: lumbre-spark [--unit SECONDS] SCENE... [OPTIONS]
+             lumbre-spark [--unit SECONDS] --list FILE [OPTIONS]
+             lumbre-spark [--unit SECONDS] resume FILM [OPTIONS]
+        --unit SECONDS  Time that a unit of work should take on one core (20s).
+        --list FILE     Render the scenes that a text file names, one a line.
+        OPTIONS         As in 'lumbre render' and 'lumbre resume'; with several scenes, -o names a
+                        folder. --adaptive is not available.
+      """;
+
+  private static final int USAGE_CODE = 2;
+  private static final int SCENE_CODE = 3;
+
+  private RenderOnSpark() {}
+
+  /** Runs the program and exits with an exit code of {@code lumbre render}. */
+  public static void main(String[] args) {
+    Interruption.install();
+    PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+    PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    int exitCode = run(List.of(args), out, err);
+    System.exit(Interruption.exitCode(exitCode));
+  }
+
+  /** Runs the program and returns its exit code. */
+  static int run(List<String> args, PrintWriter out, PrintWriter err) {
+    Arguments arguments;
+    try {
+      arguments = Arguments.of(args);
+    } catch (IllegalArgumentException e) {
+      err.println("error: " + e.getMessage());
+      err.print(USAGE);
+      err.flush();
+      return USAGE_CODE;
+    } catch (IOException e) {
+      err.println("error: --list: cannot be read: " + e.getMessage());
+      return SCENE_CODE;
+    }
+    if (arguments.isHelp()) {
+      out.print(USAGE);
+      out.flush();
+      return 0;
+    }
+    SparkConf conf = new SparkConf().setIfMissing("spark.master", "local[*]");
+    conf.setIfMissing("spark.app.name", "Lumbre");
+    conf.setIfMissing("spark.ui.showConsoleProgress", "false");
+    try (JavaSparkContext spark = new JavaSparkContext(conf)) {
+      SparkEngine engine = new SparkEngine(spark, arguments.unitSeconds());
+      int exitCode = 0;
+      for (List<String> command : arguments.commands()) {
+        int code = Lumbre.run(command.toArray(String[]::new), out, err, engine);
+        exitCode = Math.max(exitCode, code);
+      }
+      return exitCode;
+    }
+  }
+
+  /**
+   * The arguments, taken apart.
+   *
+   * @param commands arguments of the command line, one list a picture
+   */
+  record Arguments(double unitSeconds, boolean isHelp, List<List<String>> commands) {
+    private static final double UNIT_SECONDS = 20;
+
+    static Arguments of(List<String> args) throws IOException {
+      double unit = UNIT_SECONDS;
+      List<String> scenes = new ArrayList<>();
+      List<String> options = new ArrayList<>();
+      for (int i = 0; i < args.size(); i++) {
+        String arg = args.get(i);
+        if (arg.equals("-h") || arg.equals("--help")) {
+          return new Arguments(unit, true, List.of());
+        } else if (arg.equals("--unit")) {
+          unit = seconds(value(args, ++i, arg));
+        } else if (arg.equals("--list")) {
+          Path list = Path.of(value(args, ++i, arg));
+          Files.readAllLines(list).stream()
+              .map(String::strip)
+              .filter(line -> !line.isEmpty())
+              .forEach(scenes::add);
+        } else if (arg.equals("--adaptive")) {
+          throw new IllegalArgumentException(
+              "--adaptive: not available on Spark, because the next samples depend on all pixels");
+        } else if (arg.startsWith("-") || !options.isEmpty()) {
+          options.add(arg);
+        } else {
+          scenes.add(arg);
+        }
+      }
+      if (scenes.isEmpty()) {
+        throw new IllegalArgumentException("expected a scene, found none");
+      }
+      return new Arguments(unit, false, commands(scenes, options));
+    }
+
+    private static String value(List<String> args, int i, String flag) {
+      if (i >= args.size()) {
+        throw new IllegalArgumentException(flag + ": expected a value, found none");
+      }
+      return args.get(i);
+    }
+
+    private static double seconds(String text) {
+      String number = text.endsWith("s") ? text.substring(0, text.length() - 1) : text;
+      try {
+        double seconds = Double.parseDouble(number);
+        if (seconds >= .1 && seconds <= 3600) {
+          return seconds;
+        }
+      } catch (NumberFormatException e) {
+        // Told below.
+      }
+      throw new IllegalArgumentException("--unit: expected 0.1s to 3600s, found " + text);
+    }
+
+    private static List<List<String>> commands(List<String> scenes, List<String> options) {
+      if (scenes.get(0).equals("resume") && scenes.size() == 2) {
+        List<String> command = new ArrayList<>(scenes);
+        command.addAll(options);
+        return List.of(command);
+      }
+      List<List<String>> commands = new ArrayList<>();
+      for (String scene : scenes) {
+        List<String> command = new ArrayList<>(List.of("render", scene));
+        command.addAll(scenes.size() == 1 ? options : inFolder(scene, options));
+        commands.add(command);
+      }
+      return commands;
+    }
+
+    /** Returns the options of one of several scenes: its picture stands in the folder of -o. */
+    private static List<String> inFolder(String scene, List<String> options) {
+      List<String> own = new ArrayList<>(options);
+      for (int i = 0; i + 1 < own.size(); i++) {
+        if (own.get(i).equals("-o") || own.get(i).equals("--output")) {
+          String name = Path.of(scene).getFileName().toString().replaceFirst("\\.json$", "");
+          own.set(i + 1, Path.of(own.get(i + 1), name + ".png").toString());
+        }
+      }
+      return own;
+    }
+  }
+}

@@ -1,0 +1,259 @@
+package io.github.lumbre.spark;
+
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassRenderer;
+import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderException;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.render.Schedule;
+import io.github.lumbre.stopping.BudgetWatch;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.apache.spark.SimpleFutureAction;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.apache.spark.broadcast.Broadcast;
+import org.apache.spark.rdd.RDD;
+import scala.collection.immutable.Seq;
+import scala.jdk.javaapi.CollectionConverters;
+import scala.runtime.AbstractFunction0;
+import scala.runtime.AbstractFunction2;
+import scala.runtime.BoxedUnit;
+
+/**
+ * Renders passes on Spark. Each call renders one job: a part of the pass small enough for Spark's
+ * limit of a job's results, and for a checkpoint between jobs. Mutable, for one render.
+ */
+final class SparkPasses implements PassRenderer {
+  /** Units of a job for each core: the last units of a job leave cores idle. */
+  private static final int UNITS_PER_CORE = 24;
+
+  /** Results of a job, uncompressed: half of Spark's default limit. */
+  private static final long JOB_BYTES = 1L << 29;
+
+  /** Samples per second and core, before any is measured. */
+  private static final double FIRST_RATE = 100_000;
+
+  /** The most samples per pixel in one pass when a time ends the render. */
+  private static final long POLL_MILLIS = 100;
+
+  private final JavaSparkContext spark;
+  private final Broadcast<SceneBundle> bundle;
+  private final FilmRenderer local;
+  private final int goal;
+  private final double unitSeconds;
+  private final boolean isTimed;
+  private double measuredSamples;
+  private double measuredSeconds;
+
+  /**
+   * @param goal samples per pixel at the end
+   * @param unitSeconds time that a unit should take
+   * @param isTimed whether a time ends the render, so that passes should be short
+   */
+  SparkPasses(
+      JavaSparkContext spark,
+      Broadcast<SceneBundle> bundle,
+      FilmRenderer local,
+      int goal,
+      double unitSeconds,
+      boolean isTimed) {
+    this.spark = spark;
+    this.bundle = bundle;
+    this.local = local;
+    this.goal = goal;
+    this.unitSeconds = unitSeconds;
+    this.isTimed = isTimed;
+  }
+
+  /** Returns passes that end where a render on one machine checks its error. */
+  @Override
+  public Schedule schedule() {
+    if (isTimed) {
+      return local.schedule();
+    }
+    return film -> {
+      int done = film.fewestSamples();
+      if (done >= goal) {
+        return Optional.empty();
+      }
+      int end = BudgetWatch.nextCheck(done, goal);
+      return Optional.of((x, y) -> end);
+    };
+  }
+
+  @Override
+  public OptionalDouble seconds(Film film, SampleTarget target) {
+    double missing = 0;
+    for (WorkUnit unit : units(film, target)) {
+      missing += unit.samples();
+    }
+    return OptionalDouble.of(missing / (rate() * cores()));
+  }
+
+  /** Returns samples per second and core. */
+  private double rate() {
+    return measuredSeconds == 0 ? FIRST_RATE : measuredSamples / measuredSeconds;
+  }
+
+  private int cores() {
+    return Math.max(1, spark.defaultParallelism());
+  }
+
+  private List<WorkUnit> units(Film film, SampleTarget target) {
+    return Units.of(film, target, Math.max(1, (long) (rate() * unitSeconds)));
+  }
+
+  @Override
+  public PassResult addSamples(Film film, SampleTarget target, Progress progress)
+      throws InterruptedException {
+    List<WorkUnit> all = units(film, target);
+    if (all.isEmpty()) {
+      return new PassResult(true, RenderStatistics.ZERO);
+    }
+    List<WorkUnit> now = firstJob(all);
+    int end = now.stream().mapToInt(unit -> unit.first() + unit.count()).max().getAsInt();
+    spark
+        .sc()
+        .setJobDescription(
+            "%s: samples %d to %d per pixel, %d units"
+                .formatted(bundle.value().name(), film.fewestSamples(), end - 1, now.size()));
+    Job job = new Job(film, progress);
+    boolean isComplete = job.run(now);
+    return new PassResult(isComplete && now.size() == all.size(), job.statistics);
+  }
+
+  private List<WorkUnit> firstJob(List<WorkUnit> all) {
+    long bytes = 0;
+    int count = 0;
+    while (count < all.size() && count < UNITS_PER_CORE * cores()) {
+      WorkUnit unit = all.get(count);
+      bytes += (long) unit.width() * unit.height() * Film.MAX_PIXEL_BYTES;
+      if (count > 0 && bytes > JOB_BYTES) {
+        break;
+      }
+      count++;
+    }
+    return all.subList(0, count);
+  }
+
+  /** The units of one Spark job, whose films are added as they arrive. */
+  private final class Job {
+    private final Film film;
+    private final Progress progress;
+    private final BlockingQueue<UnitResult> arrived = new LinkedBlockingQueue<>();
+
+    /** Films that wait for earlier samples of their tile, by tile and first sample. */
+    private final Map<Long, TreeMap<Integer, UnitResult>> early = new HashMap<>();
+
+    private RenderStatistics statistics = RenderStatistics.ZERO;
+
+    Job(Film film, Progress progress) {
+      this.film = film;
+      this.progress = progress;
+    }
+
+    /** Renders units and returns whether all are complete. */
+    boolean run(List<WorkUnit> units) throws InterruptedException {
+      RDD<WorkUnit> rdd = spark.parallelize(units, units.size()).rdd();
+      SimpleFutureAction<Object> action =
+          spark
+              .sc()
+              .submitJob(
+                  rdd, new UnitRenderer(bundle), partitions(units), new Arrival(arrived), new End());
+      boolean isCancelled = false;
+      try {
+        while (!action.isCompleted() || !arrived.isEmpty()) {
+          UnitResult result = arrived.poll(POLL_MILLIS, TimeUnit.MILLISECONDS);
+          if (result != null) {
+            accept(result);
+          }
+          if (!isCancelled && progress.isCancelled()) {
+            isCancelled = true;
+            action.cancel();
+          }
+        }
+      } catch (InterruptedException e) {
+        action.cancel();
+        throw e;
+      }
+      if (isCancelled) {
+        return false;
+      }
+      scala.util.Try<Object> outcome = action.value().get();
+      if (outcome.isFailure()) {
+        Throwable cause = outcome.failed().get();
+        throw new RenderException("rendering on Spark failed: " + reason(cause), cause);
+      }
+      return true;
+    }
+
+    private static Seq<Object> partitions(List<WorkUnit> units) {
+      List<Object> numbers = new java.util.ArrayList<>();
+      for (int i = 0; i < units.size(); i++) {
+        numbers.add(i);
+      }
+      return CollectionConverters.asScala(numbers).toSeq();
+    }
+
+    private void accept(UnitResult result) {
+      WorkUnit unit = result.unit();
+      long tile = (long) unit.y() << 32 | unit.x();
+      TreeMap<Integer, UnitResult> waiting = early.computeIfAbsent(tile, t -> new TreeMap<>());
+      waiting.put(unit.first(), result);
+      while (!waiting.isEmpty()
+          && waiting.firstKey() == film.firstSample() + film.samples(unit.x(), unit.y())) {
+        add(waiting.pollFirstEntry().getValue());
+      }
+      if (waiting.isEmpty()) {
+        early.remove(tile);
+      }
+      measuredSamples += unit.samples();
+      measuredSeconds += result.seconds();
+    }
+
+    private void add(UnitResult result) {
+      film.addAll(result.decoded());
+      statistics = statistics.plus(result.statistics());
+      progress.advanced(result.unit().samples());
+    }
+  }
+
+  /** Returns the message of an executor's failure, without Spark's stack traces. */
+  private static String reason(Throwable failure) {
+    String message = String.valueOf(failure.getMessage());
+    return message.lines().findFirst().orElse(failure.toString());
+  }
+
+  /** Receives the result of each partition once, in Spark's own thread. */
+  private static final class Arrival extends AbstractFunction2<Object, UnitResult, BoxedUnit> {
+    private final BlockingQueue<UnitResult> arrived;
+
+    Arrival(BlockingQueue<UnitResult> arrived) {
+      this.arrived = arrived;
+    }
+
+    @Override
+    public BoxedUnit apply(Object partition, UnitResult result) {
+      arrived.add(result);
+      return BoxedUnit.UNIT;
+    }
+  }
+
+  /** The value of a finished job. */
+  private static final class End extends AbstractFunction0<Object> {
+    @Override
+    public Object apply() {
+      return BoxedUnit.UNIT;
+    }
+  }
+}

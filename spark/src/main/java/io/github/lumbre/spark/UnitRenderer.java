@@ -1,0 +1,86 @@
+package io.github.lumbre.spark;
+
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.Serializable;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.apache.spark.TaskContext;
+import org.apache.spark.broadcast.Broadcast;
+import scala.collection.Iterator;
+import scala.runtime.AbstractFunction1;
+
+/** What an executor does with a unit: renders its samples with one thread. */
+final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResult>
+    implements Serializable {
+  private static final long serialVersionUID = 1;
+
+  /** The scenes of this executor, by the number of the broadcast that brought them. */
+  private static final Map<Long, SceneFile> SCENES = new ConcurrentHashMap<>();
+
+  private final Broadcast<SceneBundle> bundle;
+
+  UnitRenderer(Broadcast<SceneBundle> bundle) {
+    this.bundle = bundle;
+  }
+
+  @Override
+  public UnitResult apply(Iterator<WorkUnit> units) {
+    WorkUnit unit = units.next();
+    SceneFile scene = scene();
+    long start = System.nanoTime();
+    RenderSettings settings =
+        scene.settings().toBuilder().crop(unit.tile()).threads(1).adaptive(false).build();
+    FilmRenderer renderer = new FilmRenderer(settings, scene.scene());
+    Film film = renderer.newFilm(unit.first());
+    try {
+      PassResult pass = renderer.addSamples(film, unit.count(), untilKilled());
+      if (!pass.complete()) {
+        throw new IllegalStateException("stopped: " + unit);
+      }
+      double seconds = (System.nanoTime() - start) * 1e-9;
+      return UnitResult.of(unit, film, pass.statistics(), seconds);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("interrupted: " + unit, e);
+    }
+  }
+
+  private static Progress untilKilled() {
+    TaskContext task = TaskContext.get();
+    return Progress.NONE.cancelledAlsoIf(() -> task != null && task.isInterrupted());
+  }
+
+  private SceneFile scene() {
+    return SCENES.computeIfAbsent(
+        bundle.id(),
+        id -> {
+          SceneBundle sent = bundle.value();
+          if (sent.revision() != FilmRenderer.REVISION) {
+            throw new IllegalStateException(
+                "the executor on "
+                    + host()
+                    + " has Lumbre's samples of revision "
+                    + FilmRenderer.REVISION
+                    + ", expected the driver's "
+                    + sent.revision()
+                    + "; give all executors the same lumbre-spark.jar");
+          }
+          return sent.read();
+        });
+  }
+
+  private static String host() {
+    try {
+      return InetAddress.getLocalHost().getHostName();
+    } catch (UnknownHostException e) {
+      return "an unknown host";
+    }
+  }
+}
