@@ -1,8 +1,8 @@
 package io.github.lumbre.geometry;
 
 /**
- * Leaves as the searches store them: a negative number that tells the kind of the items, the first
- * one's place among its kind, and their count.
+ * The encoding of a leaf as a negative number: the kind of its items, the position of the first
+ * item among its kind, and the number of items.
  */
 final class LeafRef {
   private static final int COUNT_BITS = 4;
@@ -10,7 +10,8 @@ final class LeafRef {
   private LeafRef() {}
 
   /**
-   * @param count 1 to 15
+   * Returns the encoded leaf. @param first the position of the first item among its kind @param
+   * count 1 to 15
    */
   static int of(boolean ofShapes, int first, int count) {
     return ~((first << COUNT_BITS + 1) | (ofShapes ? 1 << COUNT_BITS : 0) | count);
