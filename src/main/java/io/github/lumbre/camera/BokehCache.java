@@ -16,9 +16,10 @@ public final class BokehCache implements Aperture {
   private final int[] whiteTexels;
 
   /**
-   * Creates a lens. @param white {@code [row][column]}, with row 0 at the <b>bottom</b>; all rows
-   * have the same length
+   * Creates a lens.
    *
+   * @param white {@code [row][column]}, with row 0 at the <b>bottom</b>; all rows have the same
+   *     length
    * @throws IllegalArgumentException if no texel is white
    */
   public BokehCache(boolean[][] white) {

@@ -19,9 +19,11 @@ public abstract sealed class Camera
   private final double aspect;
 
   /**
-   * Creates a camera. @param position the eye, in world space @param axes the orthonormal
-   * world-space directions right (+x), up (+y) and forward (+z) @param aspect the width of the film
-   * divided by its height, &gt; 0 and finite
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right (+x), up (+y) and forward (+z)
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
    */
   Camera(Vec3 position, Frame axes, double aspect) {
     this.position = Objects.requireNonNull(position, "position");
@@ -36,9 +38,9 @@ public abstract sealed class Camera
    * Returns the world-space ray, with unit direction, for a film point. Empty outside the circle of
    * a fisheye, where the film has no image.
    *
-   * @param film in [0,1)² with v down; points outside continue the projection, see {@link
-   *     #aim} @param sampler started at the current sample; only cameras with a lens use it, at its
-   *     camera dimensions
+   * @param film in [0,1)² with v down; points outside continue the projection, see {@link #aim}
+   * @param sampler started at the current sample; only cameras with a lens use it, at its camera
+   *     dimensions
    */
   @SuppressWarnings("exports") // internal
   public final Optional<Ray> rayFor(Point2 film, Sampler sampler) {
@@ -54,10 +56,12 @@ public abstract sealed class Camera
    * wrap around to the left and right, and spherical ones also continue across their poles.
    * Perspective cameras show the scene beside the picture.
    *
-   * @param u film coordinate to the right, finite; in [0,1) on the film @param v film coordinate
-   *     down, finite; in [0,1) on the film @param sampler started at the current sample; only
-   *     cameras with a lens use it, at its camera dimensions @param ray receives the result;
-   *     unchanged if this returns false @return whether the film point has a ray
+   * @param u film coordinate to the right, finite; in [0,1) on the film
+   * @param v film coordinate down, finite; in [0,1) on the film
+   * @param sampler started at the current sample; only cameras with a lens use it, at its camera
+   *     dimensions
+   * @param ray receives the result; unchanged if this returns false
+   * @return whether the film point has a ray
    */
   @SuppressWarnings("exports") // internal
   public final boolean aim(double u, double v, Sampler sampler, CameraRay ray) {

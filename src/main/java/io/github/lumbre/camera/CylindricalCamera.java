@@ -13,10 +13,13 @@ public final class CylindricalCamera extends Camera {
   private final double halfHeight;
 
   /**
-   * Creates a camera. @param position the eye, in world space @param axes the orthonormal
-   * world-space directions right, up and forward @param aspect the width of the film divided by its
-   * height, &gt; 0 and finite @param halfHeight half the height of the film on the unit cylinder,
-   * in [0, 1e150] @throws IllegalArgumentException if a number is out of range
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param halfHeight half the height of the film on the unit cylinder, in [0, 1e150]
+   * @throws IllegalArgumentException if a number is out of range
    */
   public CylindricalCamera(Vec3 position, Frame axes, double aspect, double halfHeight) {
     super(position, axes, aspect);

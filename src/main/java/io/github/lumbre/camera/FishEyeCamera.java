@@ -13,10 +13,13 @@ public final class FishEyeCamera extends Camera {
   private final double angleDegrees;
 
   /**
-   * Creates a camera. @param position the eye, in world space @param axes the orthonormal
-   * world-space directions right, up and forward @param aspect the width of the film divided by its
-   * height, &gt; 0 and finite @param angleDegrees the full angle of view across the circle, in
-   * degrees, in (0, 360] @throws IllegalArgumentException if a number is out of range
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param angleDegrees the full angle of view across the circle, in degrees, in (0, 360]
+   * @throws IllegalArgumentException if a number is out of range
    */
   public FishEyeCamera(Vec3 position, Frame axes, double aspect, double angleDegrees) {
     super(position, axes, aspect);

@@ -10,10 +10,13 @@ public final class PinholeCamera extends Camera {
   private final double halfHeight;
 
   /**
-   * Creates a camera. @param position the eye, in world space @param axes the orthonormal
-   * world-space directions right, up and forward @param aspect the width of the film divided by its
-   * height, &gt; 0 and finite @param fovDegrees the full vertical angle of view, in degrees, in (0,
-   * 180) @throws IllegalArgumentException if a number is out of range
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param fovDegrees the full vertical angle of view, in degrees, in (0, 180)
+   * @throws IllegalArgumentException if a number is out of range
    */
   public PinholeCamera(Vec3 position, Frame axes, double aspect, double fovDegrees) {
     super(position, axes, aspect);

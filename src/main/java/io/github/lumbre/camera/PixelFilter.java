@@ -45,8 +45,9 @@ public enum PixelFilter {
   }
 
   /**
-   * Returns the unnormalized density of the Gaussian. @param t the offset from the center, in
-   * radii, in [-1,1]
+   * Returns the unnormalized density of the Gaussian.
+   *
+   * @param t the offset from the center, in radii, in [-1,1]
    */
   private static double gaussian(double t) {
     double deviations = 3 * t;
@@ -55,7 +56,9 @@ public enum PixelFilter {
 
   /**
    * Returns the unnormalized density of the four-term window with the lowest side lobes (Harris
-   * 1978, table 1). @param t the offset from the center, in radii, in [-1,1]
+   * 1978, table 1).
+   *
+   * @param t the offset from the center, in radii, in [-1,1]
    */
   private static double blackmanHarris(double t) {
     return .35875
@@ -70,9 +73,11 @@ public enum PixelFilter {
   }
 
   /**
-   * Samples one coordinate of a film point. @param u uniform in [0,1) @return the coordinate in
-   * pixels, relative to the pixel's left or top edge: the center is 0.5, and values are in [0.5 -
-   * radius, 0.5 + radius]; monotonic in u
+   * Samples one coordinate of a film point.
+   *
+   * @param u uniform in [0,1)
+   * @return the coordinate in pixels, relative to the pixel's left or top edge: the center is 0.5,
+   *     and values are in [0.5 - radius, 0.5 + radius]; monotonic in u
    */
   public double sample(double u) {
     return switch (this) {

@@ -10,9 +10,12 @@ import io.github.lumbre.sampling.Sampler;
  */
 public final class SphericalCamera extends Camera {
   /**
-   * Creates a camera. @param position the eye, in world space @param axes the orthonormal
-   * world-space directions right, up and forward @param aspect the width of the film divided by its
-   * height, &gt; 0 and finite @throws IllegalArgumentException if the aspect is out of range
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @throws IllegalArgumentException if the aspect is out of range
    */
   public SphericalCamera(Vec3 position, Frame axes, double aspect) {
     super(position, axes, aspect);

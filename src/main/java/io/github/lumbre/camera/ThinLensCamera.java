@@ -20,14 +20,18 @@ public final class ThinLensCamera extends Camera {
   private final Aperture aperture;
 
   /**
-   * Creates a camera. @param position the center of the lens, in world space @param axes the
-   * orthonormal world-space directions right, up and forward @param aspect the width of the film
-   * divided by its height, &gt; 0 and finite @param fovDegrees the full vertical angle of view, in
-   * degrees, in (0, 180) @param focusDistance from the lens to the plane of focus, in world units,
-   * &gt; 0; values above 1e12 count as infinite: all rays of a film point are parallel @param
-   * apertureSize the size of one unit of the aperture in world units, ≥ 0: the radius of a disk,
-   * the width of a mask @param aperture the shape of the aperture @throws IllegalArgumentException
-   * if a number is out of range
+   * Creates a camera.
+   *
+   * @param position the center of the lens, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param fovDegrees the full vertical angle of view, in degrees, in (0, 180)
+   * @param focusDistance from the lens to the plane of focus, in world units, &gt; 0; values above
+   *     1e12 count as infinite: all rays of a film point are parallel
+   * @param apertureSize the size of one unit of the aperture in world units, ≥ 0: the radius of a
+   *     disk, the width of a mask
+   * @param aperture the shape of the aperture
+   * @throws IllegalArgumentException if a number is out of range
    */
   public ThinLensCamera(
       Vec3 position,

@@ -28,11 +28,13 @@ public final class Box implements Shape {
   private final double[] faceArea = new double[FACES];
 
   /**
-   * Creates a box. @param toWorld invertible @param width along local x, in (0, 1e150]
+   * Creates a box.
    *
+   * @param toWorld invertible
+   * @param width along local x, in (0, 1e150]
    * @param height along local y, in (0, 1e150]
-   * @param depth along local z, in (0, 1e150] @throws IllegalArgumentException if the transform is
-   *     singular or a size is out of range
+   * @param depth along local z, in (0, 1e150]
+   * @throws IllegalArgumentException if the transform is singular or a size is out of range
    */
   public Box(Transform toWorld, double width, double height, double depth) {
     this.toWorld = Placement.invertible(toWorld);

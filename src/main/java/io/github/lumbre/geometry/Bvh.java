@@ -26,18 +26,21 @@ public final class Bvh {
 
   /**
    * Builds the hierarchy over shapes for the kernel {@link Kernel#AUTO}. A shape's number is its
-   * index in the list. @throws java.util.concurrent.CancellationException if the calling thread is
-   * interrupted while a large hierarchy is built
+   * index in the list.
+   *
+   * @throws java.util.concurrent.CancellationException if the calling thread is interrupted while a
+   *     large hierarchy is built
    */
   public static Bvh over(List<? extends Shape> shapes) {
     return over(shapes, Kernel.AUTO);
   }
 
   /**
-   * Builds the hierarchy over shapes. A shape's number is its index in the list. @throws
-   * IllegalStateException if the kernel is not available @throws
-   * java.util.concurrent.CancellationException if the calling thread is interrupted while a large
-   * hierarchy is built
+   * Builds the hierarchy over shapes. A shape's number is its index in the list.
+   *
+   * @throws IllegalStateException if the kernel is not available
+   * @throws java.util.concurrent.CancellationException if the calling thread is interrupted while a
+   *     large hierarchy is built
    */
   public static Bvh over(List<? extends Shape> shapes, Kernel kernel) {
     BvhItems items = new BvhItems(List.copyOf(shapes));
@@ -46,23 +49,29 @@ public final class Bvh {
 
   /**
    * Builds a slow hierarchy that finds the same hits and counts the nodes that {@link
-   * Kernel#SCALAR} visits. It does not count nodes inside a {@link MeshInstance}. @param visits
-   * incremented for each visited node, leaves included
+   * Kernel#SCALAR} visits. It does not count nodes inside a {@link MeshInstance}.
+   *
+   * @param visits incremented for each visited node, leaves included
    */
   public static Bvh counting(List<? extends Shape> shapes, LongAdder visits) {
     BvhItems items = new BvhItems(List.copyOf(shapes));
     return new Bvh(Kernel.counting(items, visits), items.unbounded());
   }
 
-  /** Finds the nearest hit along a ray and stores it. @return whether there is a hit */
+  /**
+   * Finds the nearest hit along a ray and stores it.
+   *
+   * @return whether there is a hit
+   */
   public boolean intersect(Ray ray, NearestHit nearest) {
     nearest.aim(ray);
     return intersect(nearest);
   }
 
   /**
-   * Finds the nearest hit along the ray that {@code nearest} was last aimed along, and stores
-   * it. @return whether there is a hit
+   * Finds the nearest hit along the ray that {@code nearest} was last aimed along, and stores it.
+   *
+   * @return whether there is a hit
    */
   public boolean intersect(NearestHit nearest) {
     return search(nearest);
@@ -105,7 +114,9 @@ public final class Bvh {
   /**
    * Continues a traversal in the hierarchy of a mesh that is itself a shape of another hierarchy.
    * Finds a hit before {@code nearest.t} along a ray in local coordinates. The caller stores the
-   * shape number. @return whether a hit was found and stored
+   * shape number.
+   *
+   * @return whether a hit was found and stored
    */
   boolean intersectPart(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {

@@ -43,8 +43,8 @@ final class BvhBuilder {
   private volatile boolean cancelled;
 
   /**
-   * @param boxes six doubles per item: minimum and maximum on x, y, z; finite; reordered in
-   *     place @param triangles the number of triangles, which are the first items
+   * @param boxes six doubles per item: minimum and maximum on x, y, z; finite; reordered in place
+   * @param triangles the number of triangles, which are the first items
    */
   BvhBuilder(double[] boxes, int triangles, LeafCost costs) {
     this.boxes = boxes;
@@ -61,8 +61,9 @@ final class BvhBuilder {
   }
 
   /**
-   * Returns the tree over all items; there must be at least one. @throws CancellationException if
-   * the thread that created this builder is interrupted
+   * Returns the tree over all items; there must be at least one.
+   *
+   * @throws CancellationException if the thread that created this builder is interrupted
    */
   BvhNode build() {
     return build(0, order.length, 0, newSplitter());

@@ -168,7 +168,11 @@ final class BvhSplitter {
     return Math.min(bins - 1, (int) ((centre(i, 2 * axis) - centres[2 * axis]) * scales[axis]));
   }
 
-  /** Returns the center of an item along an axis. @param at 0, 2 or 4 for x, y or z */
+  /**
+   * Returns the center of an item along an axis.
+   *
+   * @param at 0, 2 or 4 for x, y or z
+   */
   private double centre(int i, int at) {
     return .5 * boxes[6 * i + at] + .5 * boxes[6 * i + at + 1];
   }

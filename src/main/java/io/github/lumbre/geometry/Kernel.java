@@ -33,8 +33,9 @@ public enum Kernel {
   }
 
   /**
-   * Returns the traversal over items. @throws IllegalStateException if this is {@link #VECTOR} and
-   * vectors are not available
+   * Returns the traversal over items.
+   *
+   * @throws IllegalStateException if this is {@link #VECTOR} and vectors are not available
    */
   Traversal over(BvhItems items) {
     if (items.isEmpty()) {

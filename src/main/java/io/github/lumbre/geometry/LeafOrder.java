@@ -12,8 +12,10 @@ final class LeafOrder {
   private int shapeCount;
 
   /**
-   * Creates an order without leaves. @param order the builder's order of item numbers @param
-   * triangles the number of triangles among the items
+   * Creates an order without leaves.
+   *
+   * @param order the builder's order of item numbers
+   * @param triangles the number of triangles among the items
    */
   LeafOrder(int[] order, int triangles) {
     this.order = order;

@@ -10,8 +10,10 @@ final class LeafRef {
   private LeafRef() {}
 
   /**
-   * Returns the encoded leaf. @param first the position of the first item among its kind @param
-   * count 1 to 15
+   * Returns the encoded leaf.
+   *
+   * @param first the position of the first item among its kind
+   * @param count 1 to 15
    */
   static int of(boolean ofShapes, int first, int count) {
     return ~((first << COUNT_BITS + 1) | (ofShapes ? 1 << COUNT_BITS : 0) | count);

@@ -5,7 +5,11 @@ final class LeafShapes {
   private final Shape[] shapes;
   private final int[] numbers;
 
-  /** Creates the shapes of a hierarchy. @param numbers the number of each shape in the hierarchy */
+  /**
+   * Creates the shapes of a hierarchy.
+   *
+   * @param numbers the number of each shape in the hierarchy
+   */
   LeafShapes(Shape[] shapes, int[] numbers) {
     this.shapes = shapes;
     this.numbers = numbers;

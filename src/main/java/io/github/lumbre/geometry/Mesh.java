@@ -22,8 +22,11 @@ public final class Mesh implements Shape {
   }
 
   /**
-   * Returns a mesh whose vertices are mapped to world space once. @param local the mesh in local
-   * space @param toWorld invertible @throws IllegalArgumentException if the transform is singular
+   * Returns a mesh whose vertices are mapped to world space once.
+   *
+   * @param local the mesh in local space
+   * @param toWorld invertible
+   * @throws IllegalArgumentException if the transform is singular
    */
   public static Mesh baked(TriangleMesh local, Transform toWorld) {
     return new Mesh(local.baked(Placement.invertible(toWorld)));

@@ -11,8 +11,10 @@ public final class MeshInstance implements Shape {
   private final MeshSurface surface;
 
   /**
-   * Creates an instance. @param toWorld invertible @throws IllegalArgumentException if the
-   * transform is singular
+   * Creates an instance.
+   *
+   * @param toWorld invertible
+   * @throws IllegalArgumentException if the transform is singular
    */
   public MeshInstance(SharedMesh shared, Transform toWorld) {
     this.shared = shared;

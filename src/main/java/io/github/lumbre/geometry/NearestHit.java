@@ -77,8 +77,9 @@ public final class NearestHit {
   }
 
   /**
-   * Sets the {@linkplain Ray ray}, given by its coordinates, and discards the previous hit. @param
-   * tMax the ray's end, excluded; may be infinite
+   * Sets the {@linkplain Ray ray}, given by its coordinates, and discards the previous hit.
+   *
+   * @param tMax the ray's end, excluded; may be infinite
    */
   public void aim(double ox, double oy, double oz, double dx, double dy, double dz, double tMax) {
     originX = ox;

@@ -12,7 +12,9 @@ final class Placement {
   private Placement() {}
 
   /**
-   * Returns the transform if it is invertible. @throws IllegalArgumentException if it is singular
+   * Returns the transform if it is invertible.
+   *
+   * @throws IllegalArgumentException if it is singular
    */
   static Transform invertible(Transform toWorld) {
     if (!toWorld.isInvertible()) {
@@ -22,7 +24,11 @@ final class Placement {
     return toWorld;
   }
 
-  /** Returns a size if it is in (0, 1e150]. @throws IllegalArgumentException if it is not */
+  /**
+   * Returns a size if it is in (0, 1e150].
+   *
+   * @throws IllegalArgumentException if it is not
+   */
   static double size(String name, double value) {
     if (!(value > 0 && value <= LARGEST)) {
       throw new IllegalArgumentException(
@@ -64,9 +70,9 @@ final class Placement {
   /**
    * Returns the density per solid angle of a point that was sampled uniformly by area.
    *
-   * @param toReference from the point to the reference point, not normalized @param normal the unit
-   *     normal at the point @return distance² / (|cos| area); 0 where the surface is seen edge-on
-   *     or at distance 0
+   * @param toReference from the point to the reference point, not normalized
+   * @param normal the unit normal at the point
+   * @return distance² / (|cos| area); 0 where the surface is seen edge-on or at distance 0
    */
   static double solidAnglePdf(Vec3 toReference, Vec3 normal, double area) {
     double distance = toReference.length();

@@ -20,8 +20,11 @@ public final class Plane implements Shape {
   private final Frame shading;
 
   /**
-   * Creates a plane. @param toWorld invertible @param twoSided whether rays from behind hit the
-   * plane @throws IllegalArgumentException if the transform is singular
+   * Creates a plane.
+   *
+   * @param toWorld invertible
+   * @param twoSided whether rays from behind hit the plane
+   * @throws IllegalArgumentException if the transform is singular
    */
   public Plane(Transform toWorld, boolean twoSided) {
     this.toWorld = Placement.invertible(toWorld);

@@ -53,10 +53,13 @@ public final class Rectangle implements Shape {
   private final double nearSquared;
 
   /**
-   * Creates a rectangle. @param toWorld invertible @param width along local x, in (0, 1e150] @param
-   * height along local z, in (0, 1e150] @param twoSided whether rays from behind hit the
-   * rectangle @throws IllegalArgumentException if the transform is singular or a size is out of
-   * range
+   * Creates a rectangle.
+   *
+   * @param toWorld invertible
+   * @param width along local x, in (0, 1e150]
+   * @param height along local z, in (0, 1e150]
+   * @param twoSided whether rays from behind hit the rectangle
+   * @throws IllegalArgumentException if the transform is singular or a size is out of range
    */
   public Rectangle(Transform toWorld, double width, double height, boolean twoSided) {
     this.toWorld = Placement.invertible(toWorld);

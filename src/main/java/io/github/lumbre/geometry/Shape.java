@@ -16,7 +16,9 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
   /**
    * Finds a hit along the ray of {@code nearest} with 0 &lt; t &lt; {@code nearest.t}. If there is
    * one, stores its t and the data that {@link #surfaceAt} needs; otherwise changes nothing. The
-   * caller stores the shape number. @return whether a hit was found and stored
+   * caller stores the shape number.
+   *
+   * @return whether a hit was found and stored
    */
   boolean intersect(NearestHit nearest);
 
@@ -46,18 +48,22 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
    * numbers and a reused result avoid allocation on this hot path. {@link #sample(Vec3, Point2)} is
    * a convenience method with the same result.
    *
-   * @param x world-space x of the reference point @param y world-space y of the reference
-   *     point @param z world-space z of the reference point @param u first random number, uniform
-   *     in [0,1) @param v second random number, uniform in [0,1) @param result receives the point
+   * @param x world-space x of the reference point
+   * @param y world-space y of the reference point
+   * @param z world-space z of the reference point
+   * @param u first random number, uniform in [0,1)
+   * @param v second random number, uniform in [0,1)
+   * @param result receives the point
    * @throws UnsupportedOperationException if {@link #area} is infinite
    */
   void sample(double x, double y, double z, double u, double v, SurfaceSample result);
 
   /**
    * Samples a point of the surface for the lighting of a reference point. The result has pdf 0 if
-   * no point is visible. @param reference the reference point in world space @param u uniform in
-   * [0,1)²
+   * no point is visible.
    *
+   * @param reference the reference point in world space
+   * @param u uniform in [0,1)²
    * @throws UnsupportedOperationException if {@link #area} is infinite
    */
   default SurfaceSample sample(Vec3 reference, Point2 u) {
@@ -68,9 +74,10 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
 
   /**
    * Returns the density, per solid angle at {@code reference}, with which {@link #sample} produces
-   * a point. The result is 0 for a point that it never produces. @param reference the reference
-   * point in world space @param onShape the point on this shape, as hit by a ray from the reference
-   * point
+   * a point. The result is 0 for a point that it never produces.
+   *
+   * @param reference the reference point in world space
+   * @param onShape the point on this shape, as hit by a ray from the reference point
    */
   double pdf(Vec3 reference, SurfaceHit onShape);
 }

@@ -25,8 +25,11 @@ public final class Sphere implements Shape {
   private final boolean isSkewed;
 
   /**
-   * Creates a sphere. @param toWorld invertible @param radius in local space, in (0, 1e150] @throws
-   * IllegalArgumentException if the transform is singular or the radius is out of range
+   * Creates a sphere.
+   *
+   * @param toWorld invertible
+   * @param radius in local space, in (0, 1e150]
+   * @throws IllegalArgumentException if the transform is singular or the radius is out of range
    */
   public Sphere(Transform toWorld, double radius) {
     this.toWorld = Placement.invertible(toWorld);

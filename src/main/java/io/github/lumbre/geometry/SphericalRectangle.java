@@ -36,8 +36,9 @@ final class SphericalRectangle {
   private final double solidAngle;
 
   /**
-   * Creates a rectangle in coordinates whose origin is the point. @param x0 the left edge
+   * Creates a rectangle in coordinates whose origin is the point.
    *
+   * @param x0 the left edge
    * @param x1 the right edge, above x0
    * @param y0 the lower edge
    * @param y1 the upper edge, above y0

@@ -29,13 +29,16 @@ public final class SurfaceHit {
   public SurfaceHit() {}
 
   /**
-   * Sets all values of the hit. @param position on the surface, as exactly as the shape can compute
-   * it @param geometricNormal the outward unit normal of the true surface, for hits from either
-   * side @param shading the shading frame: the shading normal (interpolated on smooth meshes, at
-   * most 90° from the geometric normal), and tangents along increasing u and v @param texture the
-   * texture coordinates @param wo the unit direction back along the ray @param newError a bound of
-   * the position's distance from the true surface along the normal, in world units
+   * Sets all values of the hit.
    *
+   * @param position on the surface, as exactly as the shape can compute it
+   * @param geometricNormal the outward unit normal of the true surface, for hits from either side
+   * @param shading the shading frame: the shading normal (interpolated on smooth meshes, at most
+   *     90° from the geometric normal), and tangents along increasing u and v
+   * @param texture the texture coordinates
+   * @param wo the unit direction back along the ray
+   * @param newError a bound of the position's distance from the true surface along the normal, in
+   *     world units
    * @return this
    */
   public SurfaceHit set(

@@ -26,9 +26,9 @@ public final class SurfaceSample {
    * Sets the sampled point.
    *
    * @param position on the surface, in world space
-   * @param normal the outward geometric unit normal at the point @param texture the texture
-   *     coordinates at the point @param newError a bound of the position's distance from the true
-   *     surface along the normal
+   * @param normal the outward geometric unit normal at the point
+   * @param texture the texture coordinates at the point
+   * @param newError a bound of the position's distance from the true surface along the normal
    * @param newPdf the density per solid angle at the reference point, &gt; 0
    */
   public void set(

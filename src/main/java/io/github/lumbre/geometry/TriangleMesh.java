@@ -55,12 +55,13 @@ public final class TriangleMesh {
   /**
    * Returns a mesh with copies of the given arrays. Triangles without area are dropped.
    *
-   * @param positions three coordinates per vertex in local space, all finite @param normals three
-   *     coordinates per vertex in local space, all finite; or empty @param uvs two coordinates per
-   *     vertex, all finite; or empty: then the vertices of each triangle have the coordinates
-   *     (0,0), (1,0) and (0,1) @param indices three vertex numbers per triangle, from 0 @throws
-   *     IllegalArgumentException if an array has a wrong length, a number is not finite or an index
-   *     is out of range
+   * @param positions three coordinates per vertex in local space, all finite
+   * @param normals three coordinates per vertex in local space, all finite; or empty
+   * @param uvs two coordinates per vertex, all finite; or empty: then the vertices of each triangle
+   *     have the coordinates (0,0), (1,0) and (0,1)
+   * @param indices three vertex numbers per triangle, from 0
+   * @throws IllegalArgumentException if an array has a wrong length, a number is not finite or an
+   *     index is out of range
    */
   public static TriangleMesh of(double[] positions, double[] normals, double[] uvs, int[] indices) {
     requireMultiple("positions", positions.length, 3);

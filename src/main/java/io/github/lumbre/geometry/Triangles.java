@@ -26,9 +26,11 @@ final class Triangles {
   private final int[] element;
 
   /**
-   * Creates triangles that share the vertices of their meshes. @param meshes indexed by shape
-   * number; null for other shapes @param shape the shape number of each triangle @param element the
-   * number of each triangle in its mesh
+   * Creates triangles that share the vertices of their meshes.
+   *
+   * @param meshes indexed by shape number; null for other shapes
+   * @param shape the shape number of each triangle
+   * @param element the number of each triangle in its mesh
    */
   Triangles(TriangleMesh[] meshes, int[] shape, int[] element) {
     int[] start = new int[meshes.length];
@@ -68,8 +70,9 @@ final class Triangles {
 
   /**
    * Tests the triangles of a leaf from both sides, borders included. Stores a hit if it is the
-   * nearest so far, or equally near with a lower shape and element. @return whether a hit was
-   * stored
+   * nearest so far, or equally near with a lower shape and element.
+   *
+   * @return whether a hit was stored
    */
   boolean intersect(int leaf, ShearedRay ray, NearestHit nearest) {
     int first = LeafRef.first(leaf);

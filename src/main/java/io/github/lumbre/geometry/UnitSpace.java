@@ -36,8 +36,9 @@ final class UnitSpace {
   private final double slack;
 
   /**
-   * Creates the space of a box. @param box minimum and maximum on x, y, z of all items, in world
-   * space
+   * Creates the space of a box.
+   *
+   * @param box minimum and maximum on x, y, z of all items, in world space
    */
   UnitSpace(double[] box) {
     centreX = .5 * box[0] + .5 * box[1];
@@ -57,9 +58,11 @@ final class UnitSpace {
   }
 
   /**
-   * Returns a bound of the joint error of box coordinates and ray origins. @param reach the largest
-   * absolute coordinate of the origin in this space @param worldReach the largest absolute world
-   * coordinate of the origin and the center, in units of this space
+   * Returns a bound of the joint error of box coordinates and ray origins.
+   *
+   * @param reach the largest absolute coordinate of the origin in this space
+   * @param worldReach the largest absolute world coordinate of the origin and the center, in units
+   *     of this space
    */
   static double slack(double reach, double worldReach) {
     return 0x1p-22 * (1 + reach) + 0x1p-46 * worldReach;

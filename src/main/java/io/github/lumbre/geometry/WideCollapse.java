@@ -70,9 +70,10 @@ final class WideCollapse {
   }
 
   /**
-   * Numbers the inner nodes of a subtree and chooses their shares. @return at index n, from 1 on,
-   * the least total surface of kept nodes if this node and its descendants have n places; index 0
-   * is unused
+   * Numbers the inner nodes of a subtree and chooses their shares.
+   *
+   * @return at index n, from 1 on, the least total surface of kept nodes if this node and its
+   *     descendants have n places; index 0 is unused
    */
   private double[] weigh(BvhNode node) {
     double[] least = new double[WIDTH + 1];

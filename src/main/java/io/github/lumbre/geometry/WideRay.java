@@ -163,9 +163,12 @@ final class WideRay extends ShearedRay {
   }
 
   /**
-   * Sets the error bounds. @param reach the largest absolute coordinate of the origin in the tree's
-   * space, or a bound of it @param worldReach the largest absolute world coordinate of the origin
-   * and the center, in units of the tree's space, or a bound of it
+   * Sets the error bounds.
+   *
+   * @param reach the largest absolute coordinate of the origin in the tree's space, or a bound of
+   *     it
+   * @param worldReach the largest absolute world coordinate of the origin and the center, in units
+   *     of the tree's space, or a bound of it
    */
   private void setErrors(double reach, double worldReach) {
     double size = 1 + reach + 0x1p-24 * worldReach;

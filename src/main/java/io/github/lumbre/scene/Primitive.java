@@ -7,9 +7,11 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * A shape with its material and, if it emits light, its emission. @param shape in world
- * space @param emission visible to every ray that hits the shape; a path ends there. {@link
- * SceneBuilder} decides whether it also lights other surfaces
+ * A shape with its material and, if it emits light, its emission.
+ *
+ * @param shape in world space
+ * @param emission visible to every ray that hits the shape; a path ends there. {@link SceneBuilder}
+ *     decides whether it also lights other surfaces
  */
 public record Primitive(Shape shape, Material material, Optional<Emission> emission) {
   public Primitive {

@@ -46,7 +46,7 @@ public final class RenderSettings {
     Crop window = crop.orElse(new Crop(0, 0, 1, 1));
     if ((long) window.x + window.width > width() || (long) window.y + window.height > height()) {
       throw new IllegalArgumentException(
-          "crop: expected inside " + width() + "x" + height() + ", found " + window);
+          "crop: expected a rectangle inside " + width() + "x" + height() + ", found " + window);
     }
   }
 
@@ -226,8 +226,9 @@ public final class RenderSettings {
     private static final Pattern FORM = Pattern.compile("(\\d{1,9})x(\\d{1,9})");
 
     /**
-     * Returns the size in a text such as {@code 640x480}. @throws IllegalArgumentException if the
-     * text has another form
+     * Returns the size in a text such as {@code 640x480}.
+     *
+     * @throws IllegalArgumentException if the text has another form
      */
     public static Size of(String text) {
       Matcher found = FORM.matcher(text);
@@ -241,8 +242,10 @@ public final class RenderSettings {
   /**
    * A rectangle of the full frame, in pixels.
    *
-   * @param x the left column, 0 to {@value #MAX_SIDE} @param y the top row, 0 to {@value
-   *     #MAX_SIDE} @param width 1 to {@value #MAX_SIDE} @param height 1 to {@value #MAX_SIDE}
+   * @param x the left column, 0 to {@value #MAX_SIDE}
+   * @param y the top row, 0 to {@value #MAX_SIDE}
+   * @param width 1 to {@value #MAX_SIDE}
+   * @param height 1 to {@value #MAX_SIDE}
    */
   public record Crop(int x, int y, int width, int height) {
     public Crop {
@@ -275,8 +278,9 @@ public final class RenderSettings {
     }
 
     /**
-     * Sets a value. @throws IllegalArgumentException if the value is out of range; the message
-     * names the setting
+     * Sets a value.
+     *
+     * @throws IllegalArgumentException if the value is out of range; the message names the setting
      */
     public <T> Builder set(Setting<T> setting, T value) {
       values[setting.index()] = setting.require(value);
@@ -284,8 +288,9 @@ public final class RenderSettings {
     }
 
     /**
-     * Sets a value from its text form. @throws IllegalArgumentException if the text is invalid or
-     * the value is out of range
+     * Sets a value from its text form.
+     *
+     * @throws IllegalArgumentException if the text is invalid or the value is out of range
      */
     public <T> Builder setText(Setting<T> setting, String text) {
       return set(setting, setting.type().parse(text));

@@ -204,14 +204,19 @@ public final class Scene {
     return ambient;
   }
 
-  /** Finds the nearest hit along a ray and stores it. @return whether there is a hit */
+  /**
+   * Finds the nearest hit along a ray and stores it.
+   *
+   * @return whether there is a hit
+   */
   public boolean intersect(Ray ray, NearestHit hit) {
     return bvh.intersect(ray, hit);
   }
 
   /**
-   * Finds the nearest hit along the ray that {@code hit} was last aimed along, and stores
-   * it. @return whether there is a hit
+   * Finds the nearest hit along the ray that {@code hit} was last aimed along, and stores it.
+   *
+   * @return whether there is a hit
    */
   public boolean intersect(NearestHit hit) {
     return bvh.intersect(hit);

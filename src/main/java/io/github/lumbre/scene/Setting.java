@@ -314,8 +314,10 @@ public final class Setting<T> {
   }
 
   /**
-   * Returns the value if it is in range. @throws IllegalArgumentException if it is not; the message
-   * names the setting, the expected range and the value
+   * Returns the value if it is in range.
+   *
+   * @throws IllegalArgumentException if it is not; the message names the setting, the expected
+   *     range and the value
    */
   T require(T value) {
     if (!type.accepts(Objects.requireNonNull(value, name))) {

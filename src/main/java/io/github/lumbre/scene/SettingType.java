@@ -16,8 +16,10 @@ import java.util.stream.Collectors;
  */
 public sealed interface SettingType<T> {
   /**
-   * Returns the value of a text. @throws IllegalArgumentException if the text is invalid; the
-   * message names what was expected and what was found
+   * Returns the value of a text.
+   *
+   * @throws IllegalArgumentException if the text is invalid; the message names what was expected
+   *     and what was found
    */
   T parse(String text);
 
