@@ -4,15 +4,15 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.Warp;
 
-/** The form of a lens: where light may pass. */
+/** The shape of a lens aperture, from which lens points are sampled. */
 @FunctionalInterface
 public interface Aperture {
-  /** The unit disc, by the concentric map. */
+  /** The unit disk, sampled with the concentric map. */
   Aperture DISK = sampler -> Warp.concentricDisk(sampler.get2d(Sampler.LENS));
 
   /**
-   * Returns a uniform point of the lens, drawn at the current sample's camera dimensions: +x to the
-   * camera's right, +y up, in units of the aperture.
+   * Samples a uniform point of the lens with the camera dimensions of the current sample. In the
+   * result, +x points to the camera's right and +y up, in units of the aperture.
    */
   @SuppressWarnings("exports") // internal
   Point2 sample(Sampler sampler);

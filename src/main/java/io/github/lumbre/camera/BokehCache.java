@@ -5,9 +5,9 @@ import io.github.lumbre.sampling.Sampler;
 import java.util.Arrays;
 
 /**
- * A lens in the form of a black and white mask, one unit wide and centred. The white texels are
- * listed once; a lens sample that falls on white is used as it is, any other is replaced by a
- * random point of a random white texel, so that the density over the white area is exactly uniform.
+ * A lens with the shape of a black and white mask, one unit wide, one unit high and centered. A
+ * lens sample on a white texel is used directly. Any other is replaced by a random point of a
+ * random white texel. The density over the white area is therefore exactly uniform.
  */
 public final class BokehCache implements Aperture {
   private final int width;
@@ -16,7 +16,10 @@ public final class BokehCache implements Aperture {
   private final int[] whiteTexels;
 
   /**
-   * @param white {@code [row][column]}, row 0 at the <b>bottom</b>; all rows of one length
+   * Creates a lens.
+   *
+   * @param white {@code [row][column]}, with row 0 at the <b>bottom</b>; all rows have the same
+   *     length
    * @throws IllegalArgumentException if no texel is white
    */
   public BokehCache(boolean[][] white) {
@@ -53,7 +56,7 @@ public final class BokehCache implements Aperture {
       fromLeft = (texel % width + jitter.x()) / width;
       fromBottom = (texel / width + jitter.y()) / height;
     }
-    // One place makes the result, so that the compiler need not make it at all.
+    // Single allocation site, so that escape analysis can remove it.
     return new Point2(fromLeft - .5, fromBottom - .5);
   }
 }

@@ -9,8 +9,8 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Turns points of the film into rays of the world. Immutable; its pose is a position and a
- * rotation, its proportions the film's.
+ * A camera that turns film points into world-space rays. Immutable. Its pose is a position and a
+ * rotation; its aspect ratio is that of the film.
  */
 public abstract sealed class Camera
     permits PinholeCamera, ThinLensCamera, CylindricalCamera, FishEyeCamera, SphericalCamera {
@@ -19,9 +19,11 @@ public abstract sealed class Camera
   private final double aspect;
 
   /**
-   * @param position of the eye, in the world
-   * @param axes in the world: right, up and forward, of unit length and at right angles
-   * @param aspect width of the film over its height, &gt; 0 and finite
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right (+x), up (+y) and forward (+z)
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
    */
   Camera(Vec3 position, Frame axes, double aspect) {
     this.position = Objects.requireNonNull(position, "position");
@@ -33,12 +35,12 @@ public abstract sealed class Camera
   }
 
   /**
-   * Returns the ray of unit direction that lights a film point, or empty where nothing is imaged:
-   * outside the circle of a fisheye.
+   * Returns the world-space ray, with unit direction, for a film point. Empty outside the circle of
+   * a fisheye, where the film has no image.
    *
-   * @param film in [0,1)², v down; points outside continue the projection, see {@link #aim}
-   * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
-   *     lens and by no other
+   * @param film in [0,1)² with v down; points outside continue the projection, see {@link #aim}
+   * @param sampler started at the current sample; only cameras with a lens use it, at its camera
+   *     dimensions
    */
   @SuppressWarnings("exports") // internal
   public final Optional<Ray> rayFor(Point2 film, Sampler sampler) {
@@ -47,18 +49,19 @@ public abstract sealed class Camera
   }
 
   /**
-   * Aims the ray of unit direction that lights a film point; returns false where nothing is imaged:
-   * outside the circle of a fisheye.
+   * Computes the world-space ray, with unit direction, for a film point. Returns false outside the
+   * circle of a fisheye, where the film has no image.
    *
-   * <p>Pixel filters reach beyond the film's sides. There the projection continues: panoramas wrap
-   * around to the left and right, a spherical one passes over its poles as well, and a perspective
-   * shows what lies beside the picture.
+   * <p>Pixel filters extend beyond the edges of the film, where the projection continues. Panoramas
+   * wrap around to the left and right, and spherical ones also continue across their poles.
+   * Perspective cameras show the scene beside the picture.
    *
-   * @param u of the film, finite; in [0,1) on the film
-   * @param v of the film, finite, down; in [0,1) on the film
-   * @param sampler started at the current sample; asked at its camera dimensions by cameras with a
-   *     lens and by no other
-   * @param ray takes the result; as it was where nothing is imaged
+   * @param u film coordinate to the right, finite; in [0,1) on the film
+   * @param v film coordinate down, finite; in [0,1) on the film
+   * @param sampler started at the current sample; only cameras with a lens use it, at its camera
+   *     dimensions
+   * @param ray receives the result; unchanged if this returns false
+   * @return whether the film point has a ray
    */
   @SuppressWarnings("exports") // internal
   public final boolean aim(double u, double v, Sampler sampler, CameraRay ray) {
@@ -69,15 +72,15 @@ public abstract sealed class Camera
     return true;
   }
 
-  /** Tells whether some film points have no ray. */
+  /** Returns whether some film points have no ray. */
   public boolean leavesBlanks() {
     return false;
   }
 
-  /** Does what {@link #aim} does, in camera space; the direction need not be of unit length. */
+  /** Computes the ray of {@link #aim} in camera space; its direction need not have unit length. */
   abstract boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray);
 
-  /** Returns the film's width over its height. */
+  /** Returns the width of the film divided by its height. */
   final double aspect() {
     return aspect;
   }

@@ -5,17 +5,17 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 
 /**
- * The ray that a {@link Camera} casts for a point of its film. Mutable: each thread lets the camera
- * aim one and the same again and again, so that casting rays makes no objects.
+ * The ray of a {@link Camera} for a point of its film. Mutable; each thread reuses one instance, so
+ * that creating camera rays allocates nothing.
  */
 public final class CameraRay {
   private double originX, originY, originZ;
   private double directionX, directionY, directionZ = 1;
 
-  /** Makes a ray to be aimed. */
+  /** Creates a ray for {@link Camera#aim}. */
   public CameraRay() {}
 
-  /** Sets where the ray begins and its direction, of any length but 0. */
+  /** Sets the origin and the direction, of any length except 0. */
   void set(Vec3 origin, Vec3 direction) {
     originX = origin.x();
     originY = origin.y();
@@ -25,17 +25,17 @@ public final class CameraRay {
     directionZ = direction.z();
   }
 
-  /** Moves the ray from camera space into the world, where its direction gets unit length. */
+  /** Transforms the ray from camera space to world space and normalizes its direction. */
   void place(Vec3 position, Frame axes) {
     set(position.plus(axes.toWorld(origin())), axes.toWorld(direction()).normalized());
   }
 
-  /** Returns where the ray begins. */
+  /** Returns the origin, in world space once a camera has set it. */
   public Vec3 origin() {
     return new Vec3(originX, originY, originZ);
   }
 
-  /** Returns its direction, of unit length once a camera has aimed it. */
+  /** Returns the direction, of unit length in world space once a camera has set it. */
   public Vec3 direction() {
     return new Vec3(directionX, directionY, directionZ);
   }
@@ -70,7 +70,7 @@ public final class CameraRay {
     return directionZ;
   }
 
-  /** Returns the same ray, which does not change with this. */
+  /** Returns an immutable copy of this ray, without an end. */
   public Ray toRay() {
     return new Ray(origin(), direction());
   }

@@ -5,15 +5,21 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 
-/** A panorama of 360° on an upright cylinder; the film's centre looks along +z. */
+/** A 360° panorama on an upright cylinder. The center of the film looks along +z. */
 public final class CylindricalCamera extends Camera {
-  /** Beyond this, squares of directions would overflow. */
+  /** Above this, squares of directions overflow. */
   private static final double MAX_HEIGHT = 1e150;
 
   private final double halfHeight;
 
   /**
-   * @param halfHeight of the film on the unit cylinder, in [0, 1e150]
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param halfHeight half the height of the film on the unit cylinder, in [0, 1e150]
+   * @throws IllegalArgumentException if a number is out of range
    */
   public CylindricalCamera(Vec3 position, Frame axes, double aspect, double halfHeight) {
     super(position, axes, aspect);

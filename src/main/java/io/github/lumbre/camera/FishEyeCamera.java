@@ -6,14 +6,20 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 
 /**
- * A circle in which the distance from the centre is proportional to the angle from the axis
- * (equidistant projection). Outside the circle nothing is imaged.
+ * A fisheye camera with equidistant projection: the distance from the image center is proportional
+ * to the angle from the axis. The image is a circle; film points outside have no ray.
  */
 public final class FishEyeCamera extends Camera {
   private final double angleDegrees;
 
   /**
-   * @param angleDegrees full angle from rim to rim, in (0, 360]
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param angleDegrees the full angle of view across the circle, in degrees, in (0, 360]
+   * @throws IllegalArgumentException if a number is out of range
    */
   public FishEyeCamera(Vec3 position, Frame axes, double aspect, double angleDegrees) {
     super(position, axes, aspect);
@@ -31,7 +37,7 @@ public final class FishEyeCamera extends Camera {
 
   @Override
   boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray) {
-    // The circle touches the shorter pair of the film's sides.
+    // The diameter of the circle is the shorter side of the film.
     double x = (2 * u - 1) * Math.max(1, aspect());
     double y = (1 - 2 * v) * Math.max(1, 1 / aspect());
     double r = Math.sqrt(x * x + y * y);

@@ -5,12 +5,18 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 
-/** Perspective without a lens: everything is in focus. */
+/** A perspective camera without a lens: everything is in focus. */
 public final class PinholeCamera extends Camera {
   private final double halfHeight;
 
   /**
-   * @param fovDegrees full vertical angle of view, in (0, 180)
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param fovDegrees the full vertical angle of view, in degrees, in (0, 180)
+   * @throws IllegalArgumentException if a number is out of range
    */
   public PinholeCamera(Vec3 position, Frame axes, double aspect, double fovDegrees) {
     super(position, axes, aspect);
@@ -23,7 +29,7 @@ public final class PinholeCamera extends Camera {
     return true;
   }
 
-  /** Returns the direction through a film point at distance 1; not of unit length. */
+  /** Returns the camera-space direction through a film point, with z = 1. */
   static Vec3 direction(double u, double v, double aspect, double halfHeight) {
     return new Vec3((2 * u - 1) * aspect * halfHeight, (1 - 2 * v) * halfHeight, 1);
   }

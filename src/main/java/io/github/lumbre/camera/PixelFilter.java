@@ -5,24 +5,24 @@ import io.github.lumbre.sampling.Distribution1d;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A pixel reconstruction filter: the density by which a pixel's samples are spread around its
- * center. Each filter is the product of the same function of x and of y.
+ * A pixel reconstruction filter: the density of a pixel's samples around its center. Each filter is
+ * the product of the same function of x and of y.
  *
- * <p>Samples are drawn from the filter instead of weighted by it (filter importance sampling; PBRT,
- * 4th edition, section 8.8), so that every sample belongs to one pixel with weight 1 and a pixel is
- * the mean of its samples.
+ * <p>Sample positions follow the filter, instead of weights (filter importance sampling; PBRT, 4th
+ * edition, section 8.8). Every sample belongs to one pixel with weight 1, and a pixel is the mean
+ * of its samples.
  */
 public enum PixelFilter {
-  /** The square of the pixel itself: radius 0.5. */
+  /** The square of the pixel itself, with radius 0.5. */
   BOX(.5, null),
 
   /** A tent of radius 1. */
   TENT(1, null),
 
-  /** A Gaussian of standard deviation 0.5, lowered to reach 0 at radius 1.5. */
+  /** A Gaussian with standard deviation 0.5, lowered to reach 0 at radius 1.5. */
   GAUSSIAN(1.5, PixelFilter::gaussian),
 
-  /** The Blackman-Harris window (Harris 1978), of radius 1.5. */
+  /** The Blackman-Harris window (Harris 1978) with radius 1.5. */
   BLACKMAN_HARRIS(1.5, PixelFilter::blackmanHarris);
 
   private final double radius;
@@ -33,7 +33,9 @@ public enum PixelFilter {
     table = density == null ? null : tabulated(density);
   }
 
-  /** Returns a density that is constant in each of many cells, with its value at their centers. */
+  /**
+   * Returns a piecewise constant density of 2048 cells, with the function's values at cell centers.
+   */
   private static Distribution1d tabulated(DoubleUnaryOperator density) {
     double[] weights = new double[2048];
     for (int i = 0; i < weights.length; i++) {
@@ -43,9 +45,9 @@ public enum PixelFilter {
   }
 
   /**
-   * Returns the Gaussian's density up to a factor.
+   * Returns the unnormalized density of the Gaussian.
    *
-   * @param t from the center, in radii, in [-1,1]
+   * @param t the offset from the center, in radii, in [-1,1]
    */
   static double gaussian(double t) {
     double deviations = 3 * t;
@@ -53,10 +55,10 @@ public enum PixelFilter {
   }
 
   /**
-   * Returns the density of the four-term window of the lowest side lobes (Harris 1978, table 1), up
-   * to a factor.
+   * Returns the unnormalized density of the four-term window with the lowest side lobes (Harris
+   * 1978, table 1).
    *
-   * @param t from the center, in radii, in [-1,1]
+   * @param t the offset from the center, in radii, in [-1,1]
    */
   static double blackmanHarris(double t) {
     return .35875
@@ -65,17 +67,17 @@ public enum PixelFilter {
         + .01168 * Elementary.cosTurns(3 * t / 2);
   }
 
-  /** Returns how far from the pixel's center samples may lie along x and along y, in pixels. */
+  /** Returns the largest distance of samples from the pixel's center along x or y, in pixels. */
   public double radius() {
     return radius;
   }
 
   /**
-   * Samples a coordinate of a point of the film.
+   * Samples one coordinate of a film point.
    *
    * @param u uniform in [0,1)
-   * @return relative to the pixel's left or top edge, in pixels: the center is at 0.5, and values
-   *     are in [0.5 - radius, 0.5 + radius]; monotonic in u
+   * @return the coordinate in pixels, relative to the pixel's left or top edge: the center is 0.5,
+   *     and values are in [0.5 - radius, 0.5 + radius]; monotonic in u
    */
   public double sample(double u) {
     return switch (this) {

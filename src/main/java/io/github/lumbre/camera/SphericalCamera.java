@@ -5,8 +5,18 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 
-/** All directions, 360° by 180°, in equal steps of longitude and latitude; the centre is +z. */
+/**
+ * A full panorama of 360° by 180° in longitude and latitude. The center of the film looks along +z.
+ */
 public final class SphericalCamera extends Camera {
+  /**
+   * Creates a camera.
+   *
+   * @param position the eye, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @throws IllegalArgumentException if the aspect is out of range
+   */
   public SphericalCamera(Vec3 position, Frame axes, double aspect) {
     super(position, axes, aspect);
   }

@@ -7,11 +7,11 @@ import io.github.lumbre.sampling.Sampler;
 import java.util.Objects;
 
 /**
- * Perspective through a lens of some width: points off the plane of focus blur into the form of the
- * lens. The pixel is sampled as in {@link PinholeCamera}, independently of the lens.
+ * A perspective camera with a thin lens: points off the plane of focus blur into the shape of the
+ * aperture. The film is sampled as in {@link PinholeCamera}, independently of the lens.
  */
 public final class ThinLensCamera extends Camera {
-  /** From here on the rays of a film point are parallel. */
+  /** Above this focus distance, the rays of a film point are parallel. */
   private static final double INFINITY = 1e12;
 
   private final double halfHeight;
@@ -20,11 +20,18 @@ public final class ThinLensCamera extends Camera {
   private final Aperture aperture;
 
   /**
-   * @param fovDegrees full vertical angle of view, in (0, 180)
-   * @param focusDistance from the lens to the plane of focus, &gt; 0; above 1e12 as if infinite:
-   *     all rays of a film point are parallel
-   * @param apertureSize what one unit of the aperture's form measures in the scene, ≥ 0: the disc's
-   *     radius, a mask's width
+   * Creates a camera.
+   *
+   * @param position the center of the lens, in world space
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param fovDegrees the full vertical angle of view, in degrees, in (0, 180)
+   * @param focusDistance from the lens to the plane of focus, in world units, &gt; 0; values above
+   *     1e12 count as infinite: all rays of a film point are parallel
+   * @param apertureSize the size of one unit of the aperture in world units, ≥ 0: the radius of a
+   *     disk, the width of a mask
+   * @param aperture the shape of the aperture
+   * @throws IllegalArgumentException if a number is out of range
    */
   public ThinLensCamera(
       Vec3 position,
@@ -57,7 +64,10 @@ public final class ThinLensCamera extends Camera {
     return true;
   }
 
-  /** Returns the direction from a lens point to focusDistance·chief, of whatever length is safe. */
+  /**
+   * Returns the direction from a lens point to focusDistance·chief; its length is chosen to avoid
+   * overflow.
+   */
   private Vec3 towardsFocus(Vec3 chief, Vec3 origin) {
     if (apertureSize == 0 || focusDistance > INFINITY) {
       return chief;

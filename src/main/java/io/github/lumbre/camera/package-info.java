@@ -1,11 +1,10 @@
 /**
- * From a point of the film to a ray of the world.
+ * Cameras, which turn film points into world-space rays.
  *
  * <p>A film point (u, v) lies in [0,1)², u to the right and v <b>down</b>. A {@link
  * io.github.lumbre.camera.Camera} looks along its local +z, with +x to the right and +y up; its
- * pose in the world is a position and a rotation. The lens of {@link
- * io.github.lumbre.camera.ThinLensCamera} is a disc, or has the form of a mask, from which {@link
- * io.github.lumbre.camera.BokehCache} draws.
+ * pose in world space is a position and a rotation. The aperture of a {@link
+ * io.github.lumbre.camera.ThinLensCamera} is a disk, or a mask that {@link
+ * io.github.lumbre.camera.BokehCache} samples.
  */
 package io.github.lumbre.camera;
-

@@ -1,8 +1,8 @@
 package io.github.lumbre.geometry;
 
 /**
- * Choices of an axis at the beginning of a search, made by arithmetic: for rays of all directions a
- * branch goes either way as often, and mispredicting it costs more than testing a box.
+ * Branch-free choices of an axis at the start of a traversal. Over rays of all directions, both
+ * sides of such a branch are equally likely, and a misprediction costs more than a box test.
  */
 final class Axes {
   private Axes() {}
@@ -12,7 +12,7 @@ final class Axes {
     return (int) (Double.doubleToRawLongBits(d) >>> 63);
   }
 
-  /** Returns the axis along which a vector is longest; of equals, the last. */
+  /** Returns the axis, 0 to 2, along which a vector is longest; the last one of equals. */
   static int longest(double x, double y, double z) {
     long ax = size(x);
     long ay = size(y);
@@ -22,22 +22,22 @@ final class Axes {
     return notX * (isLess(ay, ax) * 2 + (1 - isLess(ay, ax)) * z2);
   }
 
-  /** Returns the largest of three numbers' sizes; NaN if one is NaN. */
+  /** Returns the largest absolute value of three numbers; NaN if any of them is NaN. */
   static double largest(double x, double y, double z) {
     return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
   }
 
-  /** Returns the sum of three numbers' sizes. */
+  /** Returns the sum of the absolute values of three numbers. */
   static double sum(double x, double y, double z) {
     return Math.abs(x) + Math.abs(y) + Math.abs(z);
   }
 
-  /** Returns the axis after another: y after x, z after y, x after z. */
+  /** Returns the next axis in cyclic order: y after x, z after y, x after z. */
   static int next(int axis) {
     return 0b00_10_01 >> 2 * axis & 3;
   }
 
-  /** Returns a number's bits without the sign, which are in the order of sizes. */
+  /** Returns the bits of a number without the sign; they sort as the absolute values do. */
   private static long size(double d) {
     return Double.doubleToRawLongBits(d) & Long.MAX_VALUE;
   }

@@ -3,13 +3,15 @@ package io.github.lumbre.geometry;
 import java.util.Arrays;
 
 /**
- * The search that needs nothing but Java: one node with the boxes of its two children at a time, in
- * double precision.
+ * The traversal in plain Java: it visits one node at a time and tests the boxes of its two children
+ * in double precision.
  */
 final class BinaryTraversal implements Traversal {
   static final LeafCost COSTS = new LeafCost(1, 4, 1);
 
-  /** Doubles a node: minimum and maximum on x, y, z of the first child's box, then the second's. */
+  /**
+   * Doubles per node: minimum and maximum on x, y, z of the first child's box, then the second's.
+   */
   private static final int NODE_SIZE = 12;
 
   private final int root;
@@ -18,7 +20,7 @@ final class BinaryTraversal implements Traversal {
   private final boolean hasTriangles;
   private double[] nodes = new double[NODE_SIZE];
 
-  /** Two children a node: a node's number, or a {@link LeafRef}. */
+  /** Two children per node: the number of a node, or a {@link LeafRef}. */
   private int[] children = new int[2];
 
   private int nodeCount;
@@ -52,7 +54,9 @@ final class BinaryTraversal implements Traversal {
     return number;
   }
 
-  /** {@inheritDoc} All state of the loop is in local variables on purpose. */
+  /**
+   * {@inheritDoc} The loop keeps its state in local variables, so that the JIT can use registers.
+   */
   @Override
   public boolean traverse(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {
@@ -61,7 +65,7 @@ final class BinaryTraversal implements Traversal {
     int[] stackNear = nearest.stackNear;
     int bottom = nearest.stackTop;
     int top = bottom;
-    // Choose each axis' near side by the direction's sign; -0 chooses as a negative number would.
+    // The direction's sign selects the near side of each axis; -0 counts as negative.
     double ix = 1 / dx;
     double iy = 1 / dy;
     double iz = 1 / dz;
@@ -71,7 +75,8 @@ final class BinaryTraversal implements Traversal {
     int farX = nearX ^ 1;
     int farY = nearY ^ 1;
     int farZ = nearZ ^ 1;
-    // Widen all boxes by the origin's rounding: shift the origin in for the one side and the other.
+    // Widen all boxes by the rounding of the origin: shift the origin one way for near sides and
+    // the other way for far sides.
     double margin = BvhItems.MARGIN * Axes.largest(ox, oy, oz);
     double inX = ox + Math.copySign(margin, ix);
     double inY = oy + Math.copySign(margin, iy);
@@ -89,7 +94,8 @@ final class BinaryTraversal implements Traversal {
     int node = root;
     while (true) {
       if (node >= 0) {
-        // Test both children. A NaN needs an origin on the widened border: any answer is right.
+        // Test both children. NaN occurs only for origins on the widened border, where either
+        // result is correct.
         int at = node * NODE_SIZE;
         int near0 =
             nearRank(
@@ -118,7 +124,7 @@ final class BinaryTraversal implements Traversal {
             node = children[child];
             continue;
           }
-          // Go on with the nearer one.
+          // Visit the nearer child first.
           int farther = near0 <= near1 ? 1 : 0;
           stackNear[top] = Math.max(near0, near1);
           stack[top++] = children[child + farther];
@@ -143,7 +149,7 @@ final class BinaryTraversal implements Traversal {
           }
         }
       }
-      // Take up the last node put aside that does not begin beyond the best hit.
+      // Pop the last node that the ray does not enter beyond the best hit.
       do {
         top--;
       } while (top >= bottom && stackNear[top] > best);
@@ -157,21 +163,22 @@ final class BinaryTraversal implements Traversal {
   }
 
   /**
-   * Returns the upper half of a number's bits. It never falls as the number rises, and all negative
-   * numbers have negative ranks; among those the order is lost, but slabs only compare with what is
-   * not negative. Ranks make the search insensitive to order beyond a millionth, never wrong; and
-   * the smaller of two integers costs a fraction of that of two doubles, which minds NaN and -0.
+   * Returns the upper half of the bits of a number. For numbers ≥ 0 it never decreases as the
+   * number grows. Negative numbers have negative ranks in no useful order, but slabs are only
+   * compared with ranks ≥ 0. Ranks order nodes to a relative precision of about 1e-6, which never
+   * loses a hit. The minimum of two integers is much cheaper than that of two doubles, which must
+   * handle NaN and -0.
    */
   private static int rank(double t) {
     return (int) (Double.doubleToRawLongBits(t) >> 32);
   }
 
-  /** Returns the rank of where a ray is inside all three slabs, and at t ≥ 0. */
+  /** Returns the rank of the t, at least 0, from which a ray is inside all three slabs. */
   private static int nearRank(double x, double y, double z) {
     return Math.max(Math.max(rank(x), rank(y)), Math.max(rank(z), 0));
   }
 
-  /** Returns the rank of where a ray leaves the first of three slabs. */
+  /** Returns the rank of the t at which a ray first leaves one of three slabs. */
   private static int farRank(double x, double y, double z) {
     return Math.min(Math.min(rank(x), rank(y)), rank(z));
   }

@@ -7,17 +7,17 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
- * A box around the local origin with faces along the local axes, solid from both sides. Face 2a
- * lies on the negative side of axis a, face 2a + 1 on the positive.
+ * A box around the local origin with faces perpendicular to the local axes. Rays hit its faces from
+ * both sides. Face 2a lies on the negative side of axis a, face 2a + 1 on the positive side.
  *
- * <p>Texture: u falls with z on the x faces and with x on the others; v falls with z on the y faces
- * and with y on the others.
+ * <p>Texture coordinates are in [0, 1]. On the x faces, u decreases along z; on the others, along
+ * x. On the y faces, v decreases along z; on the others, along y.
  */
 public final class Box implements Shape {
   private static final int FACES = 6;
   private static final Vec3[] AXES = {Vec3.X, Vec3.Y, Vec3.Z};
 
-  /** The local axis along which u falls, for the faces of each axis. */
+  /** The local axis along which u decreases, for the faces of each axis. */
   private static final int[] U_AXIS = {2, 0, 0};
 
   private static final int[] V_AXIS = {1, 2, 1};
@@ -28,10 +28,13 @@ public final class Box implements Shape {
   private final double[] faceArea = new double[FACES];
 
   /**
+   * Creates a box.
+   *
    * @param toWorld invertible
    * @param width along local x, in (0, 1e150]
    * @param height along local y, in (0, 1e150]
    * @param depth along local z, in (0, 1e150]
+   * @throws IllegalArgumentException if the transform is singular or a size is out of range
    */
   public Box(Transform toWorld, double width, double height, double depth) {
     this.toWorld = Placement.invertible(toWorld);
@@ -58,7 +61,10 @@ public final class Box implements Shape {
     return Placement.outward(toWorld, new Bounds3(half.negated(), half));
   }
 
-  /** {@inheritDoc} On edges and corners the faces of x come before those of y, and y before z. */
+  /**
+   * {@inheritDoc} On edges and corners, x faces take precedence over y faces, and y faces over z
+   * faces.
+   */
   @Override
   public boolean intersect(NearestHit nearest) {
     double ox = nearest.localOriginX(toWorld);
@@ -83,7 +89,8 @@ public final class Box implements Shape {
       return false;
     }
     nearest.t = t;
-    // A ray comes in by the negative face of an axis that it runs along, and goes out by the other.
+    // A ray enters through the face on the side that it comes from, and leaves through the opposite
+    // face.
     if (near > 0) {
       nearest.element = near == nearX ? face(0, -dx) : near == nearY ? face(1, -dy) : face(2, -dz);
     } else {
@@ -93,7 +100,8 @@ public final class Box implements Shape {
   }
 
   /**
-   * Returns where a ray enters the slab |x| ≤ half: −∞ or +∞ if it runs along inside or outside.
+   * Returns the t at which a ray enters the slab |x| ≤ half. For a ray parallel to the slab,
+   * returns −∞ inside and +∞ outside.
    */
   private static double enter(double o, double d, double half) {
     if (d == 0) {
@@ -125,7 +133,7 @@ public final class Box implements Shape {
         toWorld.pointError(local, frame.normal()));
   }
 
-  /** Returns the point of a face closest to a local point near it. */
+  /** Returns the point of a face that is closest to a nearby local point. */
   private Vec3 onFace(int face, Vec3 p) {
     double side = (face & 1) == 0 ? -1 : 1;
     int axis = face >> 1;
@@ -157,7 +165,10 @@ public final class Box implements Shape {
     return 2 * (faceArea[0] + faceArea[2] + faceArea[4]);
   }
 
-  /** {@inheritDoc} Points are uniform by area on the faces that the reference sees. */
+  /**
+   * {@inheritDoc} Points are uniform by area on the faces that are visible from the reference
+   * point.
+   */
   @Override
   public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
     Vec3 reference = new Vec3(x, y, z);

@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * A bounding volume hierarchy over shapes. Immutable, shared by all threads.
+ * A bounding volume hierarchy over shapes in world space. Immutable; all threads share it.
  *
- * <p>The triangles of each {@link Mesh} are items of the hierarchy themselves; other shapes are
- * items as a whole, and unbounded ones are asked every time. Of hits at the same t the one of the
- * lower shape, and in it of the lower element, wins, so that no order of the search shows.
+ * <p>The triangles of each {@link Mesh} are items of the hierarchy. Every other bounded shape is
+ * one item; unbounded shapes are tested for every ray. Of hits at the same t, the lower shape
+ * number wins, then the lower element number, so results do not depend on the traversal order.
  *
- * <p>No hit is lost to rounding: the boxes are wider than their contents by {@link BvhItems#MARGIN}
- * of the largest coordinate that entered, and every search widens them by as much of its ray's
- * origin. That is more than the test of any item can be wrong by.
+ * <p>No hit is lost to rounding. Each box is wider than its contents by {@link BvhItems#MARGIN}
+ * times their largest coordinate. Every traversal widens the boxes by the same fraction of its
+ * ray's origin. This exceeds the error of any item's intersection test.
  */
 public final class Bvh {
   private final Traversal bounded;
@@ -25,17 +25,22 @@ public final class Bvh {
   }
 
   /**
-   * Builds the hierarchy over shapes, which are numbered by their place in the list, for the kernel
-   * {@link Kernel#AUTO}.
+   * Builds the hierarchy over shapes for the kernel {@link Kernel#AUTO}. A shape's number is its
+   * index in the list.
+   *
+   * @throws java.util.concurrent.CancellationException if the calling thread is interrupted while a
+   *     large hierarchy is built
    */
   public static Bvh over(List<? extends Shape> shapes) {
     return over(shapes, Kernel.AUTO);
   }
 
   /**
-   * Builds the hierarchy over shapes, which are numbered by their place in the list.
+   * Builds the hierarchy over shapes. A shape's number is its index in the list.
    *
    * @throws IllegalStateException if the kernel is not available
+   * @throws java.util.concurrent.CancellationException if the calling thread is interrupted while a
+   *     large hierarchy is built
    */
   public static Bvh over(List<? extends Shape> shapes, Kernel kernel) {
     BvhItems items = new BvhItems(List.copyOf(shapes));
@@ -43,41 +48,51 @@ public final class Bvh {
   }
 
   /**
-   * Builds a slow hierarchy over shapes that finds the same hits, and counts the nodes that plain
-   * Java visits; of shapes that are meshes placed often, not those inside.
+   * Builds a slow hierarchy that finds the same hits and counts the nodes that {@link
+   * Kernel#SCALAR} visits. It does not count nodes inside a {@link MeshInstance}.
    *
-   * @param visits what hears of each node
+   * @param visits incremented for each visited node, leaves included
    */
   public static Bvh counting(List<? extends Shape> shapes, LongAdder visits) {
     BvhItems items = new BvhItems(List.copyOf(shapes));
     return new Bvh(Kernel.counting(items, visits), items.unbounded());
   }
 
-  /** Finds the nearest hit along a ray; tells whether there is one. */
+  /**
+   * Finds the nearest hit along a ray and stores it.
+   *
+   * @return whether there is a hit
+   */
   public boolean intersect(Ray ray, NearestHit nearest) {
     nearest.aim(ray);
     return intersect(nearest);
   }
 
-  /** Finds the nearest hit along the ray that {@code nearest} was just aimed by. */
+  /**
+   * Finds the nearest hit along the ray that {@code nearest} was last aimed along, and stores it.
+   *
+   * @return whether there is a hit
+   */
   public boolean intersect(NearestHit nearest) {
     return search(nearest);
   }
 
-  /** Tells whether anything lies on a ray: whether {@link #intersect} would find a hit. */
+  /**
+   * Returns whether any shape blocks a ray, that is, whether {@link #intersect} would find a hit.
+   */
   public boolean isOccluded(Ray ray, NearestHit scratch) {
     scratch.aim(ray);
     return isOccluded(scratch);
   }
 
-  /** Tells whether anything lies on the ray that {@code scratch} was just aimed by. */
+  /** Returns whether any shape blocks the ray that {@code scratch} was last aimed along. */
   public boolean isOccluded(NearestHit scratch) {
     scratch.any = true;
     return search(scratch);
   }
 
   private boolean search(NearestHit nearest) {
-    // Asked here, so that the compiler leaves out what scenes without such shapes never do.
+    // Tested here, so that the JIT removes the call in scenes without unbounded shapes.
     boolean found = !unbounded.isEmpty() && unbounded.intersect(nearest);
     if (found && nearest.any) {
       return true;
@@ -97,9 +112,11 @@ public final class Bvh {
   }
 
   /**
-   * Continues a search in a hierarchy of triangles that is itself a shape of another: looks for a
-   * hit before {@code nearest.t} along a ray given by its local coordinates. The shape's number is
-   * the caller's to store.
+   * Continues a traversal in the hierarchy of a mesh that is itself a shape of another hierarchy.
+   * Finds a hit before {@code nearest.t} along a ray in local coordinates. The caller stores the
+   * shape number.
+   *
+   * @return whether a hit was found and stored
    */
   boolean intersectPart(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {

@@ -5,27 +5,31 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinTask;
 
 /**
- * Builds a binary hierarchy over boxes, from the top down, by the binned surface area heuristic:
- * Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies". Mutable, used once.
+ * Builds a binary hierarchy over boxes from the top down with the binned surface area heuristic
+ * (Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies"). Mutable; each
+ * instance builds one tree.
  *
- * <p>An item is known by its number. Those below {@code triangles} are triangles, the others are
- * shapes; a leaf holds one kind only. Large ranges are built by the threads of the fork-join pool
- * in which {@link #build} is called, or else of the common one. Each works on a part of the order
- * that was its before it began, so that the tree does not depend on their number.
+ * <p>Items are numbered. Items below {@code triangles} are triangles, the others are shapes; a leaf
+ * holds items of one kind. Large ranges are built in parallel by the fork-join pool that calls
+ * {@link #build}, or by the common pool. Each task owns a fixed range of the order, so the tree
+ * does not depend on the number of threads.
  *
- * <p>An interrupt of the thread that calls ends the building at the next large range.
+ * <p>If the calling thread is interrupted, the build stops at the next large range.
  */
 final class BvhBuilder {
-  /** Deepest leaf. */
+  /** The maximum depth of a leaf. */
   static final int MAX_DEPTH = 96;
 
-  /** The most items there may be. */
+  /** The maximum number of items. */
   static final int MAX_ITEMS = (1 << 26) - 1;
 
-  /** Below this depth ranges are halved, which adds at most 31 levels, and a last one by kind. */
+  /**
+   * Below this depth, ranges are halved, which adds at most 31 levels and one more to separate the
+   * kinds.
+   */
   private static final int MAX_SAH_DEPTH = 60;
 
-  /** Smaller ranges are not worth a task of their own. */
+  /** Ranges with fewer items do not get their own task. */
   private static final int MIN_TASK = 4096;
 
   private final double[] boxes;
@@ -33,14 +37,14 @@ final class BvhBuilder {
   private final int triangles;
   private final LeafCost costs;
 
-  /** The thread whose interrupt ends the building, whichever thread notices. */
+  /** The thread whose interrupt cancels the build; every task checks its status. */
   private final Thread owner = Thread.currentThread();
 
   private volatile boolean cancelled;
 
   /**
-   * @param boxes six doubles an item: minimum and maximum on x, y, z; finite; will be reordered
-   * @param triangles how many of the items, the first ones, are triangles
+   * @param boxes six doubles per item: minimum and maximum on x, y, z; finite; reordered in place
+   * @param triangles the number of triangles, which are the first items
    */
   BvhBuilder(double[] boxes, int triangles, LeafCost costs) {
     this.boxes = boxes;
@@ -59,13 +63,13 @@ final class BvhBuilder {
   /**
    * Returns the tree over all items; there must be at least one.
    *
-   * @throws CancellationException if the thread that made this is interrupted
+   * @throws CancellationException if the thread that created this builder is interrupted
    */
   BvhNode build() {
     return build(0, order.length, 0, newSplitter());
   }
 
-  /** Returns the items' numbers in the order of the leaves, once they are built. */
+  /** Returns the item numbers in leaf order; valid after {@link #build}. */
   int[] order() {
     return order;
   }
@@ -106,7 +110,7 @@ final class BvhBuilder {
     return new BvhNode.Inner(box, left, joined(right));
   }
 
-  /** Waits for a task; unlike its own join, this does not hide an interrupt from other tasks. */
+  /** Waits for a task. Unlike {@code join}, this passes an interrupt on to the other tasks. */
   private BvhNode joined(ForkJoinTask<BvhNode> task) {
     try {
       return task.get();
@@ -115,14 +119,14 @@ final class BvhBuilder {
       cancelled = true;
       throw new CancellationException("building the hierarchy was interrupted");
     } catch (ExecutionException e) {
-      // Throws what the task has thrown.
+      // Rethrows the task's exception.
       return task.join();
     }
   }
 
   private void checkInterrupt() {
     if (cancelled || owner.isInterrupted()) {
-      // The owner may clear its status while other threads still build.
+      // The owner may clear its interrupt status while other threads still build.
       cancelled = true;
       throw new CancellationException("building the hierarchy was interrupted");
     }

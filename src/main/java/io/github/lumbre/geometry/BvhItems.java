@@ -6,14 +6,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a hierarchy is built over: first the triangles of all meshes, in their order, then the other
- * bounded shapes. Unbounded shapes stand apart; empty ones are left out.
+ * The items of a hierarchy: first the triangles of all meshes in order, then the other bounded
+ * shapes. Unbounded shapes are kept separately; empty shapes are left out.
  */
 final class BvhItems {
-  /** How much wider than their contents the boxes are, relative to the largest coordinate. */
+  /** The margin of a box on each side, relative to the largest coordinate of its contents. */
   static final double MARGIN = 16 * 0x1p-52;
 
-  /** The size of an item beside the whole at which a float filter lets in twice as much. */
+  /**
+   * The size of an item, relative to the whole extent, below which the float filter passes more
+   * than twice the necessary candidates.
+   */
   private static final double MIN_SIZE = 0x1p-18;
 
   private final List<Shape> all;
@@ -59,7 +62,7 @@ final class BvhItems {
     }
   }
 
-  /** Stores the box of the triangle in the scratch memory. */
+  /** Stores the box of the triangle whose vertices are in {@code scratch}. */
   private void storeTriangle(int item) {
     double size = 0;
     for (double coordinate : scratch) {
@@ -86,18 +89,18 @@ final class BvhItems {
     return count() == 0;
   }
 
-  /** Returns how many items there are. */
+  /** Returns the number of items. */
   int count() {
     return boxes.length / 6;
   }
 
-  /** Tells whether the box of all items has a finite size. */
+  /** Returns whether the box of all items has a finite size. */
   boolean hasFiniteExtent() {
     return Double.isFinite(extent());
   }
 
   /**
-   * Tells whether most items are much larger than the error of a float in a hierarchy's {@link
+   * Returns whether most items are much larger than the error of a float in the hierarchy's {@link
    * UnitSpace}.
    */
   boolean suitFloats() {
@@ -132,23 +135,23 @@ final class BvhItems {
     return Math.max(x, Math.max(y, z));
   }
 
-  /** Returns six doubles an item: minimum and maximum on x, y, z. */
+  /** Returns six doubles per item: minimum and maximum on x, y, z. */
   double[] boxes() {
     return boxes;
   }
 
-  /** Returns how many of the items, the first ones, are triangles. */
+  /** Returns the number of triangles, which are the first items. */
   int triangleCount() {
     return triangleShape.length;
   }
 
-  /** Copies the nine coordinates of a triangle, given by its item number. */
+  /** Copies the nine coordinates of the triangle with the given item number. */
   void copyVertices(int item, double[] target) {
     Mesh mesh = (Mesh) all.get(triangleShape[item]);
     mesh.triangles().copyVertices(triangleElement[item], target);
   }
 
-  /** Returns the triangles in a given order of their item numbers. */
+  /** Returns the triangles in the given order of item numbers. */
   Triangles triangles(int[] order) {
     TriangleMesh[] meshes = new TriangleMesh[all.size()];
     for (int i = 0; i < meshes.length; i++) {
@@ -165,7 +168,7 @@ final class BvhItems {
     return new Triangles(meshes, shape, element);
   }
 
-  /** Returns the bounded shapes in a given order of their item numbers. */
+  /** Returns the bounded shapes in the given order of item numbers. */
   LeafShapes shapes(int[] order) {
     int[] numbers = new int[order.length];
     for (int i = 0; i < order.length; i++) {

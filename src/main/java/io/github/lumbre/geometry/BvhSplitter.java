@@ -3,8 +3,8 @@ package io.github.lumbre.geometry;
 import java.util.Arrays;
 
 /**
- * Finds where to split ranges of a builder's items, and reorders them. Mutable: the scratch memory
- * of one thread, which works on the part of the shared arrays that is its own.
+ * Finds where to split ranges of a builder's items, and reorders the items. Mutable; one instance
+ * per thread, which works only on its own range of the shared arrays.
  */
 final class BvhSplitter {
   private static final int BINS = 16;
@@ -14,13 +14,13 @@ final class BvhSplitter {
   private final int triangles;
   private final LeafCost costs;
 
-  /** The box of the range measured last, that of its items' centres, and its weight. */
+  /** The box of the last measured range, the box of its items' centers, and its weight. */
   private final double[] range = new double[6];
 
   private final double[] centres = new double[6];
   private int weight;
 
-  // Bins by axis.
+  // Bins for each axis.
   private final int[] binWeight = new int[3 * BINS];
   private final double[] binBox = new double[3 * BINS * 6];
   private final double[] rightCost = new double[BINS];
@@ -35,7 +35,7 @@ final class BvhSplitter {
     this.costs = costs;
   }
 
-  /** Returns the box of a range, which is the one that the other methods then work on. */
+  /** Returns the box of a range and selects this range for the other methods. */
   double[] measure(int first, int end) {
     clear(range, 0);
     clear(centres, 0);
@@ -56,12 +56,12 @@ final class BvhSplitter {
     return range.clone();
   }
 
-  /** Tells whether a range may become a leaf, or two by kind. */
+  /** Returns whether the measured range may become one leaf, or two leaves of different kinds. */
   boolean fitsLeaf() {
     return costs.units(weight) <= costs.maxUnits();
   }
 
-  /** Puts triangles before shapes; returns the first shape's place. */
+  /** Moves triangles before shapes; returns the position of the first shape. */
   int partitionKinds(int first, int end) {
     int middle = first;
     for (int i = first; i < end; i++) {
@@ -72,7 +72,10 @@ final class BvhSplitter {
     return middle;
   }
 
-  /** Returns where the reordered range should be split, or first if it should not or cannot be. */
+  /**
+   * Returns the position at which to split the reordered range. Returns {@code first} if a split is
+   * impossible or does not pay.
+   */
   int split(int first, int end) {
     bins = Math.min(BINS, 2 * (end - first));
     fillBins(first, end);
@@ -121,7 +124,7 @@ final class BvhSplitter {
     }
   }
 
-  /** Sets, for each bin of an axis, the cost of a leaf made of it and all later ones. */
+  /** Sets, for each bin of an axis, the cost of a leaf that holds it and all later bins. */
   private void fillRightCosts(int axis) {
     clear(side, 0);
     int right = 0;
@@ -152,7 +155,10 @@ final class BvhSplitter {
     return middle;
   }
 
-  /** Returns bins a length; 0, which puts all into the first bin, if the centres coincide. */
+  /**
+   * Returns the bins per unit of length. If the centers coincide, returns 0, which selects the
+   * first bin for all items.
+   */
   private double binScale(int axis) {
     double length = centres[2 * axis + 1] - centres[2 * axis];
     return length > 0 ? bins / length : 0;
@@ -163,7 +169,9 @@ final class BvhSplitter {
   }
 
   /**
-   * @param at 0, 2 or 4, for x, y or z
+   * Returns the center of an item along an axis.
+   *
+   * @param at 0, 2 or 4 for x, y or z
    */
   private double centre(int i, int at) {
     return .5 * boxes[6 * i + at] + .5 * boxes[6 * i + at + 1];
@@ -196,7 +204,7 @@ final class BvhSplitter {
 
   private void grow(double[] box, int at, int by) {
     for (int axis = 0; axis < 6; axis += 2) {
-      // Comparisons: almost always as the last time, and so faster here than Math.min.
+      // These branches are well predicted, and so faster here than Math.min.
       if (boxes[by + axis] < box[at + axis]) {
         box[at + axis] = boxes[by + axis];
       }
@@ -206,7 +214,7 @@ final class BvhSplitter {
     }
   }
 
-  /** Returns half the surface of a box; of an empty one, 0. */
+  /** Returns half the surface area of a box; 0 for an empty box. */
   static double halfArea(double[] box, int at) {
     double x = box[at + 1] - box[at];
     double y = box[at + 3] - box[at + 2];

@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * The search of {@link BinaryTraversal} for those who want to know its work: it counts the nodes
- * that it visits, leaves included, and is in no hurry.
+ * The traversal of {@link BinaryTraversal} with a counter of visited nodes, leaves included. It is
+ * slow and serves diagnostics only.
  */
 final class CountingTraversal implements Traversal {
   private final Node root;
@@ -13,7 +13,7 @@ final class CountingTraversal implements Traversal {
   private final LeafShapes shapes;
   private final LongAdder visits;
 
-  /** A node of two children, or, without them, a leaf. */
+  /** A node with two children, or a leaf if they are absent. */
   private record Node(double[] box, Optional<Children> children, int leaf) {}
 
   private record Children(Node left, Node right) {}
@@ -41,7 +41,7 @@ final class CountingTraversal implements Traversal {
     return new Search(new double[] {ox, oy, oz}, new double[] {dx, dy, dz}, nearest).visit(root);
   }
 
-  /** One ray on its way through the tree. */
+  /** The traversal of one ray. */
   private final class Search {
     private final double[] origin;
     private final double[] direction;
@@ -58,7 +58,7 @@ final class CountingTraversal implements Traversal {
       sheared.shear();
     }
 
-    /** Tells whether something below the node was hit and stored. */
+    /** Returns whether a hit below the node was found and stored. */
     boolean visit(Node node) {
       visits.increment();
       if (node.children.isEmpty()) {
@@ -77,14 +77,14 @@ final class CountingTraversal implements Traversal {
       return entry(far.box) <= nearest.t && visit(far) || found;
     }
 
-    /** Returns where the ray enters a box, at least 0; not a number if it does not. */
+    /** Returns the t, at least 0, at which the ray enters a box; NaN if it misses the box. */
     private double entry(double[] box) {
       double in = 0;
       double out = Double.POSITIVE_INFINITY;
       for (int axis = 0; axis < 3; axis++) {
         double low = (box[2 * axis] - margin - origin[axis]) / direction[axis];
         double high = (box[2 * axis + 1] + margin - origin[axis]) / direction[axis];
-        // Neither is a number on the border of a slab along which the ray goes: it is inside.
+        // NaN occurs for a ray that runs along the border of a slab, which counts as inside.
         in = low == low && high == high ? Math.max(in, Math.min(low, high)) : in;
         out = low == low && high == high ? Math.min(out, Math.max(low, high)) : out;
       }

@@ -3,14 +3,14 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 
-/** The surface area of ellipsoids, by Carlson's symmetric elliptic integrals. */
+/** Computes the surface area of ellipsoids with Carlson's symmetric elliptic integrals. */
 final class EllipsoidArea {
   private static final int SWEEPS = 12;
   private static final double PRECISION = 1e-3;
 
   private EllipsoidArea() {}
 
-  /** Returns the area of the unit sphere's image. */
+  /** Returns the world-space area of the image of the unit sphere. */
   static double ofUnitSphere(Transform toWorld) {
     double[] squares = axesSquared(toWorld);
     double largest = Math.max(squares[0], Math.max(squares[1], squares[2]));
@@ -20,10 +20,10 @@ final class EllipsoidArea {
     return 4 * Math.PI * largest * integralG(a * b, a * c, b * c);
   }
 
-  /** Returns the squared semi-axes: eigenvalues of MᵀM, by Jacobi's rotations. */
+  /** Returns the squared semi-axes: the eigenvalues of MᵀM, computed with Jacobi rotations. */
   private static double[] axesSquared(Transform m) {
     Vec3[] column = {m.vector(Vec3.X), m.vector(Vec3.Y), m.vector(Vec3.Z)};
-    // One-sided: turn pairs of columns until they are at right angles.
+    // One-sided Jacobi method: rotate pairs of columns until they are orthogonal.
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
       for (int i = 0; i < 3; i++) {
         makeOrthogonal(column, i, (i + 1) % 3);
@@ -48,7 +48,7 @@ final class EllipsoidArea {
     column[j] = q.times(cos).plus(cos * tan, p);
   }
 
-  /** Returns R_G; DLMF 19.21.10, with the middle argument singled out so that nothing cancels. */
+  /** Returns R_G by DLMF 19.21.10, with the middle argument last to avoid cancellation. */
   private static double integralG(double x, double y, double z) {
     double low = Math.min(x, Math.min(y, z));
     double high = Math.max(x, Math.max(y, z));
@@ -59,7 +59,7 @@ final class EllipsoidArea {
             + Math.sqrt(low * high / middle));
   }
 
-  /** Returns R_F; Carlson 1995, "Numerical Computation of Real or Complex Elliptic Integrals". */
+  /** Returns R_F (Carlson 1995, "Numerical Computation of Real or Complex Elliptic Integrals"). */
   private static double integralF(double x0, double y0, double z0) {
     double x = x0;
     double y = y0;
@@ -80,7 +80,7 @@ final class EllipsoidArea {
     return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44) / Math.sqrt(mean);
   }
 
-  /** Returns R_D; Carlson 1995, as {@link #integralF}. */
+  /** Returns R_D (Carlson 1995, as in {@link #integralF}). */
   private static double integralD(double x0, double y0, double z0) {
     double x = x0;
     double y = y0;

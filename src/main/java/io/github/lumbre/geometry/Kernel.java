@@ -4,38 +4,38 @@ import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * How hierarchies are searched: by vectors of eight floats, or by nothing but plain Java. Both find
- * the same hits, bit for bit; they differ in speed. Chosen when a hierarchy is built.
+ * The traversal kernel of a hierarchy, chosen when it is built: vectors of eight floats, or plain
+ * Java. The hits of both are bit-identical; only the speed differs.
  *
- * <p>Vectors need the module jdk.incubator.vector, which a virtual machine has only if it was
- * started with {@code --add-modules jdk.incubator.vector}, and a processor with vectors of 256
- * bits.
+ * <p>The vector kernel needs a processor with 256-bit vectors and the module jdk.incubator.vector,
+ * which Java loads only with {@code --add-modules jdk.incubator.vector}.
  */
 public enum Kernel {
   /**
-   * Vectors where they are available and pay: in hierarchies of six items or more, unless most are
-   * so small beside the whole that floats hardly tell them apart.
+   * Vectors where they are available and faster: in hierarchies of six items or more. The exception
+   * is a hierarchy whose items are mostly too small, relative to its extent, for floats to
+   * separate.
    */
   AUTO,
 
-  /** Vectors always. */
+  /** Vectors always; an error where they are not available. */
   VECTOR,
 
   /** Plain Java always. */
   SCALAR;
 
-  /** Fewer items are searched as fast without vectors. */
+  /** With fewer items, vectors are no faster. */
   private static final int MIN_ITEMS = 6;
 
-  /** Returns why there can be no vectors in this virtual machine; empty if there can be. */
+  /** Returns the reason why vectors are not available in this JVM; empty if they are available. */
   public static Optional<String> vectorObstacle() {
     return Vectors.obstacle();
   }
 
   /**
-   * Returns the search over items.
+   * Returns the traversal over items.
    *
-   * @throws IllegalStateException if vectors are asked for and not available
+   * @throws IllegalStateException if this is {@link #VECTOR} and vectors are not available
    */
   Traversal over(BvhItems items) {
     if (items.isEmpty()) {
@@ -49,7 +49,7 @@ public enum Kernel {
     return Vectors.over(new WideTree(builder.build(), builder.order(), items));
   }
 
-  /** Returns the search over items that counts the nodes of {@link #SCALAR}'s. */
+  /** Returns a traversal over items that counts the nodes that {@link #SCALAR} visits. */
   static Traversal counting(BvhItems items, LongAdder visits) {
     if (items.isEmpty()) {
       return Traversal.NONE;

@@ -1,20 +1,20 @@
 package io.github.lumbre.geometry;
 
 /**
- * What the surface area heuristic is to know of a search: how much it costs to test the items of a
- * leaf. A test of one shape, or of a block of triangles, is the unit.
+ * The costs of a traversal for the surface area heuristic. The unit is the test of one shape or of
+ * one block of triangles.
  *
- * @param block how many triangles are tested at once; a power of two
- * @param maxUnits the most units in a leaf
- * @param nodeCost the cost of looking at the boxes of a binary node's children, in the same unit
+ * @param block the number of triangles tested at once; a power of two
+ * @param maxUnits the maximum cost of a leaf, in units
+ * @param nodeCost the cost of testing the boxes of a binary node's children, in units
  */
 record LeafCost(int block, int maxUnits, double nodeCost) {
-  /** Returns the share of one item, to be added up for {@link #units}. */
+  /** Returns the weight of one item; {@link #units} takes the sum of the weights. */
   int weight(boolean isTriangle) {
     return isTriangle ? 1 : block;
   }
 
-  /** Returns the units of a leaf whose items have so much weight together. */
+  /** Returns the cost, in units, of a leaf whose items have the given total weight. */
   int units(int weight) {
     return (weight + block - 1) / block;
   }

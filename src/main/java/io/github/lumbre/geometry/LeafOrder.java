@@ -1,6 +1,9 @@
 package io.github.lumbre.geometry;
 
-/** Numbers the items of a tree's leaves, each kind by itself, as the leaves are met. Mutable. */
+/**
+ * Numbers the items of a tree's leaves in the order of {@link #add}, separately for each kind.
+ * Mutable.
+ */
 final class LeafOrder {
   private final int[] order;
   private final int[] triangles;
@@ -9,8 +12,10 @@ final class LeafOrder {
   private int shapeCount;
 
   /**
-   * @param order the builder's
-   * @param triangles how many of the items are triangles
+   * Creates an order without leaves.
+   *
+   * @param order the builder's order of item numbers
+   * @param triangles the number of triangles among the items
    */
   LeafOrder(int[] order, int triangles) {
     this.order = order;
@@ -18,7 +23,7 @@ final class LeafOrder {
     shapes = new int[order.length - triangles];
   }
 
-  /** Takes a leaf's items; returns the {@link LeafRef} to where they are now. */
+  /** Adds the items of a leaf; returns the {@link LeafRef} to their new position. */
   int add(BvhNode.Leaf leaf) {
     int count = leaf.end() - leaf.first();
     boolean ofShapes = order[leaf.first()] >= triangles.length;
@@ -32,12 +37,12 @@ final class LeafOrder {
     return LeafRef.of(ofShapes, first, count);
   }
 
-  /** Returns the triangles' item numbers in the order of the leaves. */
+  /** Returns the item numbers of the triangles in leaf order. */
   int[] triangles() {
     return triangles;
   }
 
-  /** Returns the shapes' item numbers in the order of the leaves. */
+  /** Returns the item numbers of the shapes in leaf order. */
   int[] shapes() {
     return shapes;
   }

@@ -1,8 +1,8 @@
 package io.github.lumbre.geometry;
 
 /**
- * Leaves as the searches store them: a negative number that tells the kind of the items, the first
- * one's place among its kind, and their count.
+ * The encoding of a leaf as a negative number: the kind of its items, the position of the first
+ * item among its kind, and the number of items.
  */
 final class LeafRef {
   private static final int COUNT_BITS = 4;
@@ -10,6 +10,9 @@ final class LeafRef {
   private LeafRef() {}
 
   /**
+   * Returns the encoded leaf.
+   *
+   * @param first the position of the first item among its kind
    * @param count 1 to 15
    */
   static int of(boolean ofShapes, int first, int count) {

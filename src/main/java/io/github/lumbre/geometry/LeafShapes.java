@@ -1,12 +1,14 @@
 package io.github.lumbre.geometry;
 
-/** Shapes that are no triangles, in the order of a hierarchy's leaves. Immutable. */
+/** The shapes other than triangles, in the order of a hierarchy's leaves. Immutable. */
 final class LeafShapes {
   private final Shape[] shapes;
   private final int[] numbers;
 
   /**
-   * @param numbers the shapes' numbers in the hierarchy
+   * Creates the shapes of a hierarchy.
+   *
+   * @param numbers the number of each shape in the hierarchy
    */
   LeafShapes(Shape[] shapes, int[] numbers) {
     this.shapes = shapes;
@@ -17,12 +19,12 @@ final class LeafShapes {
     return shapes.length == 0;
   }
 
-  /** Asks all shapes; tells whether one had a hit, which is stored. */
+  /** Tests all shapes; returns whether a hit was found and stored. */
   boolean intersect(NearestHit nearest) {
     return intersect(0, shapes.length, nearest);
   }
 
-  /** Asks the shapes of a leaf; tells whether one had a hit, which is stored. */
+  /** Tests the shapes of a leaf; returns whether a hit was found and stored. */
   boolean intersect(int leaf, NearestHit nearest) {
     int first = LeafRef.first(leaf);
     return intersect(first, first + LeafRef.count(leaf), nearest);
@@ -36,7 +38,7 @@ final class LeafShapes {
     return found;
   }
 
-  /** Asks one shape, for hits at the same t as the best too if its number is the lower. */
+  /** Tests one shape. A hit at the same t as the best one wins if the shape's number is lower. */
   private static boolean intersect(Shape shape, int number, NearestHit nearest) {
     double best = nearest.t;
     if (number < nearest.shape) {

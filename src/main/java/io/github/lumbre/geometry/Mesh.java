@@ -6,14 +6,14 @@ import io.github.lumbre.math.Vec3;
 import java.util.List;
 
 /**
- * A triangle mesh in world space, solid from both sides. The {@link Bvh} takes its triangles in
- * singly; for a mesh that stands in many places there is {@link MeshInstance}.
+ * A triangle mesh in world space, which rays hit from both sides. In a {@link Bvh}, each of its
+ * triangles is an item. Use {@link MeshInstance} to place one mesh many times.
  */
 public final class Mesh implements Shape {
   private final TriangleMesh world;
   private final MeshSurface surface;
 
-  /** A hierarchy of its own, made only if someone intersects this shape by itself. */
+  /** This mesh's own hierarchy, built on the first call of {@link #intersect}. */
   private volatile Bvh bvh;
 
   private Mesh(TriangleMesh world) {
@@ -22,9 +22,11 @@ public final class Mesh implements Shape {
   }
 
   /**
-   * Returns a mesh in its place: its vertices are mapped to the world once.
+   * Returns a mesh whose vertices are mapped to world space once.
    *
+   * @param local the mesh in local space
    * @param toWorld invertible
+   * @throws IllegalArgumentException if the transform is singular
    */
   public static Mesh baked(TriangleMesh local, Transform toWorld) {
     return new Mesh(local.baked(Placement.invertible(toWorld)));
@@ -72,7 +74,7 @@ public final class Mesh implements Shape {
     return surface.area();
   }
 
-  /** {@inheritDoc} Points are uniform by area, also where the mesh hides itself. */
+  /** {@inheritDoc} Points are uniform by area, including points that the mesh itself occludes. */
   @Override
   public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
     surface.sample(x, y, z, u, v, result);

@@ -6,11 +6,11 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Where meshes end. */
+/** Finds open borders of meshes. */
 final class MeshBorder {
   private MeshBorder() {}
 
-  /** An edge between two places, in either direction. */
+  /** An undirected edge between two distinct positions. */
   private record Edge(int from, int to) {
     static Edge between(int a, int b) {
       return new Edge(Math.min(a, b), Math.max(a, b));
@@ -18,8 +18,8 @@ final class MeshBorder {
   }
 
   /**
-   * Tells whether every edge belongs to an even number of triangles. Vertices at exactly the same
-   * place count as one: files repeat them for each normal and texture coordinate.
+   * Returns whether every edge belongs to an even number of triangles. Vertices at exactly the same
+   * position count as one, because files repeat them for each normal and texture coordinate.
    */
   static boolean isClosed(TriangleMesh mesh) {
     int[] places = places(mesh);
@@ -42,7 +42,7 @@ final class MeshBorder {
     Map<Vec3, Integer> numbers = new HashMap<>();
     int[] places = new int[mesh.vertexCount()];
     for (int vertex = 0; vertex < places.length; vertex++) {
-      // Adding 0 makes -0 and 0 the same place.
+      // Adding 0 turns -0 into 0, so that both are the same position.
       Vec3 position = mesh.position(vertex).plus(Vec3.ZERO);
       Integer known = numbers.putIfAbsent(position, numbers.size());
       places[vertex] = known == null ? numbers.size() - 1 : known;

@@ -4,14 +4,17 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 
-/** One of the places where a shared mesh stands; solid from both sides. */
+/** One placement of a shared mesh in world space. Rays hit it from both sides. */
 public final class MeshInstance implements Shape {
   private final SharedMesh shared;
   private final Transform toWorld;
   private final MeshSurface surface;
 
   /**
+   * Creates an instance.
+   *
    * @param toWorld invertible
+   * @throws IllegalArgumentException if the transform is singular
    */
   public MeshInstance(SharedMesh shared, Transform toWorld) {
     this.shared = shared;
@@ -25,7 +28,7 @@ public final class MeshInstance implements Shape {
   }
 
   /**
-   * {@inheritDoc} The local direction is not normalised, so that t means the same on both sides.
+   * {@inheritDoc} The local direction is not normalized, so t is the same in local and world space.
    */
   @Override
   public boolean intersect(NearestHit nearest) {
@@ -56,7 +59,7 @@ public final class MeshInstance implements Shape {
     return surface.area();
   }
 
-  /** {@inheritDoc} Points are uniform by area, also where the mesh hides itself. */
+  /** {@inheritDoc} Points are uniform by area, including points that the mesh itself occludes. */
   @Override
   public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
     surface.sample(x, y, z, u, v, result);

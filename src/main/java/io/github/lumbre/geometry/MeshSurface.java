@@ -8,16 +8,18 @@ import io.github.lumbre.sampling.Distribution1d;
 import io.github.lumbre.sampling.Warp;
 import io.github.lumbre.texture.TexturePoint;
 
-/** The world-space surface of a placed mesh: at a hit, or at random. */
+/** The world-space surface of a placed mesh, evaluated at hits or sampled. */
 final class MeshSurface {
-  /** Error of a sheared vertex relative to the edges: some six roundings, with room. */
+  /**
+   * The error of a sheared vertex relative to the edges: about six roundings, with a safety margin.
+   */
   private static final double SHEARING = 16 * 0x1p-52;
 
   private final TriangleMesh mesh;
   private final Transform toWorld;
   private final boolean isInWorld;
 
-  /** The triangles' areas in the world; made when first asked for, since few meshes are lights. */
+  /** The triangles' areas in world space; computed on first use, because few meshes are lights. */
   private volatile Distribution1d areas;
 
   MeshSurface(TriangleMesh mesh, Transform toWorld) {
@@ -26,7 +28,9 @@ final class MeshSurface {
     isInWorld = toWorld == Transform.IDENTITY;
   }
 
-  /** Returns the surface at barycentric weights (1 − b1 − b2, b1, b2) of a triangle. */
+  /**
+   * Returns the surface at a hit, whose point has the barycentric weights (1 − b1 − b2, b1, b2).
+   */
   SurfaceHit at(NearestHit hit) {
     int triangle = hit.element;
     Vec3 a = position(triangle, 0);
@@ -56,7 +60,7 @@ final class MeshSurface {
   private Vec3 geometricNormal(int triangle, Vec3 e1, Vec3 e2) {
     Vec3 cross = TriangleMesh.cross(e1, e2);
     if (!(cross.maxAbs() > 0)) {
-      // A map may flatten a sliver to a line; any direction off it will do.
+      // A transform can flatten a sliver to a line; any direction perpendicular to it is valid.
       return e1.maxAbs() > 0 ? Frame.around(e1.normalized()).tangent() : Vec3.Y;
     }
     boolean isTurned = mesh.isTurned(triangle) ^ toWorld.isMirroring();
@@ -104,9 +108,9 @@ final class MeshSurface {
   }
 
   /**
-   * Returns the rounding of a point of a triangle along its normal. All three vertices enter with
-   * their coordinates; and since the intersection test shears one axis into another, the length of
-   * the edges enters in every direction.
+   * Returns a bound, along the normal, of the rounding error of a point on a triangle. It depends
+   * on the coordinates of all three vertices. It also depends on the edge lengths in every
+   * direction, because the intersection test shears one axis into another.
    */
   private double error(int triangle, Vec3 e1, Vec3 e2, Vec3 normal) {
     Vec3 a = mesh.position(mesh.vertex(triangle, 0));
@@ -136,7 +140,7 @@ final class MeshSurface {
         Vec3 a = position(i, 0);
         weights[i] = .5 * position(i, 1).minus(a).cross(position(i, 2).minus(a)).length();
       }
-      // Two threads may both come here; they find the same.
+      // Two threads may compute this at once; their results are equal.
       known = new Distribution1d(weights);
       areas = known;
     }
@@ -164,7 +168,10 @@ final class MeshSurface {
     result.set(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
   }
 
-  /** Returns the rounding of a ray's way into local space: large if the map is far from even. */
+  /**
+   * Returns a bound of the rounding error of mapping a ray to local space. It is large for
+   * transforms that are strongly non-uniform.
+   */
   private double mappingError(Vec3 origin, Vec3 normal) {
     double r = toWorld.inversePoint(origin).maxAbs();
     return isInWorld ? 0 : toWorld.pointError(new Vec3(r, r, r), normal);

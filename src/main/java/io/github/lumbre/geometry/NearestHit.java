@@ -5,15 +5,18 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A ray, the nearest hit found so far along it, and the scratch memory of the search. Mutable, one
- * for each thread, aimed anew for every ray: plain numbers, so that following a ray makes no
- * object.
+ * A ray in world space, the nearest hit found so far along it, and the workspace of the traversal.
+ * Mutable; each thread reuses one instance for all its rays. It stores plain numbers, so that
+ * tracing a ray allocates nothing.
  */
 public final class NearestHit {
-  /** The most nodes that one search puts aside: seven for each level of nodes of eight. */
+  /** The maximum stack depth of one traversal: seven entries for each level of eight-wide nodes. */
   private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 2;
 
-  /** Where the ray begins, excluded, and its direction: not zero, and t is in units of it. */
+  /**
+   * The ray's origin, which is excluded, and its direction. The direction is not zero, and its
+   * length is the unit of t.
+   */
   double originX;
 
   double originY;
@@ -22,56 +25,62 @@ public final class NearestHit {
   double directionY;
   double directionZ;
 
-  /** Ray parameter of the hit; before any hit, the ray's end. */
+  /** The ray parameter of the hit; before any hit, the ray's end. */
   double t;
 
-  /** Number of the shape that was hit, or -1. */
+  /** The number of the hit shape, or -1. */
   int shape;
 
-  /** Part of the shape: a mesh's triangle, a box's face. */
+  /** The part of the shape: the triangle of a mesh or the face of a box. */
   int element;
 
-  /** Barycentric weights of a triangle's second and third vertex. */
+  /** The barycentric weights of a triangle's second and third vertex. */
   double b1;
 
   double b2;
 
-  /** Whether any hit will do, so that the search may stop at the first. */
+  /** Whether the traversal may stop at the first hit, as for shadow rays. */
   boolean any;
 
-  /** Nodes still to visit; nested searches (instances) use the part from stackTop on. */
+  /**
+   * The nodes still to visit; nested traversals (of instances) use the entries from stackTop on.
+   */
   final int[] stack = new int[2 * STACK];
 
-  /** Where the ray enters the nodes still to visit, as integers in the order of t. */
+  /** Where the ray enters the nodes still to visit, as integers that sort as t does. */
   final int[] stackNear = new int[2 * STACK];
 
   int stackTop;
 
-  /** What the shape says of its surface at the hit, once it is asked. */
+  /** The surface at the hit, filled by {@link Shape#surfaceAt}. */
   final SurfaceHit surface = new SurfaceHit();
 
-  /** Whether the search is in a hierarchy that is a shape of another. */
+  /** Whether the traversal is inside a hierarchy that is a shape of another hierarchy. */
   boolean inPart;
 
-  /** The ray in a hierarchy of floats, and in one that is a shape of another. */
+  /** The ray for the vector kernel: in the outer hierarchy, and in one that is a shape of it. */
   private final WideRay wideRay = new WideRay();
 
   private final WideRay widePartRay = new WideRay();
 
-  /** Where the ray enters the children of one node. */
+  /** Where the ray enters the children of one node, in the same encoding. */
   final int[] lanes = new int[WideTree.WIDTH];
 
-  /** Makes the memory of a search; there is no ray and no hit yet. */
+  /** Creates a workspace without a ray and without a hit. */
   public NearestHit() {}
 
-  /** Takes another ray and forgets the last. */
+  /** Sets the ray and discards the previous hit. */
   public void aim(Ray ray) {
     Vec3 o = ray.origin();
     Vec3 d = ray.direction();
     aim(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.tMax());
   }
 
-  /** Takes another {@linkplain Ray ray}, given by its coordinates, and forgets the last. */
+  /**
+   * Sets the {@linkplain Ray ray}, given by its coordinates, and discards the previous hit.
+   *
+   * @param tMax the ray's end, excluded; may be infinite
+   */
   public void aim(double ox, double oy, double oz, double dx, double dy, double dz, double tMax) {
     originX = ox;
     originY = oy;
@@ -86,66 +95,73 @@ public final class NearestHit {
     inPart = false;
   }
 
-  /** Returns the memory for the ray of this search; one in doubles uses what it inherits alone. */
+  /** Returns the ray of the current traversal; the scalar kernel uses only its inherited fields. */
   WideRay wideRay() {
     return inPart ? widePartRay : wideRay;
   }
 
-  /** Returns where the ray begins. */
+  /** Returns the ray's origin in world space. */
   public Vec3 origin() {
     return new Vec3(originX, originY, originZ);
   }
 
-  /** Returns the ray's direction. */
+  /** Returns the ray's direction in world space; it need not have unit length. */
   public Vec3 direction() {
     return new Vec3(directionX, directionY, directionZ);
   }
 
-  /** Returns the unit direction back to where the ray comes from. */
+  /** Returns the unit direction opposite to the ray's direction. */
   Vec3 backwards() {
     return direction().negated().normalized();
   }
 
+  /** Returns whether a hit was found since the ray was set. */
   public boolean isHit() {
     return shape >= 0;
   }
 
-  /** Returns the ray parameter of the hit. */
+  /**
+   * Returns the ray parameter of the hit, in units of the direction's length; before any hit, the
+   * ray's end.
+   */
   public double t() {
     return t;
   }
 
-  /** Returns the number of the shape that was hit: its index in the list the Bvh was built from. */
+  /**
+   * Returns the number of the hit shape, which is its index in the list that the {@link Bvh} was
+   * built over; -1 without a hit.
+   */
   public int shape() {
     return shape;
   }
 
-  /** Returns the x of the ray's origin in the space that a transform maps to the world. */
+  /** Returns the x of the ray's origin in the local space of a transform. */
   double localOriginX(Transform toWorld) {
     return toWorld.inversePointX(originX, originY, originZ);
   }
 
-  /** Returns the y of the ray's origin in the space that a transform maps to the world. */
+  /** Returns the y of the ray's origin in the local space of a transform. */
   double localOriginY(Transform toWorld) {
     return toWorld.inversePointY(originX, originY, originZ);
   }
 
-  /** Returns the z of the ray's origin in the space that a transform maps to the world. */
+  /** Returns the z of the ray's origin in the local space of a transform. */
   double localOriginZ(Transform toWorld) {
     return toWorld.inversePointZ(originX, originY, originZ);
   }
 
-  /** Returns the x of the ray's direction in that space; its length is not kept at 1. */
+  /** Returns the x of the ray's direction in the local space of a transform, not normalized. */
   double localDirectionX(Transform toWorld) {
     return toWorld.inverseVectorX(directionX, directionY, directionZ);
   }
 
-  /** Returns the y of the ray's direction in that space; its length is not kept at 1. */
+  /** Returns the y of the ray's direction in the local space of a transform, not normalized. */
   double localDirectionY(Transform toWorld) {
     return toWorld.inverseVectorY(directionX, directionY, directionZ);
   }
 
-  /** Returns the z of the ray's direction in that space; its length is not kept at 1. */
+  /** Returns the z of the ray's direction in the local space of a transform, not normalized. */
   double localDirectionZ(Transform toWorld) {
     return toWorld.inverseVectorZ(directionX, directionY, directionZ);
   }

@@ -4,22 +4,31 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 
-/** What shapes that are defined in a local space have in common. */
+/** Helper functions of shapes that are defined in a local space. */
 final class Placement {
-  /** Sizes beyond this overflow when squared. */
+  /** Larger sizes overflow when squared. */
   private static final double LARGEST = 1e150;
 
   private Placement() {}
 
-  /** Returns the transform if it can be undone; throws if it is singular. */
+  /**
+   * Returns the transform if it is invertible.
+   *
+   * @throws IllegalArgumentException if it is singular
+   */
   static Transform invertible(Transform toWorld) {
     if (!toWorld.isInvertible()) {
-      throw new IllegalArgumentException("toWorld: expected an invertible map, found a singular");
+      throw new IllegalArgumentException(
+          "toWorld: expected an invertible transform, found a singular one");
     }
     return toWorld;
   }
 
-  /** Returns a size if it is in (0, 1e150]; throws otherwise. */
+  /**
+   * Returns a size if it is in (0, 1e150].
+   *
+   * @throws IllegalArgumentException if it is not
+   */
   static double size(String name, double value) {
     if (!(value > 0 && value <= LARGEST)) {
       throw new IllegalArgumentException(
@@ -28,7 +37,9 @@ final class Placement {
     return value;
   }
 
-  /** Returns a world box that holds the image of a local box whatever the rounding. */
+  /**
+   * Returns a world-space box that contains the image of a local box, including rounding errors.
+   */
   static Bounds3 outward(Transform toWorld, Bounds3 local) {
     if (local.isEmpty()) {
       return Bounds3.EMPTY;
@@ -36,7 +47,10 @@ final class Placement {
     return widened(toWorld.bounds(local), toWorld, farthest(local));
   }
 
-  /** Returns a box widened by the rounding of mapped points of at most the given coordinates. */
+  /**
+   * Returns a box widened by the rounding error of mapped points. {@code farthest} holds the
+   * largest absolute local coordinates of these points.
+   */
   static Bounds3 widened(Bounds3 world, Transform toWorld, Vec3 farthest) {
     Vec3 margin =
         new Vec3(
@@ -54,11 +68,11 @@ final class Placement {
   }
 
   /**
-   * Returns the density per solid angle of a point that was drawn uniformly from an area.
+   * Returns the density per solid angle of a point that was sampled uniformly by area.
    *
-   * @param toReference from the point to the reference, not normalised
+   * @param toReference from the point to the reference point, not normalized
    * @param normal the unit normal at the point
-   * @return dist² / (|cos| area); 0 where the surface is seen edge on or from no distance
+   * @return distance² / (|cos| area); 0 where the surface is seen edge-on or at distance 0
    */
   static double solidAnglePdf(Vec3 toReference, Vec3 normal, double area) {
     double distance = toReference.length();

@@ -7,8 +7,8 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
- * The infinite local xz plane with normal +y; its texture repeats every ten local units. Rays from
- * behind pass through it unless it is two-sided.
+ * The infinite local xz plane with normal +y. Its texture coordinates are u = x / 10 and v = z / 10
+ * in local units. Rays from behind pass through the plane unless it is two-sided.
  */
 public final class Plane implements Shape {
   private static final double INF = Double.POSITIVE_INFINITY;
@@ -20,7 +20,11 @@ public final class Plane implements Shape {
   private final Frame shading;
 
   /**
+   * Creates a plane.
+   *
    * @param toWorld invertible
+   * @param twoSided whether rays from behind hit the plane
+   * @throws IllegalArgumentException if the transform is singular
    */
   public Plane(Transform toWorld, boolean twoSided) {
     this.toWorld = Placement.invertible(toWorld);

@@ -10,15 +10,19 @@ import java.util.Optional;
 
 /**
  * A rectangle around the local origin in the xz plane, with normal +y and its border included. Rays
- * from behind pass through it unless it is two-sided. Texture: u = (w/2 − x)/w, v = (h/2 − z)/h.
+ * from behind pass through it unless it is two-sided. Texture coordinates: u = (w/2 − x)/w, v =
+ * (h/2 − z)/h for width w and height h.
  */
 public final class Rectangle implements Shape {
-  /** Sides whose angle differs from 90° by more than rounding make a parallelogram. */
+  /**
+   * Above this cosine between the sides, the transformed shape is a parallelogram and not a
+   * rectangle.
+   */
   private static final double RIGHT_ANGLE = 1e-12;
 
   /**
-   * Up to so many half diagonals away points are drawn by solid angle. From farther away all of the
-   * rectangle is seen about alike, and points by area cost less.
+   * Up to this distance, in half diagonals, points are sampled by solid angle. Farther away,
+   * sampling by area is nearly as good and costs less.
    */
   private static final double NEAR = 2;
 
@@ -33,25 +37,29 @@ public final class Rectangle implements Shape {
   private final double area;
   private final Vec3 centre;
 
-  /** Along x, z and the normal. */
+  /** The world-space frame along local x, local z and the normal. */
   private final Frame axes;
 
   private final double scaleX;
   private final double scaleZ;
 
-  /** The bound of a point's error at the centre, and what it grows by along local x and z. */
+  /** The error bound of a point at the center, and its growth per unit along local x and z. */
   private final double errorAtCentre;
 
   private final double errorPerX;
   private final double errorPerZ;
 
-  /** The square of the distance up to which points are drawn by solid angle. */
+  /** The square of the distance up to which points are sampled by solid angle. */
   private final double nearSquared;
 
   /**
+   * Creates a rectangle.
+   *
    * @param toWorld invertible
    * @param width along local x, in (0, 1e150]
    * @param height along local z, in (0, 1e150]
+   * @param twoSided whether rays from behind hit the rectangle
+   * @throws IllegalArgumentException if the transform is singular or a size is out of range
    */
   public Rectangle(Transform toWorld, double width, double height, boolean twoSided) {
     this.toWorld = Placement.invertible(toWorld);
@@ -119,7 +127,7 @@ public final class Rectangle implements Shape {
     return toWorld.pointInPlane(local.x(), local.z());
   }
 
-  /** Returns {@link Transform#pointError} of a local point, in fewer steps. */
+  /** Returns {@link Transform#pointError} of a local point, with fewer operations. */
   private double error(Vec3 local) {
     return errorAtCentre + Math.abs(local.x()) * errorPerX + Math.abs(local.z()) * errorPerZ;
   }
@@ -146,8 +154,8 @@ public final class Rectangle implements Shape {
   /**
    * {@inheritDoc}
    *
-   * <p>Points are uniform by solid angle where the reference is near, else by area; from behind a
-   * one-way rectangle there are none.
+   * <p>Points are uniform by solid angle for near reference points, otherwise by area. For
+   * reference points behind a one-sided rectangle, there is no sample.
    */
   @Override
   public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
@@ -190,7 +198,10 @@ public final class Rectangle implements Shape {
     return areaPdf(reference.minus(onShape.position()));
   }
 
-  /** Tells whether a reference, given along the axes, is near and on a side that shines. */
+  /**
+   * Returns whether a reference point, given in the frame {@link #axes}, is near and on a visible
+   * side.
+   */
   private boolean isNear(double x, double y, double z) {
     return (twoSided || z > 0) && x * x + y * y + z * z <= nearSquared;
   }

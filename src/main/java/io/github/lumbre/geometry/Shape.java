@@ -5,54 +5,65 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
-/** A surface in world space: how to hit it, and how to sample it as a light. Immutable. */
+/** A surface in world space that can be intersected, and sampled as an area light. Immutable. */
 public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle, Sphere {
-  /** Returns a box around the surface, rounded outward; with infinite sides for infinite planes. */
+  /**
+   * Returns the world-space bounding box, rounded outward; infinite for infinite planes, empty for
+   * a mesh without triangles.
+   */
   Bounds3 bounds();
 
   /**
-   * Looks along the ray of {@code nearest} for a hit with 0 &lt; t &lt; {@code nearest.t}. If there
-   * is one, stores its t and what {@link #surfaceAt} needs, and returns true; otherwise changes
-   * nothing. The shape's number is the caller's to store.
+   * Finds a hit along the ray of {@code nearest} with 0 &lt; t &lt; {@code nearest.t}. If there is
+   * one, stores its t and the data that {@link #surfaceAt} needs; otherwise changes nothing. The
+   * caller stores the shape number.
+   *
+   * @return whether a hit was found and stored
    */
   boolean intersect(NearestHit nearest);
 
   /**
-   * Returns the surface at the hit that {@link #intersect} stored last. The result is the hit's
-   * own, and is written anew by the next call with the same {@code hit}.
+   * Returns the surface at the hit that {@link #intersect} stored last. The result belongs to
+   * {@code hit}; the next call with the same {@code hit} overwrites it.
    */
   SurfaceHit surfaceAt(NearestHit hit);
 
-  /** Returns the area in world units; infinite for infinite planes. */
+  /** Returns the world-space surface area; infinite for infinite planes. */
   double area();
 
-  /** Tells whether the surface encloses a volume, so that there is an inside. */
+  /** Returns whether the surface encloses a volume. */
   boolean isClosed();
 
-  /** Returns the outward unit normal if it is known to be the same everywhere. */
+  /**
+   * Returns the outward world-space unit normal if it is known to be constant over the surface;
+   * empty otherwise.
+   */
   default Optional<Vec3> onlyNormal() {
     return Optional.empty();
   }
 
   /**
-   * Samples a point of the surface that lights a reference point, or none (pdf 0) where none is
-   * visible. Each shape distributes its points as suits it; the density accounts for that. This is
-   * the hot path: plain numbers and a reused result allocate nothing; {@link #sample(Vec3, Point2)}
-   * is the same for other callers.
+   * Samples a point of the surface for the lighting of a reference point. The result has pdf 0 if
+   * no point is visible. Each shape chooses its own distribution; the pdf accounts for it. Plain
+   * numbers and a reused result avoid allocation on this hot path. {@link #sample(Vec3, Point2)} is
+   * a convenience method with the same result.
    *
-   * @param x of the reference point, in world space, as are y and z
-   * @param u uniform in [0,1), as is v: they determine the point
+   * @param x world-space x of the reference point
+   * @param y world-space y of the reference point
+   * @param z world-space z of the reference point
+   * @param u first random number, uniform in [0,1)
+   * @param v second random number, uniform in [0,1)
    * @param result receives the point
    * @throws UnsupportedOperationException if {@link #area} is infinite
    */
   void sample(double x, double y, double z, double u, double v, SurfaceSample result);
 
   /**
-   * Samples a point of the surface that lights a reference point; its density is 0 if none is
-   * visible.
+   * Samples a point of the surface for the lighting of a reference point. The result has pdf 0 if
+   * no point is visible.
    *
-   * @param reference point in world space
-   * @param u uniform in [0,1)²: determines the point
+   * @param reference the reference point in world space
+   * @param u uniform in [0,1)²
    * @throws UnsupportedOperationException if {@link #area} is infinite
    */
   default SurfaceSample sample(Vec3 reference, Point2 u) {
@@ -62,8 +73,11 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
   }
 
   /**
-   * Returns the density, per solid angle at {@code reference}, with which {@link #sample} draws the
-   * hit that a ray from there found; 0 for a point it never draws.
+   * Returns the density, per solid angle at {@code reference}, with which {@link #sample} produces
+   * a point. The result is 0 for a point that it never produces.
+   *
+   * @param reference the reference point in world space
+   * @param onShape the point on this shape, as hit by a ray from the reference point
    */
   double pdf(Vec3 reference, SurfaceHit onShape);
 }

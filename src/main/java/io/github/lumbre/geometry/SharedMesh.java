@@ -4,20 +4,20 @@ import io.github.lumbre.math.Transform;
 import java.util.List;
 
 /**
- * A mesh with a hierarchy over its triangles in local space, to be placed many times by {@link
- * MeshInstance}. Immutable.
+ * A mesh and a hierarchy over its triangles in local space, which any number of {@link
+ * MeshInstance}s share. Immutable.
  */
 public final class SharedMesh {
   private final TriangleMesh mesh;
   private final Bvh bvh;
 
-  /** Returns a mesh that is searched by {@link Kernel#AUTO}. */
+  /** Creates a mesh whose hierarchy uses {@link Kernel#AUTO}. */
   public SharedMesh(TriangleMesh mesh) {
     this(mesh, Kernel.AUTO);
   }
 
   /**
-   * Returns a mesh that is searched by a kernel.
+   * Creates a mesh whose hierarchy uses the given kernel.
    *
    * @throws IllegalStateException if the kernel is not available
    */
@@ -26,6 +26,7 @@ public final class SharedMesh {
     bvh = Bvh.over(List.of(Mesh.baked(mesh, Transform.IDENTITY)), kernel);
   }
 
+  /** Returns the mesh in local space. */
   public TriangleMesh mesh() {
     return mesh;
   }

@@ -1,32 +1,37 @@
 package io.github.lumbre.geometry;
 
 /**
- * A ray as triangles are tested with it: its axes in another order, the last one the one along
- * which the direction is longest, sheared onto the ray. Mutable scratch memory.
+ * A ray in the form that the triangle test uses. Its axes are permuted so that the direction is
+ * longest along the last one, which is sheared onto the ray. Mutable.
  */
 class ShearedRay {
-  /** The axis along which the direction is longest, and before it the two that are sheared. */
+  /** The permuted axes: kz is the one along which the direction is longest. */
   int kx;
 
   int ky;
   int kz;
 
-  /** The origin along these axes. */
+  /** The origin along the permuted axes. */
   double ox;
 
   double oy;
   double oz;
 
-  /** Direction along kx, and ky, over that along kz; and the reciprocal of that along kz. */
+  /**
+   * The direction along kx and along ky, each divided by the direction along kz; and the reciprocal
+   * of the direction along kz.
+   */
   double sx;
 
   double sy;
   double sz;
 
-  /** Origin and direction, to be chosen from by an axis' number without a branch. */
+  /** The origin and the direction, indexed by axis so that the permutation needs no branch. */
   private final double[] axes = new double[6];
 
-  /** Takes a ray, to be sheared: its origin, and its direction, of any length but not zero. */
+  /**
+   * Sets the ray for the next {@link #shear}: its origin, and its direction of any length except 0.
+   */
   final void take(double x, double y, double z, double dx, double dy, double dz) {
     axes[0] = x;
     axes[1] = y;
@@ -36,7 +41,7 @@ class ShearedRay {
     axes[5] = dz;
   }
 
-  /** Shears the ray that was taken last. */
+  /** Computes the permuted and sheared form of the ray. */
   final void shear() {
     kz = Axes.longest(axes[3], axes[4], axes[5]);
     kx = Axes.next(kz);

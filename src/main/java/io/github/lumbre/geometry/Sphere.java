@@ -10,14 +10,14 @@ import io.github.lumbre.sampling.Warp;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
- * A sphere around the local origin; an ellipsoid if its transform scales unevenly. Solid from both
- * sides.
+ * A sphere around the local origin, or an ellipsoid if its transform scales non-uniformly. Rays hit
+ * it from both sides.
  *
  * <p>Texture coordinates of the local unit normal n: u = ½ + atan2(n.z, n.x) / 2π, v = ½ −
  * asin(n.y) / π.
  */
 public final class Sphere implements Shape {
-  /** 1 − cos of the half angle of the cone that holds all directions. */
+  /** 1 − cos of the half angle of the cone that contains all directions. */
   private static final double ALL_DIRECTIONS = 2;
 
   private final Transform toWorld;
@@ -25,8 +25,11 @@ public final class Sphere implements Shape {
   private final boolean isSkewed;
 
   /**
+   * Creates a sphere.
+   *
    * @param toWorld invertible
-   * @param radius in (0, 1e150]
+   * @param radius in local space, in (0, 1e150]
+   * @throws IllegalArgumentException if the transform is singular or the radius is out of range
    */
   public Sphere(Transform toWorld, double radius) {
     this.toWorld = Placement.invertible(toWorld);
@@ -53,9 +56,9 @@ public final class Sphere implements Shape {
   /**
    * {@inheritDoc}
    *
-   * <p>The quadratic is solved from the ray's point closest to the centre, where its coefficients
-   * keep their digits however far away the ray begins: Haines et al. 2019, "Precision Improvements
-   * for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7.
+   * <p>The quadratic is solved relative to the ray's point closest to the center, where its
+   * coefficients keep full precision for ray origins at any distance: Haines et al. 2019,
+   * "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7.
    */
   @Override
   public boolean intersect(NearestHit nearest) {
@@ -126,9 +129,9 @@ public final class Sphere implements Shape {
   /**
    * {@inheritDoc}
    *
-   * <p>Draws a direction uniformly from those that meet the sphere, in its local space: from
-   * outside a cone, from inside all. PBRT 4e, sec. 6.2.4; under an uneven scale the density follows
-   * from how the map spreads directions.
+   * <p>Samples a direction uniformly, in local space, from the directions that hit the sphere: a
+   * cone from outside, all directions from inside. Source: PBRT 4e, sec. 6.2.4. Under a non-uniform
+   * scale, the density includes the Jacobian of the map of directions.
    */
   @Override
   public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
@@ -168,8 +171,8 @@ public final class Sphere implements Shape {
   }
 
   /**
-   * Returns the point of the unit sphere, around the axis to a reference outside, that the
-   * reference sees first in a uniform direction of the cone.
+   * Returns the nearest point of the unit sphere in a uniform direction of the cone that an outside
+   * reference point sees. The z axis points to the reference point.
    */
   private static Vec3 nearPoint(double distance, double oneMinusCosMax, Point2 u) {
     Vec3 w = Warp.uniformCone(u, oneMinusCosMax);
@@ -177,7 +180,7 @@ public final class Sphere implements Shape {
     if (sinTheta == 0) {
       return Vec3.Z;
     }
-    // By the law of sines: beta lies between the direction and the normal where they meet.
+    // By the law of sines; beta is the angle between the direction and the normal at the hit.
     double sinBeta = Math.min(1, distance * sinTheta);
     double cosBeta = Math.sqrt((1 - sinBeta) * (1 + sinBeta));
     double sinAlpha = sinBeta * w.z() - cosBeta * sinTheta;
@@ -185,14 +188,16 @@ public final class Sphere implements Shape {
     return new Vec3(w.x() * (sinAlpha / sinTheta), w.y() * (sinAlpha / sinTheta), cosAlpha);
   }
 
-  /** Returns where a unit direction from inside the unit sphere leaves it. */
+  /** Returns the point at which a ray from inside the unit sphere leaves it. */
   private static Vec3 exit(Vec3 from, Vec3 direction) {
     double b = from.dot(direction);
     double c = Math.max(0, 1 - from.dot(from));
     return from.plus(Math.sqrt(b * b + c) - b, direction);
   }
 
-  /** Returns 1 − cos of the half angle under which the unit sphere is seen from a distance. */
+  /**
+   * Returns 1 − cos of the half angle that the unit sphere subtends at a distance from its center.
+   */
   private static double oneMinusCosMax(double distance) {
     if (!(distance > 1)) {
       return ALL_DIRECTIONS;
@@ -203,8 +208,8 @@ public final class Sphere implements Shape {
   }
 
   /**
-   * Returns the density in the world of a uniform direction of a local cone: dω = |det M| / |M w|³
-   * dω' for the unit local direction w.
+   * Returns the world-space density of a uniform direction in a local cone. For a unit local
+   * direction w, dω = |det M| / |M w|³ dω'.
    */
   private double pdf(double oneMinusCosMax, Vec3 way) {
     double stretch = way.length() / toWorld.inverseVector(way).length();

@@ -6,14 +6,14 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
- * The surface where a ray hit it, in world space. The only home of the error bound that rays leave
- * a surface by.
+ * The hit surface, in world space. Only this class offsets ray origins from a surface, by the error
+ * bound of the hit.
  *
- * <p>Mutable, one for each {@link NearestHit}, which shapes fill anew at each hit: plain numbers,
- * because this is made for every ray. What its methods return is immutable and may be kept.
+ * <p>Mutable; each {@link NearestHit} has one, which shapes overwrite at each hit. It stores plain
+ * numbers to avoid allocation. The values that its methods return are immutable.
  */
 public final class SurfaceHit {
-  /** How far, relative to a ray's length, its meeting with a surface may be out of place. */
+  /** A bound of the position error of a hit, relative to the length of the ray. */
   private static final double ROUNDING = 16 * 0x1p-52;
 
   private double x, y, z;
@@ -25,19 +25,20 @@ public final class SurfaceHit {
   private double outX, outY, outZ;
   private double error;
 
-  /** Makes the memory of a hit, which {@link #set} fills. */
+  /** Creates an empty hit; {@link #set} fills it. */
   public SurfaceHit() {}
 
   /**
-   * Describes another hit.
+   * Sets all values of the hit.
    *
-   * @param position on the surface, as exactly as the shape can say
-   * @param geometricNormal the true normal, outward, of unit length, whichever side was hit
-   * @param shading the normal to shade with (interpolated on smooth meshes, never more than 90°
-   *     from the geometric one), and tangents along growing u and v
-   * @param texture texture coordinates
-   * @param wo unit direction back to where the ray came from
-   * @param newError bound of the position's distance from the true surface along the normal
+   * @param position on the surface, as exactly as the shape can compute it
+   * @param geometricNormal the outward unit normal of the true surface, for hits from either side
+   * @param shading the shading frame: the shading normal (interpolated on smooth meshes, at most
+   *     90° from the geometric normal), and tangents along increasing u and v
+   * @param texture the texture coordinates
+   * @param wo the unit direction back along the ray
+   * @param newError a bound of the position's distance from the true surface along the normal, in
+   *     world units
    * @return this
    */
   public SurfaceHit set(
@@ -63,22 +64,26 @@ public final class SurfaceHit {
     return this;
   }
 
-  /** Replaces the frame to shade with, as normal maps do. */
+  /** Replaces the shading frame. */
   public void shadeBy(Frame frame) {
     shadeBy(frame.tangent(), frame.bitangent(), frame.normal());
   }
 
-  /** Replaces the frame to shade with by one around the true normal. */
+  /** Replaces the shading frame with one around the geometric normal. */
   public void shadeFlat() {
     Vec3 normal = geometricNormal();
     shadeBy(Frame.tangentAround(normal), Frame.bitangentAround(normal), normal);
   }
 
-  /** Turns the frame to shade with to another unit normal, as {@link Frame#around} does. */
+  /**
+   * Replaces the shading normal with another unit normal, in world space, and realigns the tangents
+   * as {@link Frame#around} does. Normal maps perturb the normal this way.
+   */
   public void bendTo(Vec3 normal) {
     Vec3 u = new Vec3(tangentX, tangentY, tangentZ);
     Vec3 v = new Vec3(bitangentX, bitangentY, bitangentZ);
-    // No frame is made: the compiler would not do without it, chosen from two.
+    // No Frame is created here: escape analysis cannot remove an object that comes from two
+    // branches.
     if (Frame.isAlong(normal, u)) {
       shadeBy(Frame.tangentAround(normal), Frame.bitangentAround(normal), normal);
     } else {
@@ -99,17 +104,17 @@ public final class SurfaceHit {
     normalZ = normal.z();
   }
 
-  /** Returns the point of the surface. */
+  /** Returns the position on the surface. */
   public Vec3 position() {
     return new Vec3(x, y, z);
   }
 
-  /** Returns the true normal, outward, of unit length. */
+  /** Returns the outward unit normal of the true surface, for hits from either side. */
   public Vec3 geometricNormal() {
     return new Vec3(geometricX, geometricY, geometricZ);
   }
 
-  /** Returns the frame to shade with: its tangents along growing u and v. */
+  /** Returns the shading frame, whose tangents point along increasing u and v. */
   public Frame shading() {
     return new Frame(
         new Vec3(tangentX, tangentY, tangentZ),
@@ -117,12 +122,12 @@ public final class SurfaceHit {
         shadingNormal());
   }
 
-  /** Returns the normal of the frame to shade with. */
+  /** Returns the unit normal of the shading frame. */
   public Vec3 shadingNormal() {
     return new Vec3(normalX, normalY, normalZ);
   }
 
-  /** Returns a world direction in the frame to shade with. */
+  /** Returns a world-space direction in coordinates of the shading frame. */
   public Vec3 toLocal(Vec3 world) {
     double dx = world.x();
     double dy = world.y();
@@ -133,7 +138,7 @@ public final class SurfaceHit {
         dx * normalX + dy * normalY + dz * normalZ);
   }
 
-  /** Returns a direction in the frame to shade with in world space. */
+  /** Returns the world-space direction of a direction in coordinates of the shading frame. */
   public Vec3 toWorld(Vec3 local) {
     double dx = local.x();
     double dy = local.y();
@@ -141,17 +146,17 @@ public final class SurfaceHit {
     return new Vec3(worldX(dx, dy, dz), worldY(dx, dy, dz), worldZ(dx, dy, dz));
   }
 
-  /** Returns the x of {@link #toWorld}. */
+  /** Returns the x coordinate of {@link #toWorld}. */
   public double worldX(double dx, double dy, double dz) {
     return tangentX * dx + bitangentX * dy + normalX * dz;
   }
 
-  /** Returns the y of {@link #toWorld}. */
+  /** Returns the y coordinate of {@link #toWorld}. */
   public double worldY(double dx, double dy, double dz) {
     return tangentY * dx + bitangentY * dy + normalY * dz;
   }
 
-  /** Returns the z of {@link #toWorld}. */
+  /** Returns the z coordinate of {@link #toWorld}. */
   public double worldZ(double dx, double dy, double dz) {
     return tangentZ * dx + bitangentZ * dy + normalZ * dz;
   }
@@ -171,23 +176,29 @@ public final class SurfaceHit {
     return v;
   }
 
-  /** Returns the unit direction back to where the ray came from. */
+  /** Returns the unit direction back along the ray. */
   public Vec3 wo() {
     return new Vec3(outX, outY, outZ);
   }
 
-  /** Returns a bound of the position's distance from the true surface along the normal. */
+  /**
+   * Returns a bound of the position's distance from the true surface along the normal, in world
+   * units.
+   */
   public double error() {
     return error;
   }
 
-  /** Returns the ray that leaves in a unit direction, on the side the direction points to. */
+  /**
+   * Returns the ray that leaves the surface in a unit direction. Its origin is offset to the side
+   * that the direction points to.
+   */
   public Ray spawn(Vec3 direction) {
     double side = side(direction.x(), direction.y(), direction.z());
     return new Ray(position().plus(side, geometricNormal()), direction);
   }
 
-  /** Aims a search by the ray that leaves in a unit direction, given by its coordinates. */
+  /** Aims {@code next} along the ray that leaves the surface in the unit direction (dx, dy, dz). */
   public void spawn(double dx, double dy, double dz, NearestHit next) {
     double side = side(dx, dy, dz);
     double ox = x + side * geometricX;
@@ -196,7 +207,9 @@ public final class SurfaceHit {
     next.aim(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
   }
 
-  /** Aims a search by the ray to a point, which is its end and excluded: t = 1 there. */
+  /**
+   * Aims {@code next} along the ray to a point. The ray ends at the point, excluded, with t = 1.
+   */
   public void spawnTowards(Vec3 point, NearestHit next) {
     aimTowards(next, point.x(), point.y(), point.z());
   }
@@ -210,8 +223,8 @@ public final class SurfaceHit {
   }
 
   /**
-   * Aims a search by the ray to a point of another surface; it ends just before that surface, so
-   * that a light does not block its own light.
+   * Aims {@code next} along the ray to a sampled point of another surface. The ray ends just before
+   * that surface, so that a light does not occlude itself.
    */
   public void spawnTowards(SurfaceSample sample, NearestHit next) {
     Vec3 end = sample.position();
@@ -230,7 +243,7 @@ public final class SurfaceHit {
         end.z() + side * normal.z());
   }
 
-  /** Returns how far, in world units, along the true normal a ray begins off the surface. */
+  /** Returns the signed offset of a ray's origin along the geometric normal, in world units. */
   private double side(double dx, double dy, double dz) {
     return Math.copySign(error, dx * geometricX + dy * geometricY + dz * geometricZ);
   }

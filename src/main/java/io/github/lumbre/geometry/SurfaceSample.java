@@ -4,8 +4,8 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
- * A point drawn from a shape's surface, or none if nothing of the shape can be seen. Mutable: each
- * thread reuses one instance.
+ * A point sampled on the surface of a shape, in world space, or no point if the shape is not
+ * visible. Mutable; each thread reuses one instance.
  */
 public final class SurfaceSample {
   private double x, y, z;
@@ -14,22 +14,22 @@ public final class SurfaceSample {
   private double error;
   private double pdf;
 
-  /** Makes a sample of nothing. */
+  /** Creates an instance without a point. */
   public SurfaceSample() {}
 
-  /** Sets the sample to none: nothing of the shape is visible. */
+  /** Removes the point: the shape is not visible. */
   public void clear() {
     pdf = 0;
   }
 
   /**
-   * Sets what was drawn.
+   * Sets the sampled point.
    *
    * @param position on the surface, in world space
-   * @param normal the geometric normal there, outward, of unit length
-   * @param texture the texture coordinates there
-   * @param newError bound of the position's distance from the true surface along the normal
-   * @param newPdf the point's density per solid angle at the reference, &gt; 0
+   * @param normal the outward geometric unit normal at the point
+   * @param texture the texture coordinates at the point
+   * @param newError a bound of the position's distance from the true surface along the normal
+   * @param newPdf the density per solid angle at the reference point, &gt; 0
    */
   public void set(
       Vec3 position, Vec3 normal, TexturePoint texture, double newError, double newPdf) {
@@ -45,32 +45,35 @@ public final class SurfaceSample {
     pdf = newPdf;
   }
 
-  /** Returns the point of the surface; of no sample, any. */
+  /** Returns the sampled position; undefined without a point. */
   public Vec3 position() {
     return new Vec3(x, y, z);
   }
 
-  /** Returns the geometric normal there, outward, of unit length. */
+  /** Returns the outward geometric unit normal at the point. */
   public Vec3 normal() {
     return new Vec3(normalX, normalY, normalZ);
   }
 
-  /** Tells whether a point lies on the side that the normal points to. */
+  /** Returns whether a world-space point lies on the side that the normal points to. */
   public boolean isSeenFrontally(Vec3 from) {
     return (from.x() - x) * normalX + (from.y() - y) * normalY + (from.z() - z) * normalZ > 0;
   }
 
-  /** Returns the texture coordinates there. */
+  /** Returns the texture coordinates at the point. */
   public TexturePoint texture() {
     return new TexturePoint(u, v);
   }
 
-  /** Returns a bound of the position's distance from the true surface along the normal. */
+  /**
+   * Returns a bound of the position's distance from the true surface along the normal, in world
+   * units.
+   */
   public double error() {
     return error;
   }
 
-  /** Returns the point's density per solid angle at the reference; 0 means there is no sample. */
+  /** Returns the density per solid angle at the reference point; 0 if there is no point. */
   public double pdf() {
     return pdf;
   }

@@ -1,18 +1,18 @@
 package io.github.lumbre.geometry;
 
 /**
- * A search for hits among the bounded items of a {@link Bvh}. All implementations find the same
- * hits, bit for bit: they differ in which items they skip, never in how an item is tested.
- * Immutable, shared by all threads.
+ * A traversal that finds hits among the bounded items of a {@link Bvh}. The hits of all
+ * implementations are bit-identical: they skip different items, but test each item in the same way.
+ * Immutable; all threads share it.
  */
 interface Traversal {
-  /** Finds nothing. */
+  /** The traversal of an empty hierarchy, which finds no hits. */
   Traversal NONE = (ox, oy, oz, dx, dy, dz, nearest) -> false;
 
   /**
-   * Looks for a hit before {@code nearest.t} along a ray given by its coordinates: for the nearest,
-   * and at the same t for that of the lowest shape and element; or for any if {@code nearest.any}.
-   * Uses the stacks of {@code nearest} from its {@code stackTop} on.
+   * Finds a hit before {@code nearest.t} along a ray given by its coordinates. Finds the nearest
+   * hit, and of hits at the same t the one with the lowest shape and element. If {@code
+   * nearest.any}, finds any hit. Uses the stacks of {@code nearest} from its {@code stackTop} on.
    *
    * @return whether a hit was found and stored
    */

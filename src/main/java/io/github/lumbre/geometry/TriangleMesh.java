@@ -9,8 +9,8 @@ import java.util.Arrays;
 /**
  * The data of a triangle mesh in its local space. Immutable.
  *
- * <p>The geometric normal of a triangle (a, b, c) is (b − a) × (c − a), turned to the side of the
- * sum of its vertex normals if there are any.
+ * <p>The geometric normal of a triangle (a, b, c) points along (b − a) × (c − a). If there are
+ * vertex normals, it is flipped where needed to the side of their sum.
  */
 public final class TriangleMesh {
   private final double[] positions;
@@ -19,10 +19,10 @@ public final class TriangleMesh {
   private final int[] indices;
   private final int droppedTriangles;
 
-  /** Whether a triangle's cross product points inward; empty if no triangle's vertices say so. */
+  /** For each triangle, whether its cross product points inward; empty without vertex normals. */
   private final boolean[] turned;
 
-  /** Whether the mesh was baked by a mirroring map, which turns every cross product. */
+  /** Whether the mesh was baked with a mirroring transform, which flips every cross product. */
   private final boolean mirrored;
 
   private TriangleMesh(
@@ -53,14 +53,15 @@ public final class TriangleMesh {
   }
 
   /**
-   * Returns the mesh with copies of the given arrays. Triangles without area are left out.
+   * Returns a mesh with copies of the given arrays. Triangles without area are dropped.
    *
-   * @param positions three coordinates a vertex, all finite
-   * @param normals three coordinates a vertex, all finite; or empty
-   * @param uvs two coordinates a vertex, all finite; or empty: then each triangle is mapped by its
-   *     barycentric coordinates, (0,0), (1,0) and (0,1) at its vertices
-   * @param indices three vertices a triangle
-   * @throws IllegalArgumentException if a length, number or index is not as described
+   * @param positions three coordinates per vertex in local space, all finite
+   * @param normals three coordinates per vertex in local space, all finite; or empty
+   * @param uvs two coordinates per vertex, all finite; or empty: then the vertices of each triangle
+   *     have the coordinates (0,0), (1,0) and (0,1)
+   * @param indices three vertex numbers per triangle, from 0
+   * @throws IllegalArgumentException if an array has a wrong length, a number is not finite or an
+   *     index is out of range
    */
   public static TriangleMesh of(double[] positions, double[] normals, double[] uvs, int[] indices) {
     requireMultiple("positions", positions.length, 3);
@@ -135,7 +136,7 @@ public final class TriangleMesh {
     return result;
   }
 
-  /** Returns the cross product of two edges up to a positive factor; zero if they are parallel. */
+  /** Returns the cross product of two edges, up to a positive factor; zero for parallel edges. */
   static Vec3 cross(Vec3 e1, Vec3 e2) {
     Vec3 cross = e1.cross(e2);
     double size = cross.maxAbs();
@@ -145,30 +146,32 @@ public final class TriangleMesh {
     return e1.maxAbs() > 0 && e2.maxAbs() > 0 ? e1.normalized().cross(e2.normalized()) : Vec3.ZERO;
   }
 
-  /** Returns this mesh in world space, each vertex mapped once. */
+  /** Returns this mesh in world space, with each vertex mapped once. */
   TriangleMesh baked(Transform toWorld) {
     return new TriangleMesh(this, toWorld);
   }
 
-  /** Returns the unit image of a vertex normal; of zero, zero. */
+  /** Returns the world-space unit normal of a vertex normal; zero for zero. */
   static Vec3 mappedNormal(Transform toWorld, Vec3 n) {
     return n.maxAbs() > 0 ? toWorld.normal(n) : n;
   }
 
+  /** Returns the number of triangles, without dropped ones. */
   public int triangleCount() {
     return indices.length / 3;
   }
 
+  /** Returns the number of vertices. */
   public int vertexCount() {
     return positions.length / 3;
   }
 
-  /** Returns how many triangles were left out because they have no area. */
+  /** Returns the number of triangles that were dropped because they have no area. */
   public int droppedTriangles() {
     return droppedTriangles;
   }
 
-  /** Returns the smallest box around the triangles; empty if there are none. */
+  /** Returns the smallest local-space box around the triangles; empty without triangles. */
   public Bounds3 bounds() {
     double[] min = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     double[] max = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
@@ -182,12 +185,12 @@ public final class TriangleMesh {
     return new Bounds3(new Vec3(min[0], min[1], min[2]), new Vec3(max[0], max[1], max[2]));
   }
 
-  /** Returns the vertex at a corner, 0 to 2, of a triangle. */
+  /** Returns the vertex number at a corner, 0 to 2, of a triangle. */
   int vertex(int triangle, int corner) {
     return indices[3 * triangle + corner];
   }
 
-  /** Returns three coordinates a vertex; not to be changed. */
+  /** Returns three coordinates per vertex; callers must not modify them. */
   double[] positions() {
     return positions;
   }
@@ -204,7 +207,7 @@ public final class TriangleMesh {
     return load(normals, vertex);
   }
 
-  /** Returns the texture coordinates at a corner of a triangle. */
+  /** Returns the texture coordinates at a corner, 0 to 2, of a triangle. */
   TexturePoint uv(int triangle, int corner) {
     if (uvs.length == 0) {
       return new TexturePoint(corner == 1 ? 1 : 0, corner == 2 ? 1 : 0);
@@ -213,7 +216,7 @@ public final class TriangleMesh {
     return new TexturePoint(uvs[2 * vertex], uvs[2 * vertex + 1]);
   }
 
-  /** Tells whether a triangle's outward normal is against the cross product of its edges. */
+  /** Returns whether a triangle's outward normal is opposite to the cross product of its edges. */
   boolean isTurned(int triangle) {
     return (turned.length > 0 && turned[triangle]) ^ mirrored;
   }

@@ -5,31 +5,32 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Triangles in the order of a hierarchy's leaves, in flat arrays: the innermost loop of the
- * renderer, made of local variables on purpose. Immutable.
+ * Triangles in the order of a hierarchy's leaves, in flat arrays. Their test is the renderer's
+ * innermost loop, so it works on local variables. Immutable.
  *
- * <p>The test is watertight: a ray that meets an edge or a vertex of a closed mesh meets at least
- * one of the triangles there. Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection",
- * in double precision: both triangles at an edge compute its edge function from the same sheared
- * vertices, and both with exactly the sign that those give it.
+ * <p>The test is watertight: a ray through an edge or a vertex of a closed mesh hits at least one
+ * of the triangles there. It is the test of Woop, Benthin and Wald 2013, "Watertight Ray/Triangle
+ * Intersection", in double precision. Both triangles at an edge compute the edge function from the
+ * same sheared vertices, and both get its exact sign.
  */
 final class Triangles {
-  /** Coordinates of the vertices of all meshes. */
+  /** The vertex coordinates of all meshes. */
   private final double[] positions;
 
-  /** Where each triangle's three vertices are among the positions. */
+  /** The offsets of each triangle's three vertices in {@code positions}. */
   private final int[] corners;
 
-  /** Which shape, and which element of it, a triangle is. */
+  /** The shape number of each triangle, and its element number in that shape. */
   private final int[] shape;
 
   private final int[] element;
 
   /**
-   * Takes triangles, which share the vertices of their meshes.
+   * Creates triangles that share the vertices of their meshes.
    *
-   * @param meshes by the number of their shape
-   * @param shape the triangles' shapes, as element are their numbers in them
+   * @param meshes indexed by shape number; null for other shapes
+   * @param shape the shape number of each triangle
+   * @param element the number of each triangle in its mesh
    */
   Triangles(TriangleMesh[] meshes, int[] shape, int[] element) {
     int[] start = new int[meshes.length];
@@ -48,7 +49,10 @@ final class Triangles {
     this.element = element;
   }
 
-  /** Returns the positions of all meshes, which are so many; of a single one, its own array. */
+  /**
+   * Returns the positions of all meshes in one array of the given length. For a single mesh,
+   * returns its own array.
+   */
   private static double[] joined(TriangleMesh[] meshes, int length) {
     List<double[]> parts =
         Arrays.stream(meshes).filter(Objects::nonNull).map(TriangleMesh::positions).toList();
@@ -65,8 +69,10 @@ final class Triangles {
   }
 
   /**
-   * Looks for hits with the triangles of a leaf, from both sides, borders included, and stores
-   * those that are nearest so far, or as near but of a lower shape and element.
+   * Tests the triangles of a leaf from both sides, borders included. Stores a hit if it is the
+   * nearest so far, or equally near with a lower shape and element.
+   *
+   * @return whether a hit was stored
    */
   boolean intersect(int leaf, ShearedRay ray, NearestHit nearest) {
     int first = LeafRef.first(leaf);
@@ -78,7 +84,7 @@ final class Triangles {
     return found;
   }
 
-  /** The same for one triangle, given by its place in the order. */
+  /** Tests one triangle, given by its position in leaf order, as {@link #intersect} does. */
   boolean intersectOne(int i, ShearedRay ray, NearestHit nearest) {
     int a = corners[3 * i];
     int b = corners[3 * i + 1];
@@ -103,8 +109,8 @@ final class Triangles {
     double by = p[b + ky] - oy - sy * bz;
     double cx = p[c + kx] - ox - sx * cz;
     double cy = p[c + ky] - oy - sy * cz;
-    // The origin is inside if the edge functions do not differ in sign: if not one is negative and
-    // another positive. Their bits tell; a branch for each would go either way as often.
+    // The origin is inside unless one edge function is negative and another positive. Sign bits
+    // decide this without unpredictable branches.
     double u = differenceOfProducts(cx, by, cy, bx);
     double v = differenceOfProducts(ax, cy, ay, cx);
     double w = differenceOfProducts(bx, ay, by, ax);
@@ -114,7 +120,7 @@ final class Triangles {
     if (((signU | signV | signW) & (-signU | -signV | -signW)) < 0) {
       return false;
     }
-    // If all are zero, exactly edge on, t is NaN, and no hit.
+    // If all are zero, the triangle is exactly edge-on: t is NaN, and there is no hit.
     double inverse = 1 / (u + v + w);
     double b1 = v * inverse;
     double b2 = w * inverse;
@@ -131,9 +137,9 @@ final class Triangles {
   }
 
   /**
-   * Returns ab − cd to within 1.5 ulp, and so with its sign, and 0, not -0, if it is 0, unless a
-   * product is below the range of doubles: Jeannerod, Louvet and Muller 2013, "Further Analysis of
-   * Kahan's Algorithm for the Accurate Computation of 2 × 2 Determinants".
+   * Returns ab − cd to within 1.5 ulp, and therefore with the exact sign, unless a product
+   * underflows. An exact zero is 0, not -0. Source: Jeannerod, Louvet and Muller 2013, "Further
+   * Analysis of Kahan's Algorithm for the Accurate Computation of 2 × 2 Determinants".
    */
   private static double differenceOfProducts(double a, double b, double c, double d) {
     double cd = c * d;

@@ -1,15 +1,17 @@
 package io.github.lumbre.geometry;
 
 /**
- * The space in which a hierarchy keeps floats: moved and scaled, by a power of two, so that all
- * boxes lie in [-1, 1]³. There an error in floats is an absolute one, wherever and however large
- * the scene is.
+ * The space of a hierarchy's floats: translated, and scaled by a power of two, so that all boxes
+ * lie in [-1, 1]³. In it, float errors have an absolute bound that does not depend on the position
+ * and size of the scene.
  */
 final class UnitSpace {
-  /** Origins no farther from the centre, by each coordinate, are inside, or barely outside. */
+  /**
+   * Origins whose coordinates are at most this far from the center are inside, or barely outside.
+   */
   static final double INSIDE = 1 + 0x1p-4;
 
-  /** Beyond this distance floats tell nothing. */
+  /** Beyond this distance, floats have no useful precision. */
   static final double REACH = 0x1p40;
 
   final double centreX;
@@ -19,20 +21,24 @@ final class UnitSpace {
   /** A power of two. */
   final double scale;
 
-  /** The largest coordinate of the centre, in units of this space. */
+  /** The largest absolute world coordinate of the center, in units of this space. */
   final double centreReach;
 
-  /** A bound of what an origin inside was computed from: its coordinates and the centre's. */
+  /**
+   * A bound of the world coordinates of an inside origin and of the center, in units of this space.
+   */
   final double worldReach;
 
-  /** Whether that is in the reach of floats. */
+  /** Whether {@link #worldReach} is at most {@link #REACH}. */
   private final boolean isInReach;
 
-  /** What boxes are widened by, for rays from inside; 0 if that is out of reach. */
+  /** The margin of boxes for rays from inside; 0 if floats are out of reach. */
   private final double slack;
 
   /**
-   * @param box minimum and maximum on x, y, z of all there is
+   * Creates the space of a box.
+   *
+   * @param box minimum and maximum on x, y, z of all items, in world space
    */
   UnitSpace(double[] box) {
     centreX = .5 * box[0] + .5 * box[1];
@@ -46,16 +52,17 @@ final class UnitSpace {
     slack = isInReach ? slack(INSIDE, worldReach) : 0;
   }
 
-  /** Tells whether a point of this space is inside, and in the reach of floats. */
+  /** Returns whether a point of this space is inside, with floats in reach. */
   boolean isInside(double x, double y, double z) {
     return Math.abs(x) <= INSIDE && Math.abs(y) <= INSIDE && Math.abs(z) <= INSIDE && isInReach;
   }
 
   /**
-   * Returns what coordinates of boxes and of a ray's origin may be wrong by together.
+   * Returns a bound of the joint error of box coordinates and ray origins.
    *
-   * @param reach how far the origin is from the centre, by its largest coordinate
-   * @param worldReach the largest of the coordinates that the origin was computed from
+   * @param reach the largest absolute coordinate of the origin in this space
+   * @param worldReach the largest absolute world coordinate of the origin and the center, in units
+   *     of this space
    */
   static double slack(double reach, double worldReach) {
     return 0x1p-22 * (1 + reach) + 0x1p-46 * worldReach;
@@ -65,19 +72,19 @@ final class UnitSpace {
     return axis == 0 ? centreX : axis == 1 ? centreY : centreZ;
   }
 
-  /** Returns a coordinate of this space, rounded to the nearest float. */
+  /** Returns a world coordinate in this space, rounded to the nearest float. */
   float nearest(int axis, double coordinate) {
     return (float) ((coordinate - centre(axis)) * scale);
   }
 
-  /** Returns a coordinate of this space, below by what rays from inside may be wrong by. */
+  /** Returns a world coordinate in this space, lowered by the error bound of rays from inside. */
   float down(int axis, double coordinate) {
     double x = (coordinate - centre(axis)) * scale - slack;
     float rounded = (float) x;
     return rounded > x ? Math.nextDown(rounded) : rounded;
   }
 
-  /** Returns a coordinate of this space, above by what rays from inside may be wrong by. */
+  /** Returns a world coordinate in this space, raised by the error bound of rays from inside. */
   float up(int axis, double coordinate) {
     double x = (coordinate - centre(axis)) * scale + slack;
     float rounded = (float) x;

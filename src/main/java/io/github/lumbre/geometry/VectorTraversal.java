@@ -7,39 +7,40 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The search by vectors of eight floats: a node's eight boxes, or a leaf's eight triangles, at a
- * time. Floats only choose what may be hit; each of these triangles is then tested in double
- * precision as everywhere. The only class that needs the module jdk.incubator.vector.
+ * The traversal with vectors of eight floats: it tests eight boxes of a node, or eight triangles of
+ * a leaf, at a time. Floats only select candidates; each candidate is then tested in double
+ * precision, as in the scalar kernel. This is the only class that needs the module
+ * jdk.incubator.vector.
  *
- * <p>Its shape is what the compiler turns into good machine code, as docs/design.md tells: no
- * method takes or returns vectors, so that the test of a node stands here twice; no masks are used
- * where they are allocated, and no loop over nodes calls anything.
+ * <p>The code is structured so that the JIT compiles it well, as docs/design.md explains. No method
+ * takes or returns vectors, so the test of a node appears twice. No masks are used on JVMs that
+ * allocate them, and no loop over nodes calls another method.
  */
 final class VectorTraversal implements Traversal {
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
   private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
 
   /**
-   * Whether the compiler makes masks without allocating them. What a comparison makes of eight
-   * lanes is then the bits of a long, otherwise its bytes, 1 or 0.
+   * Whether the JIT creates masks without allocation. If so, a comparison of eight lanes yields the
+   * bits of a long; otherwise it yields the bytes of a long, 1 or 0.
    */
   private static final boolean MASKS = Runtime.version().feature() >= 25;
 
   private static final VectorSpecies<Byte> BYTES = ByteVector.SPECIES_128;
 
-  /** From a bit of that long to its lane. */
+  /** The right shift from a bit index of that long to its lane. */
   private static final int LANE_SHIFT = MASKS ? 0 : 3;
 
   private static final int WIDTH = WideTree.WIDTH;
   private static final int CHILDREN = WideTree.CHILDREN;
 
   /**
-   * What exits are put off by, in units of their last place: more than 2^-20 of a t, where the
-   * rounding of slabs makes less than 2^-21 at each end.
+   * The margin added to exit distances, in ulps: more than 2^-20 of t. The rounding of slabs is
+   * below 2^-21 of t at each end.
    */
   private static final int EXIT_ULPS = 16;
 
-  /** Below the stack: no node and no leaf. */
+  /** The stack's end marker, which is neither a node nor a leaf. */
   private static final int NONE = Integer.MIN_VALUE;
 
   private final int[] nodes;
@@ -56,7 +57,7 @@ final class VectorTraversal implements Traversal {
     space = tree.space();
   }
 
-  /** Returns how many floats a vector of this processor holds. */
+  /** Returns the number of floats in a vector of this processor. */
   static int preferredLanes() {
     return FloatVector.SPECIES_PREFERRED.length();
   }
@@ -92,7 +93,7 @@ final class VectorTraversal implements Traversal {
         found = true;
         ray.endAt(nearest.t);
       }
-      // Take up the last node put aside that does not begin beyond the best hit.
+      // Pop the last node that the ray does not enter beyond the best hit.
       int top = nearest.stackTop;
       do {
         top--;
@@ -119,7 +120,8 @@ final class VectorTraversal implements Traversal {
   }
 
   /**
-   * Goes down from a node to the nearest leaf and puts aside, the farthest first, what it passes.
+   * Descends from a node to the nearest leaf, and pushes the siblings that the ray also enters, the
+   * farthest first. Returns the leaf, or {@link #NONE}.
    */
   private int nearestLeaf(int root, WideRay ray, NearestHit nearest) {
     int[] tree = nodes;
@@ -240,7 +242,10 @@ final class VectorTraversal implements Traversal {
     return node;
   }
 
-  /** Goes down from a node to any leaf and puts aside what it passes. */
+  /**
+   * Descends from a node to any leaf, and pushes the siblings that the ray also enters. Returns the
+   * leaf, or {@link #NONE}.
+   */
   private int anyLeaf(int root, WideRay ray, NearestHit nearest) {
     int[] tree = nodes;
     int[] stack = nearest.stack;
@@ -323,7 +328,7 @@ final class VectorTraversal implements Traversal {
     return node;
   }
 
-  /** Tests the items of a leaf; tells whether one had a hit, which is stored. */
+  /** Tests the items of a leaf; returns whether a hit was found and stored. */
   private boolean intersect(int leaf, WideRay ray, NearestHit nearest) {
     if (LeafRef.isOfShapes(leaf)) {
       return shapes.intersect(leaf, nearest);
@@ -344,9 +349,10 @@ final class VectorTraversal implements Traversal {
   }
 
   /**
-   * Returns for each triangle of a leaf, as {@link #MASKS} tells, whether it may be hit before the
-   * ray's end: Möller &amp; Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection",
-   * without the division. What its numbers may be wrong by is derived in docs/design.md.
+   * Returns, for each triangle of a leaf, whether the ray may hit it before its end, in the
+   * encoding of {@link #MASKS}. The test is that of Möller &amp; Trumbore 1997, "Fast, Minimum
+   * Storage Ray/Triangle Intersection", without the division. Its error bounds are derived in
+   * docs/design.md.
    */
   private long candidates(int first, int count, WideRay ray) {
     float[] p = leaves;
@@ -367,7 +373,8 @@ final class VectorTraversal implements Traversal {
     FloatVector ny = FloatVector.fromArray(FLOATS, p, at + 10 * count);
     FloatVector nz = FloatVector.fromArray(FLOATS, p, at + 11 * count);
     FloatVector spread = FloatVector.fromArray(FLOATS, p, at + 12 * count);
-    // The edge functions, and t times the determinant, with the sign that makes that positive.
+    // The edge functions, and t times the determinant, with the sign that makes the determinant
+    // positive.
     FloatVector rx = ay.mul(dz).sub(az.mul(dy));
     FloatVector ry = az.mul(dx).sub(ax.mul(dz));
     FloatVector rz = ax.mul(dy).sub(ay.mul(dx));
@@ -390,7 +397,8 @@ final class VectorTraversal implements Traversal {
             .reinterpretAsInts()
             .lanewise(VectorOperators.XOR, sign)
             .reinterpretAsFloats();
-    // None is negative, and the depth not beyond the end's, by more than they are wrong by.
+    // Within the error bounds, no edge function is negative and the depth is at most that of the
+    // ray's end.
     FloatVector room = spread.mul(ray.edgeError).add(ray.edgeFloor);
     FloatVector depthRoom = spread.mul(spread).mul(ray.depthError).add(ray.depthFloor);
     FloatVector end = FloatVector.broadcast(FLOATS, ray.end);

@@ -4,8 +4,8 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.Optional;
 
 /**
- * The way to {@link Traversal} by vectors. Its class is reached by reflection only, so that it is
- * never loaded where the module it needs is absent, and everything else compiles without.
+ * Gives access to the vector traversal by reflection only. Its class is therefore not loaded where
+ * its module is absent, and all other classes compile without that module.
  */
 final class Vectors {
   private static final String MODULE = "jdk.incubator.vector";
@@ -14,7 +14,7 @@ final class Vectors {
 
   private Vectors() {}
 
-  /** Returns why there can be no vectors in this virtual machine; empty if there can be. */
+  /** Returns the reason why vectors are not available in this JVM; empty if they are available. */
   static Optional<String> obstacle() {
     return OBSTACLE;
   }
@@ -39,7 +39,7 @@ final class Vectors {
     }
   }
 
-  /** Returns the search of a tree; only if there is no obstacle. */
+  /** Returns the traversal of a tree; call it only if there is no obstacle. */
   static Traversal over(WideTree tree) {
     try {
       return (Traversal)

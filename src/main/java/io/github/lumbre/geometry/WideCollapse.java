@@ -3,33 +3,33 @@ package io.github.lumbre.geometry;
 import java.util.Arrays;
 
 /**
- * Chooses which nodes of a binary hierarchy become nodes of one with up to eight children each, and
- * which are left out: so that the nodes kept have the least surface together, to which the number
- * of those that a ray visits is about in proportion. Mutable, used once.
+ * Collapses a binary hierarchy to one with up to eight children per node: it chooses the nodes to
+ * keep. The choice minimizes their total surface area, to which the number of node visits per ray
+ * is roughly proportional. Mutable; each instance collapses one tree.
  *
- * <p>Dynamic programming from the leaves up: Ylitie et al. 2017, "Efficient Incoherent Ray
- * Traversal on GPUs Through Compressed Wide BVHs", sec. 3.1. Leaves are kept as they are.
+ * <p>It uses dynamic programming from the leaves up: Ylitie et al. 2017, "Efficient Incoherent Ray
+ * Traversal on GPUs Through Compressed Wide BVHs", sec. 3.1. Leaves are not changed.
  */
 final class WideCollapse {
   private static final int WIDTH = WideTree.WIDTH;
 
-  /** Bits of a share. */
+  /** The bits of one share. */
   private static final int BITS = 4;
 
   private static final int MASK = (1 << BITS) - 1;
 
   /**
-   * For each inner node, from the top down and left before right: how many of 2 places for its
-   * descendants, of 3, and so on go to its left child; 0 if it is better kept as one.
+   * For each inner node, top down and left before right: how many of 2, 3, … places for its
+   * descendants go to its left child. A share of 0 means that the node is kept and takes one place.
    */
   private int[] shares = new int[1 << 10];
 
-  /** For each inner node the number of its right child, if that is an inner node. */
+  /** For each inner node, the number of its right child if that is an inner node. */
   private int[] rights = new int[1 << 10];
 
   private int count;
 
-  /** Memory for the children of one node, and for their numbers. */
+  /** The children of the current node, and their numbers. */
   private final BvhNode[] lanes = new BvhNode[WIDTH];
 
   private final int[] numbers = new int[WIDTH];
@@ -39,15 +39,15 @@ final class WideCollapse {
     weigh(tree);
   }
 
-  /** A node of the binary hierarchy that is kept, and its number. */
+  /** A kept node of the binary hierarchy, and its number. */
   record Kept(BvhNode node, int number) {}
 
-  /** Returns the root, which is kept. */
+  /** Returns the root, which is always kept. */
   static Kept root(BvhNode tree) {
     return new Kept(tree, 0);
   }
 
-  /** Returns the children, at most eight, of a node that is kept; of a leaf, itself. */
+  /** Returns the children, at most eight, of a kept node; for a leaf, the leaf itself. */
   Kept[] children(Kept parent) {
     filled = 0;
     fill(parent.node(), parent.number(), WIDTH);
@@ -56,7 +56,7 @@ final class WideCollapse {
     return children;
   }
 
-  /** Puts a node into a lane, or its descendants into as many as there are places. */
+  /** Stores a node in one lane, or its descendants in at most the given number of lanes. */
   private void fill(BvhNode node, int number, int places) {
     int share = node instanceof BvhNode.Inner ? shares[number] >>> BITS * (places - 1) & MASK : 0;
     if (share == 0) {
@@ -70,10 +70,10 @@ final class WideCollapse {
   }
 
   /**
-   * Numbers the inner nodes from one on down, and chooses their shares.
+   * Numbers the inner nodes of a subtree and chooses their shares.
    *
-   * @return the least surface of the nodes kept, if 1, 2, ... places are there for this one and its
-   *     descendants; nothing at 0
+   * @return at index n, from 1 on, the least total surface of kept nodes if this node and its
+   *     descendants have n places; index 0 is unused
    */
   private double[] weigh(BvhNode node) {
     double[] least = new double[WIDTH + 1];

@@ -1,57 +1,57 @@
 package io.github.lumbre.geometry;
 
 /**
- * A ray as the floats of a {@link WideTree} are compared with it, in the tree's space. Mutable
- * scratch memory, aimed anew for every search.
+ * A ray in the space of a {@link WideTree}, as floats for its box and triangle tests. Mutable; each
+ * traversal sets it again.
  *
- * <p>The bounds of all errors are derived in docs/design.md.
+ * <p>All error bounds are derived in docs/design.md.
  */
 final class WideRay extends ShearedRay {
-  /** Makes up for the rounding of a t. */
+  /** The factor that compensates for the rounding of t. */
   private static final float GROWTH = 1 + 0x1p-20f;
 
-  /** The least component of a direction. */
+  /** The smallest absolute value of a direction component; smaller ones are raised to it. */
   private static final double LEAST = 0x1p-60;
 
-  /** Beyond this distance an origin is moved nearer. */
+  /** Origins farther away are moved nearer along the ray. */
   private static final double NEAR = 4;
 
-  /** A t beyond all; times the determinant of a triangle it is finite. */
+  /** A t beyond all hits; its product with the determinant of a triangle is finite. */
   private static final float FAR = 0x1p100f;
 
-  /** The lengths of directions that floats take as they are, as most are. */
+  /** The range of direction lengths that need no scaling. */
   private static final double SHORT = 0x1p-10;
 
   private static final double LONG = 0x1p10;
 
-  /** What other directions are at most multiplied or divided by; beyond, all is looked at. */
+  /** The largest factor that scales other directions; beyond it, all items are candidates. */
   private static final double MAX_UNIT = 0x1p960;
 
-  /** All bits set for an axis along which the direction is negative, otherwise none. */
+  /** For each axis, all bits set if the direction is negative, otherwise none. */
   int signX;
 
   int signY;
   int signZ;
 
-  /** What a coordinate of a box is multiplied by, for its t. */
+  /** The factor of a box coordinate in its t. */
   float ix;
 
   float iy;
   float iz;
 
-  /** What is then added for the near sides. */
+  /** The summand of t for the near sides of boxes. */
   float inX;
 
   float inY;
   float inZ;
 
-  /** What is added for the far sides. */
+  /** The summand of t for the far sides of boxes. */
   float outX;
 
   float outY;
   float outZ;
 
-  /** The origin and the direction in the tree's space, for triangles. */
+  /** The origin and the direction in the tree's space, for triangle tests. */
   float x;
 
   float y;
@@ -60,38 +60,38 @@ final class WideRay extends ShearedRay {
   float dy;
   float dz;
 
-  /** What edge functions may be wrong by: in units of the triangle's spread, and besides. */
+  /** Error bounds of the edge functions: per unit of the triangle's spread, and absolute. */
   float edgeError;
 
   float edgeFloor;
 
-  /** What t times the determinant may be wrong by: in units of the spread's square, and besides. */
+  /** Error bounds of t times the determinant: per unit of the squared spread, and absolute. */
   float depthError;
 
   float depthFloor;
 
-  /** The t beyond which nothing is looked for any more, and its bits. */
+  /** The t beyond which hits are ignored, and its bits. */
   float end;
 
   int last;
 
-  /** What coordinates of boxes and of the origin may be wrong by. */
+  /** The error bound of box coordinates and of the origin. */
   private float slack;
 
-  /** What edge functions may be wrong by for a direction of length 1. */
+  /** Error bounds of the edge functions for a direction of length 1. */
   private float edgeErrorOfUnit;
 
   private float edgeFloorOfUnit;
 
-  /** The space for all rays from inside of which the errors are set; null if they are others. */
+  /** The space whose errors for inside rays are currently set; null if other errors are set. */
   private UnitSpace inside;
 
-  /** A t's way to the tree's space. */
+  /** The factor and the summand that map t to the tree's space. */
   private double tScale;
 
   private double tOffset;
 
-  /** Takes a ray; tells whether it can meet anything. */
+  /** Sets the ray; returns whether it can hit any box. */
   boolean aim(UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
     take(ox, oy, oz, dx, dy, dz);
     double px = (ox - space.centreX) * space.scale;
@@ -99,7 +99,7 @@ final class WideRay extends ShearedRay {
     double pz = (oz - space.centreZ) * space.scale;
     double length = Axes.sum(dx, dy, dz);
     if (length >= SHORT && length <= LONG && space.isInside(px, py, pz)) {
-      // As nearly all rays: what floats may be wrong by is the same for all of them.
+      // The common case: all these rays have the same error bounds.
       if (inside != space) {
         setErrors(UnitSpace.INSIDE, space.worldReach);
         tScale = space.scale * GROWTH;
@@ -112,7 +112,7 @@ final class WideRay extends ShearedRay {
     return aimFromAnywhere(space, ox, oy, oz, dx, dy, dz);
   }
 
-  /** Takes a ray of any length from anywhere, as {@link #aim} does. */
+  /** Sets a ray with any origin and any length, as {@link #aim} does. */
   private boolean aimFromAnywhere(
       UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
     inside = null;
@@ -144,7 +144,7 @@ final class WideRay extends ShearedRay {
       pz += start * uz;
       reach = Axes.largest(px, py, pz);
     }
-    // A product, since the compiler keeps a number made of bits in a copy for each of its uses.
+    // A product, because the JIT would keep one copy of a number made from bits for each use.
     tScale = perUnit * space.scale * GROWTH;
     tOffset = start * (0x1p-48 - GROWTH);
     setErrors(reach, worldReach);
@@ -163,12 +163,12 @@ final class WideRay extends ShearedRay {
   }
 
   /**
-   * Sets what floats may be wrong by.
+   * Sets the error bounds.
    *
-   * @param reach how far the origin is from the centre of the tree's space, by its largest
-   *     coordinate, or a bound of it
-   * @param worldReach the largest of the coordinates that the origin was computed from, in units of
-   *     that space, or a bound of it
+   * @param reach the largest absolute coordinate of the origin in the tree's space, or a bound of
+   *     it
+   * @param worldReach the largest absolute world coordinate of the origin and the center, in units
+   *     of the tree's space, or a bound of it
    */
   private void setErrors(double reach, double worldReach) {
     double size = 1 + reach + 0x1p-24 * worldReach;
@@ -180,7 +180,10 @@ final class WideRay extends ShearedRay {
     depthFloor = (float) (80 * size * size * ofDoubles);
   }
 
-  /** Takes a ray that is out of the reach of floats: errors without bound make up for all. */
+  /**
+   * Handles a ray that is out of the reach of floats: with unlimited errors, all items are
+   * candidates.
+   */
   private void lookAtAll() {
     tScale = Double.POSITIVE_INFINITY;
     tOffset = 0;
@@ -191,7 +194,7 @@ final class WideRay extends ShearedRay {
     slack = 0x1p60f;
   }
 
-  /** Takes the ray for triangles, and for boxes that are widened by what it may be wrong by. */
+  /** Sets the floats for triangles, and for boxes that already include the error margin. */
   private void setFloats(double px, double py, double pz, double ux, double uy, double uz) {
     x = (float) px;
     y = (float) py;
@@ -216,7 +219,7 @@ final class WideRay extends ShearedRay {
     outZ = inZ;
   }
 
-  /** Widens all boxes by the slack. */
+  /** Widens all boxes by {@link #slack}. */
   private void widenSlabs() {
     inX -= slack * Math.abs(ix);
     inY -= slack * Math.abs(iy);
@@ -226,14 +229,17 @@ final class WideRay extends ShearedRay {
     outZ += slack * Math.abs(iz);
   }
 
-  /** Looks no farther than for hits at a t; one that rounding has moved is not missed. */
+  /** Sets the end of the ray to t, with a margin that covers rounding errors. */
   void endAt(double t) {
     double nearer = Math.fma(t, tScale, tOffset);
     end = nearer < FAR ? (float) nearer : FAR;
     last = Float.floatToRawIntBits(end);
   }
 
-  /** Returns where a ray from afar enters the space [-room, room]³; negative if it never does. */
+  /**
+   * Returns the t at which a distant ray enters the cube [-room, room]³; negative if it misses the
+   * cube.
+   */
   private static double entry(
       double x, double y, double z, double dx, double dy, double dz, double room) {
     double nearX = (-Math.copySign(room, dx) - x) / dx;
@@ -246,7 +252,7 @@ final class WideRay extends ShearedRay {
     return near <= Math.min(farX, Math.min(farY, farZ)) ? near : -1;
   }
 
-  /** Returns a power of two; infinity where double precision has none. */
+  /** Returns a power of two; infinity outside the range of normal doubles. */
   private static double power(int exponent) {
     return Math.abs(exponent) < 1023
         ? Double.longBitsToDouble(exponent + 1023L << 52)

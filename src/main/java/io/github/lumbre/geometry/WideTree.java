@@ -4,32 +4,33 @@ import java.util.Arrays;
 import java.util.Comparator;
 
 /**
- * A hierarchy of nodes with up to eight children each, and its triangles, as floats in the order in
- * which vectors of eight floats are read. Immutable.
+ * A hierarchy of nodes with up to eight children each, and its triangles, as floats in the order
+ * that vectors of eight floats need. Immutable.
  */
 final class WideTree {
-  /** Children a node, and triangles a leaf. */
+  /** The maximum number of children per node, and of triangles per leaf. */
   static final int WIDTH = 8;
 
-  /** Where a node's children are, after their boxes: minima on x, then maxima, then y, then z. */
+  /**
+   * The offset of a node's children, after their boxes: minima on x, maxima on x, then y, then z.
+   */
   static final int CHILDREN = 6 * WIDTH;
 
-  /** Integers a node. */
+  /** Integers per node. */
   private static final int NODE_SIZE = 7 * WIDTH;
 
   /**
-   * Floats a triangle: its first vertex, the edges from there to the second and the third, their
-   * cross product, and its {@linkplain #spread spread}.
+   * Floats per triangle: its first vertex, the edges from it to the second and third vertices,
+   * their cross product, and its {@linkplain #spread spread}.
    */
   static final int TRIANGLE_SIZE = 13;
 
   static final LeafCost COSTS = new LeafCost(WIDTH, 1, .2);
 
   /**
-   * The order of a node's children. Where any hit will do, the last is visited first: leaves, which
-   * may end the search at once, and of nodes the larger ones, in which a ray is more likely to meet
-   * something (Nah &amp; Manocha 2014, "SATO: Surface Area Traversal Order for Shadow Ray
-   * Tracing").
+   * The order of a node's children. A traversal for any hit visits the last child first: leaves,
+   * which may end it at once, then nodes with larger boxes, in which a hit is more likely (Nah
+   * &amp; Manocha 2014, "SATO: Surface Area Traversal Order for Shadow Ray Tracing").
    */
   private static final Comparator<WideCollapse.Kept> LIKELIEST_LAST =
       Comparator.comparing((WideCollapse.Kept kept) -> kept.node() instanceof BvhNode.Leaf)
@@ -52,23 +53,24 @@ final class WideTree {
     shapes = items.shapes(leafOrder.shapes());
   }
 
-  /** Returns the space of all floats here. */
+  /** Returns the space of all floats of this tree. */
   UnitSpace space() {
     return space;
   }
 
   /**
-   * Returns the nodes, the root first: the bits of the floats of the children's boxes, eight minima
-   * on x, then the maxima, then y, then z, and after them, from {@link #CHILDREN} on, the children:
-   * where a node begins, or a {@link LeafRef}.
+   * Returns the nodes, with the root first. Each node starts with the float bits of its children's
+   * boxes: eight minima on x, eight maxima on x, then y, then z. From {@link #CHILDREN} on, it
+   * holds the children: the offset of a node, or a {@link LeafRef}.
    */
   int[] nodes() {
     return nodes;
   }
 
   /**
-   * Returns {@link #TRIANGLE_SIZE} floats a triangle: for each leaf the first coordinate of all its
-   * triangles, then the second, and so on; after the last, what may be read in vain.
+   * Returns {@link #TRIANGLE_SIZE} floats per triangle. Each leaf stores the first coordinate of
+   * all its triangles, then the second, and so on. Padding follows the last triangle, because
+   * vectors may read beyond it.
    */
   float[] leaves() {
     return leaves;
@@ -141,14 +143,16 @@ final class WideTree {
     leaves[at + 12 * stride] = Math.nextUp((float) spread(vertices));
   }
 
-  /** Returns a coordinate of the edge from the first vertex to another. */
+  /**
+   * Returns a coordinate of the edge from the first vertex to another vertex, in the tree's space.
+   */
   private double edge(double[] vertices, int vertex, int axis) {
     return (vertices[3 * vertex + axis] - vertices[axis]) * space.scale;
   }
 
   /**
-   * Returns what the errors of a triangle's edge functions are in proportion to: E + E²/2, where E
-   * is the longest extent of an edge along an axis, in the tree's space.
+   * Returns E + E²/2, where E is the longest extent of an edge along an axis, in the tree's space.
+   * The errors of a triangle's edge functions are proportional to it.
    */
   private double spread(double[] vertices) {
     double longest = 0;

@@ -6,56 +6,59 @@ import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 
 /**
- * Gives more samples to pixels whose neighbours are noisier: after a pilot of as many for all, each
- * pass doubles the samples of those pixels where the same work takes most off the relative squared
- * error of the picture.
+ * Gives more samples to pixels with noisier neighbors. After a pilot with equally many samples in
+ * all pixels, each pass doubles the samples of selected pixels. It selects the pixels where the
+ * doubling reduces the picture's relative squared error most for its work.
  *
- * <p>A doubling takes about half of a pixel's error away, so it is worth e/n a sample, and e/(n c)
- * a ray, for a pixel with n samples, the error e and samples of c rays. What is known of e hangs on
- * few numbers, so it is told from a square of pixels around, as the squared mean of the roots of
- * their variances, in which single bright spots count for less than in the mean of variances; and c
- * is the mean of theirs. The pixel's own samples are left out. If they had a say, pixels whose
- * bright samples came late would stay with those they have, and the picture would be too dark; as
- * it is, they reach the number of the pixel's samples only through the numbers of its neighbours',
- * and those change the spread of what is told of them, not its mean (but for the rest that
- * docs/trade.md measures).
+ * <p>A doubling removes about half of a pixel's error. For a pixel with n samples, the error e and
+ * c rays per sample, this is worth e/n per sample and e/(n c) per ray. A pixel has few samples for
+ * an estimate of e, so e comes from the square of pixels around it: the squared mean of their
+ * standard deviations. Single bright spots weigh less in it than in the mean of the variances. The
+ * cost c is the mean over the same pixels.
  *
- * <p>Numbers of samples are powers of two, where Sobol points are evenest and the halves of {@link
- * Film#halves} as large. No pixel has less than an eighth of the mean, lest neighbourhoods that saw
- * nothing yet are never looked at again.
+ * <p>The pixel's own samples are left out. If they were used, pixels whose bright samples come late
+ * would keep too few samples, and the picture would be too dark. Without them, a pixel's samples
+ * affect its sample count only through the sample counts of its neighbors. Those counts change the
+ * variance of the neighbors' noise estimates and not their mean, except for the small rest that
+ * docs/trade.md measures.
+ *
+ * <p>Sample counts are powers of two, at which Sobol points are most even and the halves of {@link
+ * Film#halves} have equal size. Every pixel has at least an eighth of the mean sample count, so
+ * that neighborhoods without any light so far are sampled again.
  */
 final class AdaptiveSchedule implements Schedule {
   /** Samples per pixel of the pilot. */
   static final int PILOT = 32;
 
-  /** No pixel that could be doubled has less than the mean over this. */
+  /** Every pixel that can be doubled has at least the mean sample count divided by this. */
   private static final int MOST_BELOW_MEAN = 8;
 
-  /** A pass adds as many samples as there are, over this. */
+  /** A pass adds at most the current number of samples divided by this. */
   private static final int PASSES_TO_DOUBLE = 4;
 
-  /** Pixels to each side that tell a pixel's noise. */
+  /** The radius, in pixels, of the square that estimates a pixel's noise. */
   private static final int REACH = 2;
 
-  /** Priorities are told apart by the upper half of their floats: to 1 %. */
+  /** The number of priorities: the upper half of a float, with a relative precision of 1 %. */
   private static final int BINS = 1 << 15;
 
   private static final int FIRST_BIN_BIT = 16;
 
-  /** What a sample takes beside its rays, in rays. */
+  /** The fixed cost of a sample, in rays. */
   private static final float RAYS_TO_BEGIN = 1;
 
   private final int goal;
 
-  /** Rays that the samples of each pixel took; empty before the first pass. */
+  /** The number of rays of each pixel's samples; empty before the first pass. */
   private long[] rays = {};
 
-  /** What each pixel is to have; empty before the pilot has ended. */
+  /** The target sample count of each pixel; empty until the pilot has ended. */
   private int[] targets = {};
 
   /**
-   * @param goal samples per pixel in the mean; what is left below the cost of a doubling is not
-   *     spent
+   * Creates the schedule of one film.
+   *
+   * @param goal mean samples per pixel; a rest that is too small for a doubling is not used
    */
   AdaptiveSchedule(int goal) {
     this.goal = goal;
@@ -97,7 +100,7 @@ final class AdaptiveSchedule implements Schedule {
     return IntStream.range(0, targets.length).allMatch(i -> film.samples(i) >= targets[i]);
   }
 
-  /** Chooses the pixels to be doubled; tells whether there are any. */
+  /** Selects the pixels to double; returns whether there are any. */
   private boolean choose(Film film) {
     int pixels = film.window().width() * film.window().height();
     long total = film.totalSamples();
@@ -125,7 +128,10 @@ final class AdaptiveSchedule implements Schedule {
     return more;
   }
 
-  /** Goes on where a pass is too short for any pixel, in pictures of few. */
+  /**
+   * Doubles the pixel with the fewest samples, for small pictures whose pass is too short for any
+   * pixel.
+   */
   private boolean doubleCheapest(long left) {
     int cheapest =
         IntStream.range(0, targets.length)
@@ -134,7 +140,7 @@ final class AdaptiveSchedule implements Schedule {
     return targets[cheapest] <= left && doubled(cheapest) != 0;
   }
 
-  /** Returns the highest bin of which not all pixels can be doubled. */
+  /** Returns the highest bin whose pixels cannot all be doubled. */
   private int border(short[] bins, long samples) {
     long[] costs = new long[BINS];
     for (int i = 0; i < bins.length; i++) {
@@ -150,9 +156,10 @@ final class AdaptiveSchedule implements Schedule {
   }
 
   /**
-   * Returns how much each pixel's doubling is worth for its work, in bins of a logarithmic scale.
+   * Returns the priority of each pixel's doubling, its worth per work, in bins of a logarithmic
+   * scale.
    *
-   * @param least samples that each pixel is to have before all else
+   * @param least pixels with fewer samples have the highest priority
    */
   private short[] bins(Film film, double least) {
     int width = film.window().width();
@@ -173,7 +180,7 @@ final class AdaptiveSchedule implements Schedule {
     return bins;
   }
 
-  /** Returns of each pixel the root of the variance of a single sample. */
+  /** Returns, for each pixel, the standard deviation of a single sample. */
   private static float[] deviations(Film film) {
     int left = film.window().x();
     int top = film.window().y();
@@ -186,7 +193,7 @@ final class AdaptiveSchedule implements Schedule {
     return deviations;
   }
 
-  /** Returns of each pixel how many rays a sample takes. */
+  /** Returns, for each pixel, the mean number of rays per sample. */
   private float[] costs(Film film) {
     float[] costs = new float[rays.length];
     for (int i = 0; i < costs.length; i++) {
@@ -195,13 +202,15 @@ final class AdaptiveSchedule implements Schedule {
     return costs;
   }
 
-  /** Returns the mean over the pixels around one, itself left out; 0 if there are none. */
+  /**
+   * Returns the mean over the pixels around a pixel, without the pixel itself; 0 if there are none.
+   */
   private static float around(float[] values, int x, int y, int width, int height) {
     int fromX = Math.max(0, x - REACH);
     int toX = Math.min(width - 1, x + REACH);
     int fromY = Math.max(0, y - REACH);
     int toY = Math.min(height - 1, y + REACH);
-    // In double precision, so that nothing of the pixel's own stays when it is taken away.
+    // In double precision, so that subtracting the pixel's own value leaves no remainder.
     double sum = -values[y * width + x];
     for (int row = fromY; row <= toY; row++) {
       for (int i = row * width + fromX; i <= row * width + toX; i++) {

@@ -3,8 +3,8 @@ package io.github.lumbre.render;
 /**
  * A rectangle of the full frame that one thread renders.
  *
- * @param x of its left column
- * @param y of its top row
+ * @param x the left column, in the full frame
+ * @param y the top row, in the full frame
  * @param width at least 1
  * @param height at least 1
  */

@@ -8,27 +8,33 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Renders scenes to pictures, in passes that grow (see {@link Passes}); {@link FilmRenderer} is for
- * those who want to decide between passes. Immutable and reusable, by several threads at once; the
- * number of threads, the size of the buckets and the order of work do not change a bit of the
- * picture.
+ * Renders scenes to pictures in passes of increasing length (see {@link Passes}). Use {@link
+ * FilmRenderer} to control the render between passes. Immutable; several threads may use one
+ * instance at once. Pictures are bit-identical for any number of threads, bucket size and order of
+ * work.
  */
 public final class BucketRenderer {
   private final RenderSettings settings;
 
+  /** Creates a renderer. */
   public BucketRenderer(RenderSettings settings) {
     this.settings = Objects.requireNonNull(settings, "settings");
   }
 
-  /** Renders without anybody listening. */
+  /**
+   * Renders a scene without progress reports.
+   *
+   * @throws InterruptedException if the calling thread is interrupted; all workers have ended then
+   * @throws RenderException if a worker failed
+   */
   public Image render(Scene scene) throws InterruptedException {
     return render(scene, Progress.NONE).image();
   }
 
   /**
-   * Renders.
+   * * Renders a scene. *
    *
-   * @throws InterruptedException if the calling thread is interrupted; all workers have ended then
+   * @throws InterruptedException if the calling thread is interrupted; all workers have then ended
    * @throws RenderException if a worker failed
    */
   public RenderResult render(Scene scene, Progress progress) throws InterruptedException {
@@ -41,7 +47,9 @@ public final class BucketRenderer {
   }
 
   /**
-   * @param renderer of this one's settings
+   * Renders with a given film renderer.
+   *
+   * @param renderer with the same settings as this
    */
   RenderResult render(FilmRenderer renderer, Progress progress) throws InterruptedException {
     Film film = renderer.newFilm();

@@ -11,12 +11,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Renders buckets until there are none left. Confined to one thread. */
+/** Renders buckets until the queue is empty or stopped. Confined to one thread. */
 final class BucketWorker implements Runnable {
-  /** After so many samples the listener hears of them, and may cancel. */
+  /** The number of samples between progress reports. */
   private static final int SAMPLES_PER_REPORT = 1024;
 
-  /** After so many samples a worker asks whether to stop. */
+  /** The number of samples between checks for cancellation. */
   private static final int SAMPLES_PER_QUESTION = 16;
 
   private static final int MAX_REPORTED_REJECTS = 10;
@@ -30,7 +30,7 @@ final class BucketWorker implements Runnable {
 
   private final SampleLimit limit;
 
-  /** Samples up to this largest component are added to the film as they are. */
+  /** Samples whose largest component is at most this are added to the film unchanged. */
   private final double largestUnchanged;
 
   private final Sampler sampler;
@@ -38,7 +38,7 @@ final class BucketWorker implements Runnable {
   private final RenderContext context = new RenderContext();
   private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
 
-  /** Grows with the samples; others watch it. */
+  /** Increases with the samples; the {@link Watchdog} reads it. */
   private volatile long beats;
 
   private volatile Optional<Bucket> bucket = Optional.empty();
@@ -72,7 +72,7 @@ final class BucketWorker implements Runnable {
   @Override
   public void run() {
     boolean returned = false;
-    // What this thread did before belongs to somebody else.
+    // Discard the count of earlier work of this thread.
     context.takeUnreadablePoints();
     try {
       bucket = queue.take();
@@ -90,7 +90,7 @@ final class BucketWorker implements Runnable {
     }
   }
 
-  /** Renders a bucket; tells whether it is complete. */
+  /** Renders a bucket; returns whether it is complete. */
   private boolean render(Bucket bucket) {
     for (int y = bucket.y(); y < bucket.y() + bucket.height(); y++) {
       for (int x = bucket.x(); x < bucket.x() + bucket.width(); x++) {
@@ -139,7 +139,7 @@ final class BucketWorker implements Runnable {
     film.add(pixel, radiance, context.hitSomething() || !settings.transparent());
   }
 
-  /** Returns what is added to the film, and counts what is not the radiance itself. */
+  /** Returns the value to add to the film, and counts rejected, saturated and clamped samples. */
   private Rgb accepted(Rgb radiance, int x, int y, int sample) {
     if (SampleLimit.isRejected(radiance)) {
       rejected++;
@@ -169,12 +169,12 @@ final class BucketWorker implements Runnable {
     reported = samples;
   }
 
-  /** Returns a number that changes while samples end; for any thread. */
+  /** Returns a number that changes as samples end; any thread may call this. */
   long beats() {
     return beats;
   }
 
-  /** Returns the bucket that is being rendered; for any thread. */
+  /** Returns the current bucket; empty if there is none. Any thread may call this. */
   Optional<Bucket> bucket() {
     return bucket;
   }

@@ -7,15 +7,18 @@ import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 
-/** How a sample of a pixel starts. */
+/** Creates the camera rays of samples. */
 final class CameraSamples {
   private CameraSamples() {}
 
   /**
-   * Starts a sample and aims its ray from the camera; returns false if nothing is imaged there.
+   * Starts a sample and computes its camera ray.
    *
-   * @param x of the pixel in the full frame
-   * @param y of the pixel in the full frame
+   * @param x the pixel's column in the full frame
+   * @param y the pixel's row in the full frame
+   * @param sample the number of the sample
+   * @param ray receives the ray
+   * @return false if the camera has no image at this film point
    */
   static boolean start(
       Scene scene,

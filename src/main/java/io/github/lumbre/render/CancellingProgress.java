@@ -2,7 +2,7 @@ package io.github.lumbre.render;
 
 import java.util.function.BooleanSupplier;
 
-/** Passes everything on to a listener, and cancels for a reason of its own too. */
+/** Forwards all events to a listener, and also cancels if a condition holds. */
 record CancellingProgress(Progress listener, BooleanSupplier condition) implements Progress {
   @Override
   public void started(long totalSamples) {

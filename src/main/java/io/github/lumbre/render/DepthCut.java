@@ -6,18 +6,22 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 
 /**
- * How much of the light lies beyond the greatest depth of paths, and so is not in a picture: what
- * deeper paths add to a few thousand samples of the whole frame. The same for the same scene and
+ * An estimate of the energy lost to the path length limit: what longer paths add in a pilot render
+ * of the full frame with 64×48 pixels and 2 samples per pixel. Deterministic for a scene and its
  * settings.
  *
- * <p>Both depths take the same random numbers, so that each path begins as it does in the render,
- * and the difference is what was cut off, up to paths four times as deep, or 32 vertices deeper.
+ * <p>Both depths use the same random numbers, so each path has the same first vertices, and the
+ * difference is the lost energy. The longer paths have 4 times the depth, or 32 more vertices if
+ * that is greater.
  *
- * @param share of all light, 0 to 1
- * @param standardError of the share
+ * @param share the lost fraction of all energy, 0 to 1
+ * @param standardError the standard error of the share
  */
 public record DepthCut(double share, double standardError) {
-  /** What the pilot takes at most of a render's time is about this over its samples. */
+  /**
+   * The cost of the pilot renders, in samples: their fraction of a render's time is at most about
+   * this number divided by the render's total number of samples.
+   */
   public static final long COST_IN_SAMPLES = 20_000;
 
   private static final int WIDTH = 64;
@@ -25,11 +29,11 @@ public record DepthCut(double share, double standardError) {
   private static final int SAMPLES = 2;
   private static final int BUCKET = 8;
 
-  /** By how much deeper it looks than the scene asks. */
+  /** The minimum increase of the path depth. */
   private static final int DEEPER = 32;
 
   /**
-   * Estimates what a render by some settings cuts off.
+   * Estimates the energy that a render with the given settings loses.
    *
    * @throws InterruptedException if the calling thread is interrupted
    */
@@ -56,7 +60,7 @@ public record DepthCut(double share, double standardError) {
     return (int) Math.min(RenderSettings.MAX_DEPTH, depth + Math.max(DEEPER, 3L * depth));
   }
 
-  /** Returns what the first picture lacks of the second. */
+  /** Returns the energy that the first picture lacks, compared with the second. */
   private static DepthCut of(Image shallow, Image deep) {
     double all = 0;
     double sum = 0;

@@ -2,11 +2,13 @@ package io.github.lumbre.render;
 
 import java.util.Optional;
 
-/** Gives all pixels as many samples, in the passes of {@link Passes}. */
+/** Gives all pixels the same number of samples, in the passes of {@link Passes}. */
 final class EvenSchedule implements Schedule {
   private final int goal;
 
   /**
+   * Creates a schedule.
+   *
    * @param goal samples per pixel
    */
   EvenSchedule(int goal) {

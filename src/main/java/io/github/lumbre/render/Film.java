@@ -11,45 +11,53 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Sums of samples, exact: each value is rounded once to a multiple of 2^-64 and added in 128 bits,
- * so that the same samples give the same bits in whatever order and grouping they arrive. Mutable;
- * different threads may write different pixels.
+ * The exact sums of the samples of each pixel. Each value is rounded once to a multiple of 2^-64
+ * and added in 128 bits. The sums are therefore bit-identical for any order and grouping of the
+ * samples. Mutable; different threads may write different pixels.
  *
- * <p>A film holds a window of the full frame. Each pixel has samples of consecutive numbers, from
- * the film's first one on, and knows how many, so that pixels may have different ones.
+ * <p>A film holds a window of the full frame. The samples of each pixel have consecutive numbers,
+ * starting with the film's first one. Each pixel stores its own sample count.
  *
- * <p>Beside the sums, it keeps the mean of each pixel's samples up to the last power of two before
- * their number, from which {@link #halves} tells the noise; it is rounded, and no part of the
- * picture.
+ * <p>A film also stores, for each pixel, the mean of its first samples, up to the largest power of
+ * two below their number. {@link #halves} estimates the noise from it. This mean is rounded, and
+ * does not affect the picture.
  *
- * <p>Takes 60 bytes a pixel, 64 with alpha.
+ * <p>A film takes 60 bytes per pixel, 64 with alpha.
  */
 public final class Film {
-  /** What one sample value is cut to: 2^30 of them still fit. */
+  /** The maximum of one sample value; the sums can hold 2^30 such values. */
   static final double LARGEST = 0x1p32;
 
-  /** What a pixel takes at most when it is written. */
+  /** The maximum size of an encoded pixel, in bytes. */
   public static final int MAX_PIXEL_BYTES = 2 * 5 + 3 * (9 + Long.BYTES) + Long.BYTES;
 
   private final Crop window;
   private final int firstSample;
 
-  /** Whole parts and fractions (in units of 2^-64, unsigned) of the sums, three a pixel. */
+  /**
+   * The whole parts and the fractions (unsigned, in units of 2^-64) of the sums, three per pixel.
+   */
   private final long[] whole;
 
   private final long[] fraction;
   private final int[] counts;
 
-  /** How many of a pixel's samples cover it; empty if all do. */
+  /** The number of each pixel's samples that cover it; empty without alpha. */
   private final int[] covered;
 
-  /** The mean of each pixel's samples up to the last power of two before their number, packed. */
+  /**
+   * The packed mean of each pixel's first samples, up to the largest power of two below their
+   * number.
+   */
   private final long[] firstMeans;
 
   /**
-   * An empty film.
+   * Creates an empty film.
    *
+   * @param window the part of the full frame that the film holds
+   * @param hasAlpha whether the film counts the samples that cover a pixel
    * @param firstSample the number of each pixel's first sample, at least 0
+   * @throws IllegalArgumentException if {@code firstSample} is negative
    */
   public Film(Crop window, boolean hasAlpha, int firstSample) {
     this.window = Objects.requireNonNull(window, "window");
@@ -70,7 +78,7 @@ public final class Film {
     return window;
   }
 
-  /** Tells whether it is known how many of a pixel's samples cover it. */
+  /** Returns whether the film counts the samples that cover a pixel. */
   public boolean hasAlpha() {
     return covered.length != 0;
   }
@@ -80,36 +88,42 @@ public final class Film {
     return firstSample;
   }
 
-  /** Returns how many samples a pixel of the full frame, inside the window, has. */
+  /**
+   * Returns the number of samples of a pixel.
+   *
+   * @param x the pixel's column in the full frame, inside the window
+   * @param y the pixel's row in the full frame, inside the window
+   * @throws IndexOutOfBoundsException if the pixel is outside the window
+   */
   public int samples(int x, int y) {
     Objects.checkIndex(x - window.x(), window.width());
     Objects.checkIndex(y - window.y(), window.height());
     return counts[index(x, y)];
   }
 
-  /** Returns how many samples the pixel with the fewest has. */
+  /** Returns the smallest number of samples of any pixel. */
   public int fewestSamples() {
     return Arrays.stream(counts).min().getAsInt();
   }
 
-  /** Returns how many samples the pixel with the most has. */
+  /** Returns the largest number of samples of any pixel. */
   public int mostSamples() {
     return Arrays.stream(counts).max().getAsInt();
   }
 
-  /** Returns the share of pixels that have no sample. */
+  /** Returns the fraction of pixels without samples, 0 to 1. */
   public double shareWithoutSamples() {
     return Arrays.stream(counts).filter(count -> count == 0).count() / (double) counts.length;
   }
 
-  /** Returns how many samples half of the pixels have at most, and the others at least. */
+  /** Returns the median number of samples per pixel; the upper one of two middle values. */
   public int medianSamples() {
     int[] sorted = counts.clone();
     Arrays.sort(sorted);
     return sorted[sorted.length / 2];
   }
 
-  /** Returns the light of all samples together, the sum of the means of their channels. */
+  /** Returns the sum, over all samples, of the mean of the three channels. */
   public double totalLight() {
     double light = 0;
     for (int i = 0; i < whole.length; i++) {
@@ -118,25 +132,29 @@ public final class Film {
     return light;
   }
 
-  /** Returns how many samples a pixel has in the mean. */
+  /** Returns the mean number of samples per pixel. */
   public double meanSamples() {
     return (double) totalSamples() / counts.length;
   }
 
-  /** Returns how many samples all pixels have together. */
+  /** Returns the total number of samples of all pixels. */
   public long totalSamples() {
     return Arrays.stream(counts).asLongStream().sum();
   }
 
   /**
-   * Adds the samples of another film of the same picture, exactly: they may be of other pixels, or
-   * have other numbers, but none may be in both films.
+   * Adds the samples of another film of the same scene and settings, exactly. The two films may
+   * hold different pixels or different sample numbers, but no sample may be in both.
    *
-   * <p>{@link #halves} stay known, as if one film had taken all samples, where the other film's
-   * samples follow on this one's and no power of two lies strictly between their number before and
-   * their number after; or where this film has none yet. Add films in the order of their samples.
+   * <p>{@link #halves} stay known, as if one film had taken all samples, if the samples of the
+   * other film continue those of this film and no power of two lies strictly between the numbers of
+   * samples before and after, or if this film has none yet. Add films in the order of their
+   * samples.
    *
-   * @param other whose window lies inside this one's, and which has alpha just if this one has
+   * @param other a film whose window lies inside the window of this film; it has alpha exactly if
+   *     this film has
+   * @throws IllegalArgumentException if {@code other} has another window or alpha
+   * @throws ArithmeticException if the number of samples of a pixel overflows
    */
   public void addAll(Film other) {
     Crop part = other.window;
@@ -187,7 +205,7 @@ public final class Film {
         sum(3 * pixel) / count, sum(3 * pixel + 1) / count, sum(3 * pixel + 2) / count);
   }
 
-  /** Returns another film that holds what this one does, and does not change with it. */
+  /** Returns an independent copy of this film. */
   public Film copy() {
     Film copy = new Film(window, hasAlpha(), firstSample);
     copy.set(this);
@@ -195,10 +213,10 @@ public final class Film {
   }
 
   /**
-   * Makes this film hold what another does, and nothing else.
+   * Replaces the contents of this film with a copy of another film's.
    *
-   * @param other of the same window, which has alpha just if this one has, and the same first
-   *     sample
+   * @param other a film with the same window, alpha and first sample
+   * @throws IllegalArgumentException if {@code other} differs in one of these
    */
   public void set(Film other) {
     if (!other.window.equals(window)
@@ -215,13 +233,13 @@ public final class Film {
   }
 
   /**
-   * Writes a pixel, at most {@link #MAX_PIXEL_BYTES}: the number of its samples; if there are any,
-   * with alpha how many of them cover it, and of each channel the sum's whole part and its fraction
-   * in units of 2^-64; at last the mean that {@link #halves} needs, packed. Fractions and the mean
-   * take 8 bytes, the lowest one first; the other numbers 7 bits a byte, the lowest first, and the
-   * eighth bit set if more follow.
+   * Writes a pixel in at most {@link #MAX_PIXEL_BYTES}. The first value is its sample count. If
+   * this is not 0, these values follow: with alpha, the number of samples that cover the pixel; for
+   * each channel, the whole part of the sum and its fraction in units of 2^-64; and the packed mean
+   * that {@link #halves} needs. Fractions and the mean take 8 bytes, little-endian. Other numbers
+   * take 7 bits per byte, lowest bits first; the eighth bit is set if more bytes follow.
    *
-   * @param pixel row by row from the window's top left
+   * @param pixel the pixel's index, row by row from the window's top left
    */
   public void encode(int pixel, ByteBuffer out) {
     putNumber(out, counts[pixel]);
@@ -239,10 +257,11 @@ public final class Film {
   }
 
   /**
-   * Reads what {@link #encode} wrote into a pixel without samples.
+   * Reads a pixel in the format of {@link #encode}. The pixel must have no samples yet.
    *
-   * @throws IllegalArgumentException if that is no pixel
-   * @throws BufferUnderflowException if it is cut off
+   * @param pixel the pixel's index, row by row from the window's top left
+   * @throws IllegalArgumentException if the bytes are not a valid pixel
+   * @throws BufferUnderflowException if the bytes are truncated
    */
   public void decode(int pixel, ByteBuffer in) {
     int count = (int) number(in, RenderSettings.MAX_SAMPLES);
@@ -284,21 +303,22 @@ public final class Film {
     throw new IllegalArgumentException("expected a number up to " + largest + ", found " + number);
   }
 
-  /** Returns the place of a pixel of the full frame: row by row from the window's top left. */
+  /** Returns the index of a pixel of the full frame, row by row from the window's top left. */
   int index(int x, int y) {
     return (y - window.y()) * window.width() + (x - window.x());
   }
 
-  /** Returns how many samples the pixel at a place has. */
+  /** Returns the number of samples of the pixel at an index. */
   int samples(int pixel) {
     return counts[pixel];
   }
 
   /**
-   * Adds the next sample; values above {@link #LARGEST} count as that.
+   * Adds the next sample of a pixel; values above {@link #LARGEST} are reduced to it.
    *
+   * @param pixel the pixel's index
    * @param value finite and ≥ 0
-   * @param covers whether the sample belongs to the picture, for its alpha
+   * @param covers whether the sample covers the pixel, for its alpha
    */
   void add(int pixel, Rgb value, boolean covers) {
     int count = counts[pixel];
@@ -308,7 +328,7 @@ public final class Film {
     addSilently(pixel, value, covers);
   }
 
-  /** Adds the next sample without keeping what {@link #halves} needs. */
+  /** Adds the next sample of a pixel without storing the mean for {@link #halves}. */
   void addSilently(int pixel, Rgb value, boolean covers) {
     add(3 * pixel, value.r());
     add(3 * pixel + 1, value.g());
@@ -323,7 +343,7 @@ public final class Film {
     assert value >= 0 && value < Double.POSITIVE_INFINITY : value;
     double cut = Math.min(value, LARGEST);
     long units = (long) cut;
-    // The rest times 2^64; only a rest below 2^-12 needs rounding, so it cannot become 2^64.
+    // The fraction times 2^64; only fractions below 2^-12 are rounded, so the result is below 2^64.
     double rest = Math.rint((cut - units) * 0x1p64);
     long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
     add(i, units, bits);
@@ -335,12 +355,15 @@ public final class Film {
     fraction[i] = sum;
   }
 
-  /** Returns the means of the samples; pixels without samples are black and transparent. */
+  /**
+   * Returns the mean of the samples of each pixel. Pixels without samples are black, and
+   * transparent if the film has alpha.
+   */
   public Image develop() {
     float[] rgb = new float[whole.length];
     float[] alpha = new float[covered.length];
     for (int pixel = 0; pixel < counts.length; pixel++) {
-      // Straight alpha: the colour is the mean over the covering samples alone.
+      // Straight alpha: the color is the mean over the covering samples only.
       int count = covered.length == 0 ? counts[pixel] : covered[pixel];
       for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
         rgb[i] = count == 0 ? 0 : (float) (sum(i) / count);
@@ -353,11 +376,11 @@ public final class Film {
   }
 
   /**
-   * Returns the means of two parts of a pixel's samples; empty if it has fewer than two, or if it
-   * is not known what it had before.
+   * Returns the means of two parts of a pixel's samples. Empty with fewer than two samples, or if
+   * the stored mean was lost when films were added.
    *
-   * @param x of the full frame, inside the window
-   * @param y of the full frame, inside the window
+   * @param x the pixel's column in the full frame, inside the window
+   * @param y the pixel's row in the full frame, inside the window
    */
   public Optional<PixelHalves> halves(int x, int y) {
     int count = samples(x, y);

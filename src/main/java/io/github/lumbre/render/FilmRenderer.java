@@ -18,22 +18,24 @@ import java.util.function.LongFunction;
 import java.util.function.UnaryOperator;
 
 /**
- * Adds samples of one scene to films, a pass at a time: between passes the caller may look at the
- * film, keep it, stop, or give some pixels more samples than others. Each pass divides the film
- * into buckets, which threads take from a queue.
+ * Adds samples of one scene to films, one pass at a time. Between passes, the caller can inspect or
+ * save the film, stop, or choose a different number of samples for each pixel. Each pass divides
+ * the film into buckets, which threads take from a queue.
  *
- * <p>Immutable; several threads may use it at once, each with a film of its own. A sample is a
- * function of scene, seed, pixel and number, and films add exactly: so neither the passes nor the
- * threads nor the buckets change a bit of the sums.
+ * <p>Immutable; several threads may use one instance at once, each with its own film. A sample is a
+ * function of the scene, the seed, the pixel and the sample number, and films add exactly. The sums
+ * are therefore bit-identical for any passes, threads and buckets.
  */
 public final class FilmRenderer implements PassRenderer {
   /**
-   * Which samples a scene, its settings and a seed have: raised whenever any of them changes in any
-   * bit, by whatever change of the program. Films of other revisions are not gone on with.
+   * The revision of sample values. It increases whenever a change of the program changes any bit of
+   * any sample for the same scene, settings and seed. Films of other revisions cannot be resumed.
    */
   public static final int REVISION = 2;
 
-  /** Samples per pixel that an adaptive render gives to all pixels before it distributes others. */
+  /**
+   * The samples per pixel of an adaptive render's pilot, which gives all pixels the same number.
+   */
   public static final int ADAPTIVE_PILOT = AdaptiveSchedule.PILOT;
 
   private static final long SECONDS_PER_LOOK = 5;
@@ -46,7 +48,9 @@ public final class FilmRenderer implements PassRenderer {
   private final boolean hasAlpha;
 
   /**
-   * @param settings whose number of samples is not used here
+   * Creates a renderer with the integrator of the settings.
+   *
+   * @param settings the settings; only {@link #schedule()} uses their number of samples
    */
   public FilmRenderer(RenderSettings settings, Scene scene) {
     this(settings, scene, Integrator.of(scene, settings));
@@ -57,10 +61,10 @@ public final class FilmRenderer implements PassRenderer {
   }
 
   /**
-   * Renders in another way than the settings ask for. A film of it does not go together with those
-   * of other ways.
+   * Creates a renderer with another integrator or other random numbers. Its films cannot be merged
+   * with films of other renderers.
    *
-   * @param samplers makes the random numbers of a seed, for each thread its own
+   * @param samplers creates the sampler of a seed; called once for each thread
    */
   @SuppressWarnings("exports") // internal
   public FilmRenderer(
@@ -83,49 +87,51 @@ public final class FilmRenderer implements PassRenderer {
   }
 
   /**
-   * Returns the same, but for the order in which the threads take the buckets of a pass: rows from
-   * the top unless told otherwise.
+   * Returns the same renderer with another order in which threads take the buckets of a pass. The
+   * default is row by row from the top.
    */
   FilmRenderer inOrder(UnaryOperator<List<Bucket>> newOrder) {
     return new FilmRenderer(settings, scene, integrator, samplers, newOrder);
   }
 
-  /** Tells whether this one's films have alpha. */
+  /** Returns whether the films of this renderer have alpha. */
   public boolean hasAlpha() {
     return hasAlpha;
   }
 
-  /** Returns an empty film of the settings' window. */
+  /** Returns an empty film with the settings' window. */
   public Film newFilm() {
     return newFilm(0);
   }
 
   /**
-   * Returns an empty film of the settings' window, whose samples begin at a number other than 0:
-   * films of the same window with numbers that follow on each other add up to one.
+   * Returns an empty film with the settings' window and a given first sample number. Films of the
+   * same window with disjoint sample numbers can be merged.
+   *
+   * @param firstSample at least 0
    */
   public Film newFilm(int firstSample) {
     return new Film(settings.window(), hasAlpha, firstSample);
   }
 
-  /** Returns what decides on the passes over a new film, or one whose passes it went on with. */
+  /** Returns the schedule of passes for a new film or a resumed one. */
   @Override
   public Schedule schedule() {
     return schedule(settings.samples());
   }
 
   /**
-   * Returns what decides on the passes over a film, with a number of samples instead of the
-   * settings'.
+   * Returns the schedule of passes for a new film or a resumed one, with another number of samples
+   * than the settings.
    *
-   * @param goal samples per pixel, in the mean if the settings are adaptive
+   * @param goal samples per pixel; the mean if the settings are adaptive
    */
   public Schedule schedule(int goal) {
     return settings.adaptive() ? new AdaptiveSchedule(goal) : new EvenSchedule(goal);
   }
 
   /**
-   * Adds samples until each pixel has so many; see {@link #addSamples(Film, SampleTarget,
+   * Adds samples until each pixel has the given number; see {@link #addSamples(Film, SampleTarget,
    * Progress)}.
    */
   public PassResult addSamples(Film film, int samples, Progress progress)
@@ -134,15 +140,16 @@ public final class FilmRenderer implements PassRenderer {
   }
 
   /**
-   * Adds samples until each pixel has as many as it is to have; pixels that have more keep them.
-   * Each pixel's samples follow on those that it has, all at once, so a pass that was cancelled is
-   * made up for by another with the same target.
+   * Adds samples until each pixel has its target number; pixels that have more keep them. The new
+   * samples of a pixel continue its sample numbers. After a cancelled pass, another pass with the
+   * same target therefore adds the missing samples.
    *
-   * @param film of the settings' window and with alpha just if this one's films have it; no other
-   *     thread may use it meanwhile
-   * @param progress hears of samples and buckets, not of the start
-   * @throws InterruptedException if the calling thread is interrupted; all workers have ended then,
-   *     and the film holds what they did
+   * @param film a film with the settings' window, and with alpha exactly if {@link #hasAlpha}; no
+   *     other thread may use it during the pass
+   * @param progress receives all events except {@link Progress#started}
+   * @throws IllegalArgumentException if the film has another window or alpha
+   * @throws InterruptedException if the calling thread is interrupted; all workers have then ended,
+   *     and the film holds their samples
    * @throws RenderException if a worker failed
    */
   @Override
@@ -241,7 +248,7 @@ public final class FilmRenderer implements PassRenderer {
     return System.nanoTime() * 1e-9;
   }
 
-  /** Waits for the threads, which end within a moment, and keeps an interruption for later. */
+  /** Waits for the threads, which end shortly, and restores the interrupt status. */
   private static void awaitEnd(List<Thread> threads) {
     boolean interrupted = Thread.interrupted();
     for (Thread thread : threads) {

@@ -3,12 +3,12 @@ package io.github.lumbre.render;
 import io.github.lumbre.image.Rgb;
 
 /**
- * A colour in 64 bits: 18 bits for each component and an exponent that they share, like the nine
- * bits of the RGBE formats (Ward 1991, "Real Pixels"). The largest component is kept to a relative
- * 2^-18, the others to as much of the largest.
+ * A color packed in 64 bits: 18 bits for each component, and a shared exponent as in the RGBE
+ * format (Ward 1991, "Real Pixels"). The error of each component is at most 2^-18 of the largest
+ * component.
  */
 final class PackedRgb {
-  /** No colour: what an array holds at first. */
+  /** The value without a color, which is the initial value of arrays. */
   static final long NONE = 0;
 
   private static final int BITS = 18;
@@ -18,9 +18,11 @@ final class PackedRgb {
   private PackedRgb() {}
 
   /**
-   * Returns the packed colour, which is never {@link #NONE}.
+   * Returns the packed color, which is never {@link #NONE}.
    *
-   * @param r 0 to 2^256, like the others
+   * @param r red, 0 to 2^256
+   * @param g green, 0 to 2^256
+   * @param b blue, 0 to 2^256
    */
   static long of(double r, double g, double b) {
     double max = Math.max(r, Math.max(g, b));
@@ -38,7 +40,7 @@ final class PackedRgb {
     return (long) Math.rint(Math.scalb(v, BITS - exponent));
   }
 
-  /** Returns the colour of what {@link #of} returned. */
+  /** Returns the color of a value from {@link #of}. */
   static Rgb unpacked(long packed) {
     int exponent = (int) (packed >>> 3 * BITS) - BIAS;
     double unit = Math.scalb(1.0, exponent - BITS);

@@ -3,31 +3,36 @@ package io.github.lumbre.render;
 import io.github.lumbre.image.Rgb;
 
 /**
- * The samples of a pixel in two parts, from whose difference its noise can be told. The first part
- * is the largest power of two below the number of all, so that it is a stratified whole, and if
- * their number is a power of two, so is the second.
+ * The samples of a pixel in two parts, whose difference gives an estimate of the pixel's noise. The
+ * size of the first part is the largest power of two below the number of samples, so it is a
+ * complete stratified set. If the number of samples is a power of two, so is the second part.
  *
- * @param firstCount samples in the first part, at least 1
- * @param first their mean, to about five digits of its largest component
- * @param secondCount samples in the second part, 1 to {@code firstCount}
- * @param second their mean; rounding of the first may make it slightly negative
+ * @param firstCount the number of samples in the first part, at least 1
+ * @param first the mean of the first part, to about five digits of its largest component
+ * @param secondCount the number of samples in the second part, 1 to {@code firstCount}
+ * @param second the mean of the second part; the rounding of {@code first} can make it slightly
+ *     negative
  */
 public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second) {
-  /** Keeps dark pixels from counting for all; in units of squared linear light. */
+  /**
+   * A summand of the denominator that limits the weight of dark pixels; in units of squared
+   * radiance.
+   */
   public static final double FLOOR = .01;
 
   /**
-   * Returns an estimate of the relative squared error of the mean of all, the mean over channels.
+   * Returns an estimate of the relative squared error of the mean of all samples, averaged over the
+   * channels.
    *
    * <p>For halves of n1 and n2 samples with means m1 and m2, (m1 − m2)² n1 n2 / (n1 + n2)²
-   * estimates the variance of the mean of all. It is unbiased for independent samples, and too high
-   * for those of a scrambled net, whose halves make up for each other's errors (their covariance is
-   * negative: Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature"): by (1 − ρ)/(1 + ρ), ρ
-   * being their correlation, whatever the number of samples. Fixed batches would be off by a factor
-   * that grows with it.
+   * estimates the variance of the mean of all samples. It is unbiased for independent samples. For
+   * a scrambled net, it is too high by the factor (1 − ρ)/(1 + ρ) for any number of samples, where
+   * ρ is the correlation of the halves. Their covariance is negative, so their errors partly cancel
+   * (Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature"). With fixed batches, the factor
+   * would grow with the number of samples.
    *
-   * <p>The reference's square, for the relative error, is m1 m2 without noise on average, whereas
-   * m² would hide the error of bright spots in their own brightness.
+   * <p>The relative error divides by m1 m2, which estimates the squared true value. The squared
+   * mean would hide the error of bright spots, because it contains their own brightness.
    */
   public double relativeSquaredError() {
     return mean(
@@ -37,9 +42,9 @@ public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second
   }
 
   /**
-   * Returns an estimate that is too high rather than too low: for few samples, where a bright spot
-   * in one half makes m1 m2 large just when m1 − m2 is, which hides its error. The square of the
-   * reference is taken as m √(m1 m2), m being the smaller of the two.
+   * Returns a conservative estimate of the same error, for few samples. There, a bright spot in one
+   * half makes both m1 m2 and m1 − m2 large, which hides its error. This estimate divides by m √(m1
+   * m2) instead, where m is the smaller of the two means.
    */
   public double cautiousSquaredError() {
     return mean(

@@ -15,8 +15,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Repeats single samples of a render, bit for bit, and explains them. Mutable, and confined to one
- * thread.
+ * Repeats single samples of a render, bit-identically, and records their paths. Mutable; confined
+ * to one thread.
  */
 public final class PixelReplay {
   private final Scene scene;
@@ -29,7 +29,9 @@ public final class PixelReplay {
   private final CameraRay ray = new CameraRay();
 
   /**
-   * @param settings those of the render whose samples are repeated
+   * Creates a replay.
+   *
+   * @param settings the settings of the render whose samples are repeated
    */
   public PixelReplay(Scene scene, RenderSettings settings) {
     this.scene = scene;
@@ -42,12 +44,13 @@ public final class PixelReplay {
   /**
    * One sample and its path.
    *
-   * @param number of the sample
-   * @param vertices of the path; none if the camera images nothing there
-   * @param radiance as the integrator returns it: the sum of the vertices' contributions
-   * @param film what is added to the film: the radiance, clamped, or black if it is rejected
+   * @param number the sample's number, from 0
+   * @param vertices the vertices of the path; empty if the camera has no image at this film point
+   * @param radiance the integrator's result: the sum of the vertices' contributions
+   * @param film the value added to the film: the radiance, scaled down if it is clamped, or black
+   *     if it is rejected
    * @param rejected whether the radiance is negative or not finite
-   * @param clamped whether the radiance is brighter than the settings' clamp, and scaled down to it
+   * @param clamped whether the radiance exceeds the settings' clamp
    */
   public record Sample(
       int number,
@@ -64,13 +67,13 @@ public final class PixelReplay {
   /**
    * All samples of a pixel.
    *
-   * @param samples how many there are
-   * @param mean over the samples, as the film sums them; where the picture has alpha, over all
-   *     samples and not the covering ones alone
-   * @param variance of one sample, unbiased; 0 of a single one
-   * @param rejected how many count as black
-   * @param firstRejected the first of those
-   * @param brightest samples by their largest component, falling
+   * @param samples the number of samples
+   * @param mean the mean of all samples, summed as in a film; this includes samples that do not
+   *     cover a pixel with alpha
+   * @param variance the unbiased variance of one sample; 0 if there is only one
+   * @param rejected the number of rejected samples (negative, NaN or infinite)
+   * @param firstRejected the first rejected samples
+   * @param brightest the brightest samples by their largest component, in decreasing order
    */
   public record Pixel(
       int samples,
@@ -88,8 +91,9 @@ public final class PixelReplay {
   /**
    * Repeats one sample.
    *
-   * @param x of the pixel in the full frame
-   * @param y likewise
+   * @param x the pixel's column in the full frame
+   * @param y the pixel's row in the full frame
+   * @param number the sample's number, from 0
    */
   public Sample sample(int x, int y, int number) {
     context.startSample();
@@ -109,7 +113,9 @@ public final class PixelReplay {
   /**
    * Repeats all samples of a pixel.
    *
-   * @param shown how many of the brightest, and of the rejected ones, are kept, at least 0
+   * @param x the pixel's column in the full frame
+   * @param y the pixel's row in the full frame
+   * @param shown the maximum number of brightest and of rejected samples in the result, at least 0
    */
   public Pixel pixel(int x, int y, int shown) {
     Film film = new Film(new RenderSettings.Crop(0, 0, 1, 1), false, 0);

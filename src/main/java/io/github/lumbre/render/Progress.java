@@ -4,31 +4,42 @@ import java.util.Objects;
 import java.util.function.BooleanSupplier;
 
 /**
- * Hears what a render has done and may cancel it. All methods are called from several threads, any
- * of them at once, and should return quickly.
+ * A listener that receives the progress of a render and can cancel it. Several threads call its
+ * methods, possibly at once; they should return quickly.
  */
 public interface Progress {
-  /** Hears nothing and never cancels. */
+  /** A listener that ignores all events and never cancels. */
   Progress NONE = new Progress() {};
 
-  /** The render begins: so many samples over all pixels. */
+  /** Reports the start of a render and its total number of samples over all pixels. */
   default void started(long totalSamples) {}
 
-  /** So many more samples are done: a fraction of a bucket, many times a second. */
+  /**
+   * Reports the number of samples since the last report of a thread. Called many times per second.
+   */
   default void advanced(long samples) {}
 
-  /** For so many seconds, no sample of a bucket has ended: told after a minute, two, four, …. */
+  /**
+   * Reports that no sample of a bucket has ended for the given number of seconds. Called after 60
+   * s, 120 s, 240 s and so on.
+   */
   default void stalled(Bucket bucket, double seconds) {}
 
-  /** All pixels of a bucket have what a pass gives them. */
+  /** Reports that all pixels of a bucket have the samples of a pass. */
   default void finished(Bucket bucket) {}
 
-  /** Asked every few samples: true makes the render stop and return what it has. */
+  /**
+   * Returns whether to cancel. Called every few samples; if true, the render stops and returns its
+   * current picture.
+   */
   default boolean isCancelled() {
     return false;
   }
 
-  /** Returns a listener that hears what this one does, and cancels if this one does or if asked. */
+  /**
+   * Returns a listener that forwards all events to this one, and cancels if this one does or if the
+   * condition holds.
+   */
   default Progress cancelledAlsoIf(BooleanSupplier condition) {
     return new CancellingProgress(this, Objects.requireNonNull(condition, "condition"));
   }

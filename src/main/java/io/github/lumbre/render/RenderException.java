@@ -1,10 +1,10 @@
 package io.github.lumbre.render;
 
-/** A render that a fault of the program ended; the cause says which. */
+/** Thrown when a program error ended a render; the cause is the exception of a worker thread. */
 public final class RenderException extends RuntimeException {
   private static final long serialVersionUID = 1;
 
-  /** Wraps what a worker thread threw. */
+  /** Wraps the exception of a worker thread. */
   public RenderException(String message, Throwable cause) {
     super(message, cause);
   }

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** The buckets of a pass still to be rendered, and whether to go on. Shared by the workers. */
+/** The remaining buckets of a pass, and whether the workers should stop. All workers share it. */
 final class RenderQueue {
   private final List<Bucket> buckets;
   private final Progress progress;
@@ -20,7 +20,7 @@ final class RenderQueue {
 
   /** Takes the next bucket; empty if there is none left. */
   Optional<Bucket> take() {
-    // Threads that come too late leave the counter near the end: it cannot overflow.
+    // The counter stops near the end, so it cannot overflow.
     int number = next.get() < buckets.size() ? next.getAndIncrement() : buckets.size();
     return number < buckets.size() ? Optional.of(buckets.get(number)) : Optional.empty();
   }
@@ -34,7 +34,7 @@ final class RenderQueue {
     progress.advanced(samples);
   }
 
-  /** Makes all workers end soon. */
+  /** Makes all workers stop soon. */
   void stop() {
     stopped.set(true);
   }
@@ -43,7 +43,7 @@ final class RenderQueue {
     return stopped.get() || progress.isCancelled();
   }
 
-  /** Tells whether all buckets are done. */
+  /** Returns whether all buckets are finished. */
   boolean isExhausted() {
     return finished.get() == buckets.size();
   }

@@ -6,18 +6,20 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * What a render did.
+ * The statistics of a render.
  *
- * @param samples taken over all pixels
- * @param rays followed to what they meet, those from the camera included
- * @param shadowRays followed to see whether they meet anything
- * @param rejected samples that were not finite or were negative, and count as black
- * @param firstRejected the first few of those
- * @param saturated sample values too bright for the film, and cut to what it can hold
- * @param unreadable points of textures that were not finite, and were taken as (0, 0)
- * @param clamped samples darkened to the settings' clamp
- * @param clampedLight what those lost, the sum of the means of their channels; its last digits
- *     depend on the order of work
+ * @param samples the number of samples over all pixels
+ * @param rays the number of rays traced to their nearest hit, including camera rays
+ * @param shadowRays the number of rays tested for occlusion
+ * @param rejected the number of rejected samples (negative, NaN or infinite), which are added as
+ *     black
+ * @param firstRejected the first few rejected samples
+ * @param saturated the number of samples too bright for the film, which were reduced to its maximum
+ * @param unreadable the number of invalid texture coordinates (NaN or infinite), which were
+ *     replaced with (0, 0)
+ * @param clamped the number of samples scaled down to the settings' clamp
+ * @param clampedLight the light lost by clamping, as the sum of the means of the channels; its last
+ *     digits depend on the order of work
  */
 public record RenderStatistics(
     long samples,
@@ -30,7 +32,7 @@ public record RenderStatistics(
     long clamped,
     double clampedLight)
     implements Serializable {
-  /** Nothing done. */
+  /** The statistics before any work. */
   public static final RenderStatistics ZERO =
       new RenderStatistics(0, 0, 0, 0, List.of(), 0, 0, 0, 0);
 
@@ -40,18 +42,18 @@ public record RenderStatistics(
     firstRejected = List.copyOf(firstRejected);
   }
 
-  /** Returns what was wrong with samples, and nothing of the work that they were. */
+  /** Returns statistics with the given invalid samples and without any work. */
   public static RenderStatistics ofFaults(
       long rejected, List<RejectedSample> firstRejected, long saturated) {
     return new RenderStatistics(0, 0, 0, rejected, firstRejected, saturated, 0, 0, 0);
   }
 
-  /** Returns what was wrong with samples, without the work that they were. */
+  /** Returns the statistics of invalid samples only, without the work. */
   public RenderStatistics faults() {
     return ofFaults(rejected, firstRejected, saturated);
   }
 
-  /** Returns what two workers, or two passes, did together. */
+  /** Returns the combined statistics of two workers or two passes. */
   public RenderStatistics plus(RenderStatistics o) {
     return new RenderStatistics(
         samples + o.samples,
@@ -68,7 +70,13 @@ public record RenderStatistics(
         clampedLight + o.clampedLight);
   }
 
-  /** Where a sample was rejected, so that it can be repeated: pixel of the full frame, number. */
+  /**
+   * A rejected sample, identified so that it can be repeated.
+   *
+   * @param x the pixel's column in the full frame
+   * @param y the pixel's row in the full frame
+   * @param sample the sample's number
+   */
   public record RejectedSample(int x, int y, int sample)
       implements Comparable<RejectedSample>, Serializable {
     private static final Comparator<RejectedSample> ORDER =

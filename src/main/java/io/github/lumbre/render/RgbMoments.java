@@ -3,9 +3,9 @@ package io.github.lumbre.render;
 import io.github.lumbre.image.Rgb;
 
 /**
- * Mean and variance of colours, by channel, updated one by one (Welford 1962). What is averaged is
- * the difference from the first, since of a mean far from zero the rounding would be the variance's
- * error. Mutable.
+ * Computes the variance of colors per channel, one value at a time (Welford 1962). It averages
+ * differences from the first value, because the rounding of a mean far from zero would dominate the
+ * error of the variance. Mutable.
  */
 final class RgbMoments {
   private int count;
@@ -14,7 +14,9 @@ final class RgbMoments {
   private Rgb squares = Rgb.BLACK;
 
   /**
-   * @param value any finite numbers
+   * Adds a value.
+   *
+   * @param value finite; may be negative
    */
   void add(Rgb value) {
     first = count == 0 ? value : first;

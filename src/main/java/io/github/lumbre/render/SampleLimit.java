@@ -4,8 +4,8 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.scene.RenderSettings;
 
 /**
- * What becomes of a sample's radiance before it is added to the film: rejected if it is no
- * radiance, scaled down if it is brighter than the settings allow. Immutable.
+ * The limits on a sample before it is added to the film. Invalid radiance is rejected, and radiance
+ * above the settings' clamp is scaled down. Immutable.
  *
  * @param clamp the largest component of a sample; infinite if samples are not clamped
  */
@@ -14,7 +14,10 @@ record SampleLimit(double clamp) {
     return new SampleLimit(settings.clamp());
   }
 
-  /** Returns whether a sample is negative or not finite: it is added to the film as black. */
+  /**
+   * Returns whether a sample is negative or not finite. Such a sample is added to the film as
+   * black.
+   */
   static boolean isRejected(Rgb radiance) {
     return !radiance.isFinite() || radiance.r() < 0 || radiance.g() < 0 || radiance.b() < 0;
   }
@@ -24,7 +27,10 @@ record SampleLimit(double clamp) {
     return radiance.max() > clamp && !isRejected(radiance);
   }
 
-  /** Returns what is added to the film: the sample with its hue, or black if it is rejected. */
+  /**
+   * Returns the value to add to the film: the sample, scaled down with its hue if it is clamped, or
+   * black if it is rejected.
+   */
   Rgb apply(Rgb radiance) {
     if (isRejected(radiance)) {
       return Rgb.BLACK;

@@ -1,19 +1,19 @@
 package io.github.lumbre.render;
 
-/** How many samples each pixel is to have in all, those that it has already included. */
+/** The target number of samples of each pixel, including the samples that it already has. */
 @FunctionalInterface
 public interface SampleTarget {
   /**
-   * Returns the number for a pixel of the full frame, 0 to 2^30. Asked by worker threads, any of
-   * them at once, each time a pixel's turn comes in a pass.
+   * Returns the target of a pixel of the full frame, 0 to 2^30. Worker threads call this, possibly
+   * at once, before they render the pixel.
    */
   int samples(int x, int y);
 
   /**
-   * Hears how many rays the samples took that a pixel was given, all kinds of rays together. Told
-   * by worker threads, each of them of other pixels, also of a pixel whose turn was cut short.
+   * Receives the number of rays, of all kinds, that the new samples of a pixel needed. Worker
+   * threads call this, each for different pixels, also for a pixel whose rendering was cancelled.
    *
-   * @param rays at least 0, the same for the same samples on every machine
+   * @param rays at least 0; the same for the same samples on every machine
    */
   default void took(int x, int y, long rays) {}
 }

@@ -2,11 +2,14 @@ package io.github.lumbre.render;
 
 import java.util.Optional;
 
-/** Decides, between the passes over a film, what the next one gives it. Mutable, for one film. */
+/**
+ * Decides, between the passes over a film, how many samples the next pass adds. Mutable; one
+ * instance per film.
+ */
 public interface Schedule {
   /**
-   * Returns what each pixel is to have after the next pass, or empty if there is none to come.
-   * Until the film has that, as after a pass that was cancelled, the answer stays the same.
+   * Returns the target of the next pass; empty if the film is complete. The result stays the same
+   * until the film has reached the target, for example after a cancelled pass.
    */
   Optional<SampleTarget> next(Film film);
 }

@@ -5,14 +5,18 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Notices workers whose samples do not end. Whoever waits for the workers looks now and then, so no
- * thread and nothing in a sample's way is needed. Mutable, for one thread.
+ * Detects workers whose samples do not end. The thread that waits for the workers calls it
+ * periodically, so it needs no thread of its own and costs the samples nothing. Mutable; confined
+ * to one thread.
  */
 final class Watchdog {
-  /** After so long without an end of 16 samples, a worker is called stalled for the first time. */
+  /**
+   * The time, in seconds, without progress by 16 samples after which a worker is first reported as
+   * stalled.
+   */
   static final double PATIENCE_SECONDS = 60;
 
-  /** What is known of a worker. */
+  /** The last known state of a worker. */
   private static final class Watched {
     private final BucketWorker worker;
     private long beats;
@@ -42,14 +46,21 @@ final class Watchdog {
   private final Progress progress;
 
   /**
-   * @param now seconds of any clock that never goes back
-   * @param progress hears of each stalled bucket after a minute, two, four and so on
+   * Creates a watchdog.
+   *
+   * @param now the time in seconds of any monotonic clock
+   * @param progress receives each stalled bucket after 60 s, 120 s, 240 s and so on
    */
   Watchdog(List<BucketWorker> workers, double now, Progress progress) {
     workers.forEach(worker -> watched.add(new Watched(worker, now)));
     this.progress = progress;
   }
 
+  /**
+   * Checks all workers.
+   *
+   * @param now the time in seconds of the same clock
+   */
   void look(double now) {
     watched.forEach(one -> one.look(now, progress));
   }

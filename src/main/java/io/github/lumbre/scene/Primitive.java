@@ -7,10 +7,11 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * A shape with what it is made of and, if it glows, its light.
+ * A shape with its material and, if it emits light, its emission.
  *
- * @param emission seen by every ray that hits the shape, and the end of a path there; whether it
- *     also lights other things is the {@link SceneBuilder}'s to say
+ * @param shape in world space
+ * @param emission visible to every ray that hits the shape; a path ends there. {@link SceneBuilder}
+ *     decides whether it also lights other surfaces
  */
 public record Primitive(Shape shape, Material material, Optional<Emission> emission) {
   public Primitive {
@@ -19,7 +20,7 @@ public record Primitive(Shape shape, Material material, Optional<Emission> emiss
     Objects.requireNonNull(emission, "emission");
   }
 
-  /** Returns a primitive that looks the same and does no work twice. */
+  /** Returns an equivalent primitive whose uniform material is evaluated once. */
   Primitive simplified() {
     return new Primitive(shape, material.simplified(), emission);
   }

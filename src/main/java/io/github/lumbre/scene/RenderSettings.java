@@ -13,8 +13,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * How a picture is made; the world itself is in {@link Scene}. A value for each {@link Setting},
- * and the part of the frame to render. Immutable; {@link #toBuilder} starts a changed copy.
+ * The settings of a render: a value for each {@link Setting}, and the part of the frame to render.
+ * The {@link Scene} is separate. Immutable; {@link #toBuilder} creates a modified copy.
  */
 public final class RenderSettings {
   /** The largest allowed width and height. */
@@ -23,19 +23,19 @@ public final class RenderSettings {
   /** The largest allowed number of samples per pixel. */
   public static final int MAX_SAMPLES = 1 << 30;
 
-  /** The largest allowed depth, of each kind. */
+  /** The largest allowed path depth, of each kind. */
   public static final int MAX_DEPTH = 1_000_000;
 
-  /** The largest number of branches of a split path. */
+  /** The largest allowed number of branches of a split path. */
   public static final int MAX_SPLIT = 256;
 
   /** The largest allowed number of threads. */
   public static final int MAX_THREADS = 1024;
 
-  /** The settings of a scene file that states none. */
+  /** The default settings. */
   public static final RenderSettings DEFAULT = new Builder().build();
 
-  /** By the index of each setting. */
+  /** The values, indexed by {@link Setting#index}. */
   private final List<Object> values;
 
   private final Optional<Crop> crop;
@@ -46,7 +46,7 @@ public final class RenderSettings {
     Crop window = crop.orElse(new Crop(0, 0, 1, 1));
     if ((long) window.x + window.width > width() || (long) window.y + window.height > height()) {
       throw new IllegalArgumentException(
-          "crop: expected inside " + width() + "x" + height() + ", found " + window);
+          "crop: expected a rectangle inside " + width() + "x" + height() + ", found " + window);
     }
   }
 
@@ -63,12 +63,12 @@ public final class RenderSettings {
     return (T) values.get(setting.index());
   }
 
-  /** Returns whether a setting has another value than its default. */
+  /** Returns whether the value of a setting differs from its default. */
   public boolean isSet(Setting<?> setting) {
     return !get(setting).equals(setting.missing());
   }
 
-  /** Returns the value of a setting as a text, which its type reads. */
+  /** Returns the value of a setting as text, which {@link SettingType#parse} accepts. */
   public <T> String text(Setting<T> setting) {
     return setting.type().format(get(setting));
   }
@@ -158,30 +158,30 @@ public final class RenderSettings {
     return get(Setting.CLAMP);
   }
 
-  /** Returns the part of the full frame to render; empty means all of it. */
+  /** Returns the part of the full frame to render; empty means the full frame. */
   public Optional<Crop> crop() {
     return crop;
   }
 
-  /** Returns the rectangle to render: the crop, or all of the frame. */
+  /** Returns the rectangle to render: the crop or the full frame. */
   public Crop window() {
     return crop.orElse(new Crop(0, 0, width(), height()));
   }
 
-  /** Returns the width of the full frame over its height. */
+  /** Returns the width of the full frame divided by its height. */
   public double aspect() {
     return (double) width() / height();
   }
 
   /**
-   * Returns how a rendered picture is written to a file: with this exposure and this tone curve, in
-   * 8 bits, without metadata. {@code lumbre render} writes the same pixels.
+   * Returns the options for writing a rendered picture: this exposure and tone curve, 8 bits, no
+   * metadata. {@code lumbre render} writes the same pixels.
    */
   public ImageWriter.Options development() {
     return new ImageWriter.Options(exposure(), toneCurve(), 8, Map.of());
   }
 
-  /** Returns a builder that starts with these settings. */
+  /** Returns a builder with a copy of these settings. */
   public Builder toBuilder() {
     return new Builder(this);
   }
@@ -208,14 +208,16 @@ public final class RenderSettings {
         + "]";
   }
 
-  /** Which light transport is computed. */
+  /** The light transport algorithm. */
   public enum Mode {
+    /** Whitted-style ray tracing. */
     RAY,
+    /** Path tracing. */
     PATH
   }
 
   /**
-   * Width and height of the full frame, in pixels.
+   * The width and height of the full frame, in pixels.
    *
    * @param width at most nine digits; {@link Builder#size} limits it further
    * @param height at most nine digits
@@ -224,9 +226,9 @@ public final class RenderSettings {
     private static final Pattern FORM = Pattern.compile("(\\d{1,9})x(\\d{1,9})");
 
     /**
-     * Returns the size that a text such as {@code 640x480} states.
+     * Returns the size in a text such as {@code 640x480}.
      *
-     * @throws IllegalArgumentException if it does not state one
+     * @throws IllegalArgumentException if the text has another form
      */
     public static Size of(String text) {
       Matcher found = FORM.matcher(text);
@@ -240,10 +242,10 @@ public final class RenderSettings {
   /**
    * A rectangle of the full frame, in pixels.
    *
-   * @param x of its left column, at least 0
-   * @param y of its top row, at least 0
-   * @param width at least 1
-   * @param height at least 1
+   * @param x the left column, 0 to {@value #MAX_SIDE}
+   * @param y the top row, 0 to {@value #MAX_SIDE}
+   * @param width 1 to {@value #MAX_SIDE}
+   * @param height 1 to {@value #MAX_SIDE}
    */
   public record Crop(int x, int y, int width, int height) {
     public Crop {
@@ -259,12 +261,12 @@ public final class RenderSettings {
     }
   }
 
-  /** Collects settings, starting with the defaults or a copy. Mutable. */
+  /** Builds settings, starting from the defaults or a copy. Mutable. */
   public static final class Builder {
     private final Object[] values;
     private Optional<Crop> crop;
 
-    /** Starts with the defaults. */
+    /** Creates a builder with the defaults. */
     public Builder() {
       values = Setting.all().stream().map(Setting::missing).toArray();
       crop = Optional.empty();
@@ -278,7 +280,7 @@ public final class RenderSettings {
     /**
      * Sets a value.
      *
-     * @throws IllegalArgumentException if it is out of range, naming the setting
+     * @throws IllegalArgumentException if the value is out of range; the message names the setting
      */
     public <T> Builder set(Setting<T> setting, T value) {
       values[setting.index()] = setting.require(value);
@@ -286,9 +288,9 @@ public final class RenderSettings {
     }
 
     /**
-     * Sets the value that a text stands for.
+     * Sets a value from its text form.
      *
-     * @throws IllegalArgumentException if there is none, or if it is out of range
+     * @throws IllegalArgumentException if the text is invalid or the value is out of range
      */
     public <T> Builder setText(Setting<T> setting, String text) {
       return set(setting, setting.type().parse(text));
@@ -299,13 +301,15 @@ public final class RenderSettings {
       return set(Setting.WIDTH, width).set(Setting.HEIGHT, height);
     }
 
-    /** Sets how many mirrors and how many glass surfaces a path may hit in ray mode. */
+    /** Sets the maximum number of mirrors and of glass surfaces on a path in ray mode. */
     public Builder rayDepths(int reflection, int refraction) {
       return set(Setting.REFLECTION_TRACE_DEPTH, reflection)
           .set(Setting.REFRACTION_TRACE_DEPTH, refraction);
     }
 
-    /** Sets the part of the full frame to render. */
+    /**
+     * Sets the part of the full frame to render; {@link #build} checks that it is inside the frame.
+     */
     public Builder crop(Crop value) {
       crop = Optional.of(value);
       return this;

@@ -19,16 +19,16 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.stream.Collectors;
 
 /**
- * The world: complete, immutable, and shared by all threads. Built by {@link SceneBuilder}.
+ * A complete scene in world space. Immutable; all threads share it. {@link SceneBuilder} builds it.
  *
- * <p>Two lists of lights: {@link #lights} are those that the scene calls lights, {@link #emitters}
- * add what else shines if all light is followed (glowing surfaces, the background).
+ * <p>A scene has two lists of lights. {@link #lights} holds the declared lights. {@link #emitters}
+ * holds all lights of path mode: the declared lights, other emissive surfaces, and the background.
  */
 public final class Scene {
   private final Camera camera;
   private final List<Primitive> primitives;
 
-  /** The same, simplified for the inner loop. */
+  /** The same primitives, simplified for the inner loop. */
   private final Primitive[] primitiveOfShape;
 
   private final Bvh bvh;
@@ -36,13 +36,13 @@ public final class Scene {
   private final List<Light> emitters;
   private final List<EnvironmentLight> environments;
 
-  /** The index among the emitters of each environment light, and of each light. */
+  /** The index in {@code emitters} of each environment light, and of each light. */
   private final int[] emitterOfEnvironment, emitterOfLight;
 
   private final Rgb ambient;
   private final double radius;
 
-  /** The index among the emitters of each primitive that is one. */
+  /** The index in {@code emitters} of each primitive; -1 if it is not sampled as a light. */
   private final int[] emitterOfPrimitive;
 
   private final Set<Specialization> shortcuts;
@@ -91,7 +91,10 @@ public final class Scene {
     primitiveOfShape = primitivesOfShapes();
   }
 
-  /** Returns the indices of some lights among all, which are in the same order; -1 if missing. */
+  /**
+   * Returns the index in {@code all} of each light in {@code some}, or -1; both have the same
+   * order.
+   */
   private static int[] indices(List<? extends Light> some, List<Light> all) {
     int[] indices = new int[some.size()];
     int next = 0;
@@ -120,7 +123,7 @@ public final class Scene {
         : primitives.toArray(Primitive[]::new);
   }
 
-  /** Returns the same scene, of which a render does all the work that a shortcut leaves out. */
+  /** Returns the same scene without a specialization. Its renders are bit-identical. */
   public Scene without(Specialization shortcut) {
     return new Scene(
         this,
@@ -131,7 +134,7 @@ public final class Scene {
   }
 
   /**
-   * Returns the same scene, whose hits are found by another kernel.
+   * Returns the same scene with another traversal kernel. Its renders are bit-identical.
    *
    * @throws IllegalStateException if the kernel is not available
    */
@@ -140,7 +143,7 @@ public final class Scene {
   }
 
   /**
-   * Returns the same scene, slower to search, which counts the nodes of its hierarchy: see {@link
+   * Returns the same scene with a slower traversal that counts visited nodes; see {@link
    * Bvh#counting}.
    */
   public Scene counting(LongAdder visits) {
@@ -151,55 +154,70 @@ public final class Scene {
     return primitives.stream().map(Primitive::shape).toList();
   }
 
-  /** Tells whether the scene does not require some work. */
+  /** Returns whether the scene uses a specialization. */
   public boolean takes(Specialization shortcut) {
     return shortcuts.contains(shortcut);
   }
 
-  /** Returns a builder of a scene seen by the given camera. */
+  /** Returns a builder of a scene with the given camera. */
   public static SceneBuilder seenBy(Camera camera) {
     return new SceneBuilder(camera);
   }
 
+  /** Returns the camera. */
   public Camera camera() {
     return camera;
   }
 
+  /** Returns the primitives; a shape's number is its index in this list. */
   public List<Primitive> primitives() {
     return primitives;
   }
 
-  /** Returns the lights that the scene calls lights, black ones left out. */
+  /** Returns the declared lights, without black ones. */
   public List<Light> lights() {
     return lights;
   }
 
-  /** Returns all that shines and can be sampled, black ones left out. */
+  /** Returns all lights that can be sampled in path mode, without black ones. */
   public List<Light> emitters() {
     return emitters;
   }
 
-  /** Returns those emitters that are infinitely far all around. */
+  /** Returns the emitters that are environment lights, in the same order. */
   public List<EnvironmentLight> environments() {
     return environments;
   }
 
-  /** Returns the radius of a sphere around everything finite; 0 if there is nothing. */
+  /**
+   * Returns the radius, in world units, of a sphere around all bounded shapes; 0 if there are none.
+   */
   public double radius() {
     return radius;
   }
 
-  /** Returns the irradiance that reaches every diffuse surface from nowhere in particular. */
+  /**
+   * Returns the ambient irradiance, which every diffuse surface receives uniformly from all
+   * directions.
+   */
   public Rgb ambient() {
     return ambient;
   }
 
-  /** Finds what a ray meets first; tells whether there is anything. */
+  /**
+   * Finds the nearest hit along a ray and stores it.
+   *
+   * @return whether there is a hit
+   */
   public boolean intersect(Ray ray, NearestHit hit) {
     return bvh.intersect(ray, hit);
   }
 
-  /** Finds what the ray that {@code hit} was just aimed by meets first. */
+  /**
+   * Finds the nearest hit along the ray that {@code hit} was last aimed along, and stores it.
+   *
+   * @return whether there is a hit
+   */
   public boolean intersect(NearestHit hit) {
     return bvh.intersect(hit);
   }
@@ -215,34 +233,40 @@ public final class Scene {
   }
 
   /**
-   * Returns the index among {@link #emitters} of the primitive that was hit, or -1 if it is not
-   * sampled as a light.
+   * Returns the index in {@link #emitters} of the hit primitive, or -1 if it is not sampled as a
+   * light.
    */
   public int emitterAt(NearestHit hit) {
     return emitterOfPrimitive[hit.shape()];
   }
 
-  /** Returns the index among {@link #emitters} of an environment light, by its own index. */
+  /**
+   * Returns the index in {@link #emitters} of the environment light with the given index in {@link
+   * #environments}.
+   */
   public int emitterOfEnvironment(int environment) {
     return emitterOfEnvironment[environment];
   }
 
-  /** Returns the index among {@link #emitters} of a light, by its index among {@link #lights}. */
+  /**
+   * Returns the index in {@link #emitters} of the light with the given index in {@link #lights}; -1
+   * if it is not there.
+   */
   public int emitterOfLight(int light) {
     return emitterOfLight[light];
   }
 
-  /** Tells whether anything lies on a ray. */
+  /** Returns whether any shape blocks a ray. */
   public boolean isOccluded(Ray ray, NearestHit scratch) {
     return bvh.isOccluded(ray, scratch);
   }
 
-  /** Tells whether anything lies on the ray that {@code scratch} was just aimed by. */
+  /** Returns whether any shape blocks the ray that {@code scratch} was last aimed along. */
   public boolean isOccluded(NearestHit scratch) {
     return bvh.isOccluded(scratch);
   }
 
-  /** Returns what arrives along a unit direction from beyond everything. */
+  /** Returns the radiance of all environment lights in a unit direction, in world space. */
   public Rgb background(Vec3 direction) {
     Rgb sum = Rgb.BLACK;
     for (EnvironmentLight environment : environments) {

@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
-/** Collects a scene. Mutable; what it builds is not. */
+/** Builds a {@link Scene}. Mutable; the scene is immutable. */
 public final class SceneBuilder {
   final Camera camera;
   final List<Primitive> primitives = new ArrayList<>();
@@ -31,13 +31,16 @@ public final class SceneBuilder {
     this.camera = Objects.requireNonNull(camera, "camera");
   }
 
-  /** Adds a surface that only scatters. */
+  /** Adds a surface that scatters light and does not emit any. */
   public SceneBuilder add(Shape shape, Material material) {
     primitives.add(new Primitive(shape, material, Optional.empty()));
     return this;
   }
 
-  /** Adds a light without a surface, or a dome. */
+  /**
+   * Adds a light without a surface, such as a point light or an environment light. Black lights are
+   * ignored.
+   */
   public SceneBuilder add(Light light) {
     if (!light.isBlack()) {
       lights.add(light);
@@ -46,7 +49,10 @@ public final class SceneBuilder {
     return this;
   }
 
-  /** Adds a lamp: a surface that shines, scatters nothing, and is a light in both modes. */
+  /**
+   * Adds an area light: a surface that emits light, does not scatter any, and is sampled as a light
+   * in both modes.
+   */
   public SceneBuilder addAreaLight(Shape shape, Emission emission) {
     AreaLight light = new AreaLight(shape, emission);
     addEmissive(shape, emission);
@@ -57,8 +63,8 @@ public final class SceneBuilder {
   }
 
   /**
-   * Adds a surface that shows its own colour and scatters nothing. Where all light is followed it
-   * lights other things; infinite planes only by being hit.
+   * Adds an emissive surface that does not scatter light. In path mode, it is also sampled as a
+   * light. An infinite plane cannot be sampled; it contributes only to paths that hit it.
    */
   public SceneBuilder addEmissive(Shape shape, Emission emission) {
     if (!emission.isBlack() && Double.isFinite(shape.area())) {
@@ -69,7 +75,7 @@ public final class SceneBuilder {
     return this;
   }
 
-  /** Adds a uniform glow from all around, which lights surfaces where all light is followed. */
+  /** Adds a uniform environment light, which lights surfaces in path mode. */
   public SceneBuilder addBackground(Rgb radiance) {
     if (!radiance.isBlack()) {
       emitters.add(EnvironmentLight.uniform(radiance));
@@ -77,27 +83,29 @@ public final class SceneBuilder {
     return this;
   }
 
-  /** Adds irradiance that reaches every diffuse surface from nowhere in particular. */
+  /**
+   * Adds ambient irradiance, which every diffuse surface receives uniformly from all directions.
+   */
   public SceneBuilder addAmbient(Rgb irradiance) {
     ambient = ambient.plus(irradiance);
     return this;
   }
 
   /**
-   * Sets how rays find what they hit; without it, the kernel is {@link Kernel#AUTO}. It changes no
-   * bit of a picture.
+   * Sets the traversal kernel; the default is {@link Kernel#AUTO}. Renders of all kernels are
+   * bit-identical.
    */
   public SceneBuilder searchedBy(Kernel newKernel) {
     kernel = Optional.of(newKernel);
     return this;
   }
 
-  /** Returns how many primitives there are so far. */
+  /** Returns the current number of primitives. */
   public int primitiveCount() {
     return primitives.size();
   }
 
-  /** Returns how many emitters there are so far. */
+  /** Returns the current number of emitters. */
   public int emitterCount() {
     return emitters.size();
   }

@@ -14,10 +14,10 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A setting of a render, declared here once: its name, values, default and meaning. The reader of
- * scene files, the flags of the command line, checkpoint files, picture metadata and JSON summaries
- * all take them from here, so that a new setting is a new constant and the code that obeys it.
- * Immutable once declared.
+ * A setting of a render, with its name, values, default and meaning. This class is the only
+ * declaration. Scene files, command line flags, checkpoint files, picture metadata and JSON
+ * summaries all use it. A new setting needs a new constant and the code that applies it. Immutable
+ * after its declaration.
  *
  * @param <T> the type of its values
  */
@@ -39,7 +39,7 @@ public final class Setting<T> {
           .inScenes()
           .changingSamples();
 
-  /** Whether the share of samples that hit something becomes the picture's alpha. */
+  /** Whether the fraction of samples that hit a surface becomes the picture's alpha. */
   public static final Setting<Boolean> TRANSPARENT =
       new Setting<>(
               "transparent",
@@ -49,7 +49,7 @@ public final class Setting<T> {
               "Whether the share of samples that hit something becomes the picture's alpha.")
           .changingSamples();
 
-  /** Which light transport is computed. */
+  /** The light transport algorithm. */
   public static final Setting<RenderSettings.Mode> MODE =
       new Setting<>(
               "mode",
@@ -60,7 +60,7 @@ public final class Setting<T> {
           .inScenes()
           .changingSamples();
 
-  /** Path mode: how many vertices of a path may scatter. */
+  /** Path mode: the maximum number of scattering vertices of a path. */
   public static final Setting<Integer> MAX_TRACE_DEPTH =
       new Setting<>(
               "maxTraceDepth",
@@ -71,7 +71,7 @@ public final class Setting<T> {
           .inScenes()
           .changingSamples();
 
-  /** Ray mode: how many mirrors a path may hit. */
+  /** Ray mode: the maximum number of mirrors on a path. */
   public static final Setting<Integer> REFLECTION_TRACE_DEPTH =
       new Setting<>(
               "reflectionTraceDepth",
@@ -82,7 +82,7 @@ public final class Setting<T> {
           .inScenes()
           .changingSamples();
 
-  /** Ray mode: how many glass surfaces a path may hit. */
+  /** Ray mode: the maximum number of glass surfaces on a path. */
   public static final Setting<Integer> REFRACTION_TRACE_DEPTH =
       new Setting<>(
               "refractionTraceDepth",
@@ -93,7 +93,9 @@ public final class Setting<T> {
           .inScenes()
           .changingSamples();
 
-  /** Path mode: into how many branches a path is split at its first non-specular surface. */
+  /**
+   * Path mode: the number of branches into which a path is split at its first non-specular surface.
+   */
   public static final Setting<Integer> SPLIT =
       new Setting<>(
               "split",
@@ -106,7 +108,10 @@ public final class Setting<T> {
           .withFlag("--split", "N")
           .changingSamples();
 
-  /** The largest component of a sample; brighter samples are scaled down, a bias. */
+  /**
+   * The largest allowed RGB component of a sample. Brighter samples are scaled down, which biases
+   * the result.
+   */
   public static final Setting<Double> CLAMP =
       new Setting<>(
               "clamp",
@@ -128,7 +133,7 @@ public final class Setting<T> {
               "Samples per pixel.")
           .inScenes();
 
-  /** Whether the number of samples is a mean, and noisy pixels receive more. */
+  /** Whether noisy pixels receive more samples; {@link #SAMPLES} is then the mean per pixel. */
   public static final Setting<Boolean> ADAPTIVE =
       new Setting<>(
           "adaptive",
@@ -137,7 +142,7 @@ public final class Setting<T> {
           false,
           "Whether noisy pixels receive more of the samples.");
 
-  /** The density by which a pixel's samples are spread around its center. */
+  /** The pixel reconstruction filter. */
   public static final Setting<PixelFilter> FILTER =
       new Setting<>(
               "filter",
@@ -156,7 +161,7 @@ public final class Setting<T> {
           .withFlag("--seed", "N")
           .changingSamples();
 
-  /** Exposure of pictures with few bits. */
+  /** The exposure of pictures with a tone curve, such as PNG, in stops. */
   public static final Setting<Exposure> EXPOSURE =
       new Setting<>(
               "exposure",
@@ -167,7 +172,7 @@ public final class Setting<T> {
           .inScenes()
           .withFlag("--exposure", "EV");
 
-  /** Tone curve of pictures with few bits. */
+  /** The tone curve of low dynamic range pictures, such as PNG. */
   public static final Setting<ToneCurve> TONE_MAP =
       new Setting<>(
               "toneMap",
@@ -211,17 +216,17 @@ public final class Setting<T> {
   private String flag = "";
   private String label = "";
 
-  /** What a setting is about, in the order of the help texts. */
+  /** The subject of a setting, in the order of the help texts. */
   public enum Group {
     /** Size and background of the picture. */
     FRAME,
-    /** Which light is found, and how. */
+    /** The light transport algorithm and its limits. */
     TRANSPORT,
-    /** How many samples, and which random numbers. */
+    /** The number and distribution of samples, and the random numbers. */
     SAMPLING,
-    /** How the picture is developed and written. */
+    /** How the picture is tone mapped and written. */
     OUTPUT,
-    /** How the work is divided; the picture is the same. */
+    /** How the work is divided; the picture does not depend on it. */
     EXECUTION
   }
 
@@ -261,47 +266,49 @@ public final class Setting<T> {
     return index;
   }
 
-  /** Returns the name: a key of {@code renderOptions}, a line of a checkpoint file. */
+  /** Returns the name, which is the key in {@code renderOptions} and in checkpoint files. */
   public String name() {
     return name;
   }
 
-  /** Returns what the setting is about. */
+  /** Returns the subject of the setting. */
   public Group group() {
     return group;
   }
 
-  /** Returns the values that it may have. */
+  /** Returns the type, which defines the allowed values and their text form. */
   public SettingType<T> type() {
     return type;
   }
 
-  /** Returns the default. */
+  /** Returns the default value. */
   public T missing() {
     return missing;
   }
 
-  /** Returns a sentence for help texts, without the default. */
+  /** Returns a description for help texts, without the default value. */
   public String meaning() {
     return meaning;
   }
 
-  /** Returns whether scene files may state it in {@code renderOptions} by its name. */
+  /** Returns whether scene files may contain this setting in {@code renderOptions}. */
   public boolean isInScenes() {
     return inScenes;
   }
 
-  /** Returns whether a sample depends on it: films that differ in it cannot be added. */
+  /**
+   * Returns whether sample values depend on this setting. Films that differ in it cannot be merged.
+   */
   public boolean changesSamples() {
     return changesSamples;
   }
 
-  /** Returns the flag of the command line; empty if there is none that only sets this. */
+  /** Returns the command line flag; an empty string if no flag sets only this setting. */
   public String flag() {
     return flag;
   }
 
-  /** Returns the placeholder of the flag's value in help texts. */
+  /** Returns the placeholder of the flag's value in help texts; empty without a flag. */
   public String label() {
     return label;
   }
@@ -309,7 +316,8 @@ public final class Setting<T> {
   /**
    * Returns the value if it is in range.
    *
-   * @throws IllegalArgumentException naming the setting, what was expected and what was found
+   * @throws IllegalArgumentException if it is not; the message names the setting, the expected
+   *     range and the value
    */
   T require(T value) {
     if (!type.accepts(Objects.requireNonNull(value, name))) {

@@ -9,16 +9,17 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * The values that a {@link Setting} may have, and their text form: the same in scene files, on the
- * command line, in checkpoint files and in pictures. Immutable.
+ * The allowed values of a {@link Setting}, and their text form in scene files, on the command line,
+ * in checkpoint files and in picture metadata. Immutable.
  *
  * @param <T> the type of the values
  */
 public sealed interface SettingType<T> {
   /**
-   * Returns the value that a text stands for.
+   * Returns the value of a text.
    *
-   * @throws IllegalArgumentException if there is none, naming what was expected and found
+   * @throws IllegalArgumentException if the text is invalid; the message names what was expected
+   *     and what was found
    */
   T parse(String text);
 
@@ -27,15 +28,15 @@ public sealed interface SettingType<T> {
     return true;
   }
 
-  /** Returns what is accepted, in words: {@code 1 to 256}. */
+  /** Returns a description of the allowed values, such as {@code 1 to 256}. */
   String expected();
 
-  /** Returns the text of a value, which {@link #parse} reads. */
+  /** Returns the text form of a value, which {@link #parse} accepts. */
   default String format(T value) {
     return String.valueOf(value);
   }
 
-  /** Integers in a range, both ends included. */
+  /** Integers in a range, with both ends included. */
   record IntegerType(int low, int high) implements SettingType<Integer> {
     @Override
     public Integer parse(String text) {
@@ -84,7 +85,7 @@ public sealed interface SettingType<T> {
     }
   }
 
-  /** Yes or no. */
+  /** The values {@code true} and {@code false}. */
   record FlagType() implements SettingType<Boolean> {
     @Override
     public Boolean parse(String text) {
@@ -122,12 +123,11 @@ public sealed interface SettingType<T> {
       return nameOf(value);
     }
 
-    /** Returns the constants by their texts, in their order. */
+    /** Returns the constants by their text form, in the order of their declaration. */
     public Map<String, E> choices() {
       return Arrays.stream(type.getEnumConstants())
           .collect(
-              Collectors.toMap(
-                  this::format, Function.identity(), (a, b) -> a, LinkedHashMap::new));
+              Collectors.toMap(this::format, Function.identity(), (a, b) -> a, LinkedHashMap::new));
     }
   }
 
@@ -166,7 +166,10 @@ public sealed interface SettingType<T> {
     }
   }
 
-  /** Returns a constant of an enum as scenes and command lines write it: lower case, hyphens. */
+  /**
+   * Returns the text form of an enum constant in scene files and on the command line: lower case
+   * with hyphens.
+   */
   static String nameOf(Enum<?> value) {
     return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }

@@ -1,13 +1,16 @@
 package io.github.lumbre.scene;
 
 /**
- * Work that a scene may not require: decided once, when the scene is complete. The picture has the
- * same bits with a shortcut and without.
+ * A specialization: work that a render can skip for a given scene, decided when the scene is built.
+ * Pictures with and without it are bit-identical.
  */
 public enum Specialization {
-  /** Where no texture varies a material, how it scatters is made once and not at every hit. */
+  /** The BSDFs of materials without varying textures are created once and not at every hit. */
   UNIFORM_MATERIALS,
 
-  /** Of one emitter none is chosen: no random number is made for that, and no weights. */
+  /**
+   * With a single emitter, the selection of a light is skipped: it needs no random number and no
+   * weights.
+   */
   ONE_EMITTER
 }

@@ -1,23 +1,27 @@
 package io.github.lumbre.texture;
 
 /**
- * The four texels around a point of a texture that repeats, and where between their centres it is.
+ * The four texels around a point of a repeating texture, and the point's position between their
+ * centers.
  *
- * @param x0 column of the left two, counted from the left
- * @param x1 column of the right two
- * @param y0 row of the lower two, counted from the <b>top</b>
- * @param y1 row of the upper two
- * @param s share of the right two, in [0,1]
- * @param t share of the upper two, in [0,1]
+ * @param x0 the column of the left two texels, counted from the left
+ * @param x1 the column of the right two texels
+ * @param y0 the row of the lower two texels, counted from the <b>top</b>
+ * @param y1 the row of the upper two texels
+ * @param s the weight of the right two texels, in [0,1]
+ * @param t the weight of the upper two texels, in [0,1]
  */
 record Bilinear(int x0, int x1, int y0, int y1, double s, double t) {
-  /** Returns what surrounds a point; one that is not finite is counted, and taken as (0, 0). */
+  /**
+   * Returns the texels around a point. A point that is not finite is counted as invalid and
+   * replaced with (0, 0).
+   */
   static Bilinear around(double u, double v, int width, int height) {
     boolean isReadable = Texel.isFinite(u, v);
     if (!isReadable) {
       UnreadablePoints.count();
     }
-    // Count from the centres of the left column and the bottom row.
+    // Count from the centers of the left column and the bottom row.
     double column = width * (isReadable ? Texel.fraction(u) : 0) - .5;
     double row = height * (isReadable ? Texel.fraction(v) : 0) - .5;
     double left = Math.floor(column);
@@ -33,7 +37,9 @@ record Bilinear(int x0, int x1, int y0, int y1, double s, double t) {
         row - bottom);
   }
 
-  /** Returns the interpolated value of four: lower left, lower right, upper left, upper right. */
+  /**
+   * Interpolates bilinearly between four values: lower left, lower right, upper left, upper right.
+   */
   double blend(double v00, double v10, double v01, double v11) {
     return mix(mix(v00, v10, s), mix(v01, v11, s), t);
   }

@@ -4,8 +4,8 @@ import io.github.lumbre.image.Rgb;
 import java.util.Objects;
 
 /**
- * Texels interpolated between the four nearest centres, across the borders too. What is not finite
- * is read as (0, 0).
+ * Texels with bilinear interpolation between the four nearest centers, also across the borders.
+ * Coordinates that are not finite are read as (0, 0).
  */
 public record BilinearTexture(TexelTexture texels) implements Texture<Rgb> {
   public BilinearTexture {

@@ -2,7 +2,7 @@ package io.github.lumbre.texture;
 
 import io.github.lumbre.image.Rgb;
 
-/** Clouds: turbulence from the blue of the sky to white. */
+/** Clouds: turbulence that blends from sky blue to white, in linear RGB. */
 public final class CloudTexture implements TexelTexture {
   private static final double GREEN_OF_SKY = .753;
   private static final double GREEN_OF_CLOUDS = .247;
@@ -10,10 +10,13 @@ public final class CloudTexture implements TexelTexture {
   private final Texels thickness;
 
   /**
-   * @param seed everything random follows from it
+   * Creates a texture.
+   *
+   * @param seed the seed of all random numbers
    * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
-   * @param height likewise
-   * @param density size of the largest clouds in texels, finite and ≥ 1
+   * @param height in texels, 1 to {@value TexelTexture#MAX_SIDE}
+   * @param density the size of the largest clouds in texels, finite and ≥ 1
+   * @throws IllegalArgumentException if a number is out of range
    */
   public CloudTexture(long seed, int width, int height, double density) {
     thickness = new Texels(width, height, new Noise(seed, width, height, density)::turbulence);

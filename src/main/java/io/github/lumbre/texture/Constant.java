@@ -2,7 +2,7 @@ package io.github.lumbre.texture;
 
 import java.util.Objects;
 
-/** The texture that has one value everywhere. */
+/** A texture with the same value everywhere. */
 public record Constant<T>(T value) implements Texture<T> {
   public Constant {
     Objects.requireNonNull(value, "value");

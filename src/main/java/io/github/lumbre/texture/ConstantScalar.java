@@ -1,6 +1,6 @@
 package io.github.lumbre.texture;
 
-/** The number that is the same everywhere. */
+/** A scalar texture with the same value everywhere. */
 record ConstantScalar(double value) implements ScalarTexture {
   @Override
   public double at(double u, double v) {

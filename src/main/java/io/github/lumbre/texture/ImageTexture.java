@@ -6,22 +6,23 @@ import io.github.lumbre.image.Srgb;
 import java.util.Objects;
 
 /**
- * A picture as a texture, repeated in both directions without end.
+ * A picture as a texture that repeats infinitely in both directions.
  *
- * <p>u = 0 is the left edge of the left column and v = 0 the lower edge of the <b>bottom</b> row. A
- * coordinate that is not finite, as degenerate surfaces have, is read as (0, 0).
+ * <p>u = 0 is the left edge of the left column, and v = 0 is the lower edge of the <b>bottom</b>
+ * row. Points with a coordinate that is not finite, which degenerate surfaces have, are read as (0,
+ * 0).
  */
 public final class ImageTexture implements Texture<Rgb> {
-  /** What the values of the file mean. */
+  /** The meaning of the file's values. */
   public enum Role {
-    /** sRGB, decoded to linear light. */
+    /** Colors in sRGB, decoded to linear RGB. */
     COLOUR {
       @Override
       double decode(int raw, int max) {
         return max == 255 ? Srgb.fromByte(raw) : Srgb.decode((double) raw / max);
       }
     },
-    /** Numbers in [0,1], taken as they are. */
+    /** Numbers in [0,1], not decoded. */
     DATA {
       @Override
       double decode(int raw, int max) {
@@ -43,11 +44,14 @@ public final class ImageTexture implements Texture<Rgb> {
     abstract double decode(int raw, int max);
   }
 
-  /** How values between the texels' centres are found. */
+  /** The interpolation between texels. */
   public enum Filter {
-    /** The value of the texel that the point lies in. */
+    /** The value of the texel that contains the point. */
     NEAREST,
-    /** Interpolated between the four nearest centres, after decoding, across the borders too. */
+    /**
+     * Bilinear interpolation of decoded values between the four nearest centers, also across the
+     * borders.
+     */
     BILINEAR
   }
 
@@ -56,6 +60,7 @@ public final class ImageTexture implements Texture<Rgb> {
   private final Filter filter;
   private final Rgb tint;
 
+  /** Creates a texture. */
   public ImageTexture(Pixels pixels, Role role, Filter filter) {
     this(
         Objects.requireNonNull(pixels, "pixels"),
@@ -79,15 +84,17 @@ public final class ImageTexture implements Texture<Rgb> {
     return table;
   }
 
-  /** Returns this texture times a constant. */
+  /** Returns the product of this texture and a constant. */
   ImageTexture tinted(Rgb factor) {
     return new ImageTexture(pixels, decoded, filter, tint.times(factor));
   }
 
+  /** Returns the width in texels. */
   public int width() {
     return pixels.width();
   }
 
+  /** Returns the height in texels. */
   public int height() {
     return pixels.height();
   }

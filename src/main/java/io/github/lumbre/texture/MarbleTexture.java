@@ -3,7 +3,7 @@ package io.github.lumbre.texture;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 
-/** Marble: thin black veins across white stone, bent by turbulence. */
+/** Marble: thin black veins across white stone, distorted by turbulence. */
 public final class MarbleTexture implements TexelTexture {
   private static final double COARSEST = 128;
   private static final double BENDING = 4;
@@ -14,9 +14,12 @@ public final class MarbleTexture implements TexelTexture {
   private final Texels grey;
 
   /**
-   * @param seed everything random follows from it
+   * Creates a texture.
+   *
+   * @param seed the seed of all random numbers
    * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
-   * @param height likewise
+   * @param height in texels, 1 to {@value TexelTexture#MAX_SIDE}
+   * @throws IllegalArgumentException if a size is out of range
    */
   public MarbleTexture(long seed, int width, int height) {
     noise = new Noise(seed, width, height, COARSEST);

@@ -5,14 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Turbulence: value noise at several scales, each half as coarse and half as strong as the one
- * before (Perlin 1985, "An Image Synthesizer", with the lattice of values that Vandevenne's
- * "Texture Generation using Random Noise" uses). Immutable.
+ * Turbulence: a sum of value noise in several octaves. Each octave has half the scale and half the
+ * weight of the one before (Perlin 1985, "An Image Synthesizer", with the value lattice of
+ * Vandevenne's "Texture Generation using Random Noise"). Immutable.
  *
- * <p>It is given on the texels of a width × height texture, and tiles: each octave has its own
- * lattice with a whole number of cells over the texture, stretched a little where the scale does
- * not divide the size, and the last cell's neighbour is the first. The value of a cell is a hash,
- * so no table is stored.
+ * <p>It is defined on the texels of a width × height texture, and tiles. Each octave has its own
+ * lattice with a whole number of cells, stretched slightly where the scale does not divide the
+ * size. The last cell's neighbor is the first cell. The value of a cell is a hash, so no table is
+ * stored.
  */
 final class Noise {
   /** A lattice of random values that covers the texture exactly. */
@@ -28,10 +28,13 @@ final class Noise {
   private final Octave[] octaves;
 
   /**
-   * @param seed everything random follows from it
+   * Creates a noise function.
+   *
+   * @param seed the seed of all random numbers
    * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
-   * @param height likewise
-   * @param coarsest scale S ≥ 1, in texels; the others are S/2, S/4, … ≥ 1
+   * @param height in texels, 1 to {@value TexelTexture#MAX_SIDE}
+   * @param coarsest the largest scale S ≥ 1, in texels; the others are S/2, S/4, … ≥ 1
+   * @throws IllegalArgumentException if a number is out of range
    */
   public Noise(long seed, int width, int height, double coarsest) {
     Texels.requireSize(width, height);
@@ -45,7 +48,7 @@ final class Noise {
     double sum = 0;
     double weight = .5;
     long number = 0;
-    // Coarse octaves of one cell, of which there may be a thousand, are constant.
+    // Coarse octaves with a single cell are constant; there can be about a thousand of them.
     for (double scale = coarsest; scale >= 1; scale /= 2) {
       Octave octave =
           new Octave(Hash.of(seed, ++number), cells(width, scale), cells(height, scale), weight);
@@ -65,8 +68,8 @@ final class Noise {
   }
 
   /**
-   * Returns Σ s · smooth noise of scale s, over 2S, in [0,1): the mean of all seeds is ½ (1 − 2^-n)
-   * for n octaves.
+   * Returns Σ s · (smooth noise of scale s) / 2S over all scales s, in [0,1). Its mean over all
+   * seeds is ½ (1 − 2^-n) for n octaves.
    *
    * @param column counted from the left, 0 to width - 1
    * @param row counted from the top, 0 to height - 1
@@ -79,7 +82,7 @@ final class Noise {
     return sum;
   }
 
-  /** Interpolates bilinearly between a cell's value and those of its next neighbours. */
+  /** Interpolates bilinearly between the value of a cell and those of its next neighbors. */
   private double smooth(Octave octave, int column, int row) {
     int x = column * octave.columns;
     int y = row * octave.rows;
@@ -87,7 +90,7 @@ final class Noise {
     int y0 = y / height;
     double s = (double) (x - x0 * width) / width;
     double t = (double) (y - y0 * height) / height;
-    // Spare three hashes where a texel is a corner of the lattice, as all are at the finest scale.
+    // Save three hashes if the texel is a corner of the lattice, as all are at scale 1.
     if (s == 0 && t == 0) {
       return octave.cell(x0, y0);
     }

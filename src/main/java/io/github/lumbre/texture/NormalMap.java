@@ -5,11 +5,11 @@ import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 
 /**
- * Bends the normals of a surface by a texture in tangent space: red along growing u, green along
- * growing v, blue outward. Immutable.
+ * Perturbs the normals of a surface with a texture in tangent space: red along increasing u, green
+ * along increasing v, blue outward. Immutable.
  */
 public final class NormalMap {
-  /** Bent normals rise at least so far above the true surface. */
+  /** The minimum cosine between a perturbed normal and the geometric normal. */
   private static final double LOWEST_COSINE = 1e-3;
 
   private final Texture<Rgb> normals;
@@ -17,9 +17,13 @@ public final class NormalMap {
   private final double strength;
 
   /**
-   * @param normals components in [-1,1], not necessarily of unit length, before the mapping
-   * @param mapping where the map is read; a mirroring one mirrors the bumps
-   * @param strength factor on the slopes: 0 is flat, 1 the map as it is
+   * Creates a normal map.
+   *
+   * @param normals the texture of normals, with components in [-1,1] and any length, without the
+   *     mapping
+   * @param mapping the mapping of texture coordinates; a mirroring one also mirrors the bumps
+   * @param strength the factor of the slopes, finite: 0 is flat, 1 is the unchanged map
+   * @throws IllegalArgumentException if the strength is not finite
    */
   public NormalMap(Texture<Rgb> normals, UvMapping mapping, double strength) {
     this.normals = Objects.requireNonNull(normals, "normals");
@@ -30,17 +34,18 @@ public final class NormalMap {
     this.strength = strength;
   }
 
-  /** Returns the map's own value at a point of the texture, before mapping and strength. */
+  /** Returns the map's stored value at a point of the texture, without mapping and strength. */
   public Rgb value(TexturePoint p) {
     return normals.at(p);
   }
 
   /**
-   * Returns the bent normal in the frame of the surface, along growing u, growing v and outward; of
-   * any length, and zero where the surface keeps its own.
+   * Returns the perturbed normal in the shading frame of the surface: along increasing u,
+   * increasing v and outward. It can have any length. The result is zero where the surface keeps
+   * its normal.
    *
-   * @param u of the surface, before the mapping
-   * @param v likewise
+   * @param u the surface's u, before the mapping
+   * @param v the surface's v, before the mapping
    */
   public Vec3 normal(double u, double v) {
     Rgb n = normals.at(mapping.u(u), mapping.v(v));
@@ -51,18 +56,18 @@ public final class NormalMap {
   }
 
   /**
-   * Returns a bent normal, but one below the true surface bent back to just above it.
+   * Returns a perturbed normal. If it points below the true surface, it is raised to just above it.
    *
-   * @param normal of unit length, in the world
-   * @param geometricNormal of the true surface, of unit length, on the side of the normal that was
-   *     bent
+   * @param normal the perturbed unit normal, in world space
+   * @param geometricNormal the unit normal of the true surface, in world space, on the side of the
+   *     normal before the perturbation
    */
   public static Vec3 raised(Vec3 normal, Vec3 geometricNormal) {
     double x = normal.x();
     double y = normal.y();
     double z = normal.z();
     double height = normal.dot(geometricNormal);
-    // One place makes the result, so that the compiler need not make it at all.
+    // Single allocation site, so that escape analysis can remove it.
     if (height < LOWEST_COSINE) {
       Vec3 sum = normal.plus(LOWEST_COSINE - height, geometricNormal);
       boolean isLost = sum.lengthSquared() < LOWEST_COSINE;

@@ -4,14 +4,17 @@ import io.github.lumbre.image.Rgb;
 import java.util.Objects;
 
 /**
- * A number from a colour texture: its red component times a factor, limited to [min, max].
+ * The red component of a color texture times a factor, clamped to [min, max].
  *
- * @param max may be infinite
+ * @param factor finite
+ * @param min the lower limit; may be infinite
+ * @param max the upper limit, at least {@code min}; may be infinite
  */
 public record RedChannel(Texture<Rgb> texture, double factor, double min, double max)
     implements ScalarTexture {
   /**
-   * @throws IllegalArgumentException if the range is empty or a number is NaN
+   * @throws IllegalArgumentException if the range is empty, the factor is not finite or a limit is
+   *     NaN
    */
   public RedChannel {
     Objects.requireNonNull(texture, "texture");

@@ -1,6 +1,8 @@
 package io.github.lumbre.texture;
 
-/** A number at each point of a surface: a roughness, an exponent, an index of refraction. */
+/**
+ * A number that varies over a surface, such as a roughness, an exponent or an index of refraction.
+ */
 @FunctionalInterface
 public interface ScalarTexture {
   /** Returns the value at any finite (u, v). */
@@ -11,12 +13,12 @@ public interface ScalarTexture {
     return at(p.u(), p.v());
   }
 
-  /** Tells whether the texture is known to have one value everywhere. */
+  /** Returns whether the texture is known to have the same value everywhere. */
   default boolean isConstant() {
     return false;
   }
 
-  /** Returns the texture that has one value everywhere. */
+  /** Returns a texture with the same value everywhere. */
   static ScalarTexture constant(double value) {
     return new ConstantScalar(value);
   }

@@ -1,12 +1,13 @@
 package io.github.lumbre.texture;
 
 /**
- * Which texel of a repeating texture a point lies in. A point that is not finite counts as (0, 0).
+ * Finds the texel of a repeating texture that contains a point. A point that is not finite is
+ * replaced with (0, 0).
  */
 final class Texel {
   private Texel() {}
 
-  /** Returns the column, counted from the left; counts points that are not finite. */
+  /** Returns the column, counted from the left. Also counts invalid points. */
   static int column(double u, double v, int width) {
     if (!isFinite(u, v)) {
       UnreadablePoints.count();
@@ -15,7 +16,7 @@ final class Texel {
     return index(u, width);
   }
 
-  /** Returns the row, counted from the <b>top</b>. */
+  /** Returns the row, counted from the <b>top</b>. Does not count invalid points. */
   static int row(double u, double v, int height) {
     return height - 1 - (isFinite(u, v) ? index(v, height) : 0);
   }
@@ -28,7 +29,7 @@ final class Texel {
     return Double.isFinite(u) && Double.isFinite(v);
   }
 
-  /** Returns u - floor(u), in [0,1]: of a tiny negative u it rounds to 1. */
+  /** Returns u - floor(u), in [0,1]. For tiny negative u, the result rounds to 1. */
   static double fraction(double u) {
     return u - Math.floor(u);
   }

@@ -3,23 +3,25 @@ package io.github.lumbre.texture;
 import io.github.lumbre.image.Rgb;
 
 /**
- * A texture of width × height computed texels, repeated in both directions without end. A point has
- * the value of the texel that it lies in, as in an {@link ImageTexture} that is not filtered.
- * Observably immutable and safe for use by any thread.
+ * A texture of width × height computed texels that repeats infinitely in both directions. A point
+ * has the value of the texel that contains it, as in an {@link ImageTexture} with {@link
+ * ImageTexture.Filter#NEAREST}. Observably immutable and thread-safe.
  */
 public interface TexelTexture extends Texture<Rgb> {
   /** The largest width and height. */
   int MAX_SIDE = 16384;
 
+  /** Returns the width in texels. */
   int width();
 
+  /** Returns the height in texels. */
   int height();
 
   /**
-   * Returns the value of a texel, linear light.
+   * Returns the value of a texel, in linear RGB.
    *
-   * @param column counted from the left
-   * @param row counted from the <b>top</b>
+   * @param column counted from the left, 0 to {@link #width} - 1
+   * @param row counted from the <b>top</b>, 0 to {@link #height} - 1
    */
   Rgb texel(int column, int row);
 

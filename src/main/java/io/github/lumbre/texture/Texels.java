@@ -3,12 +3,12 @@ package io.github.lumbre.texture;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
- * One number for each texel of a computed texture. Small textures keep them, tile by tile when the
- * first texel of a tile is asked for; large ones compute them each time, since memory is dearer.
- * The values are the same. Safe for use by any thread: at worst two compute the same tile.
+ * One number for each texel of a computed texture. Small textures cache the numbers: a tile is
+ * computed on the first access to one of its texels. Large textures compute each number again, to
+ * save memory. The values are the same. Thread-safe; two threads may compute the same tile.
  */
 final class Texels {
-  /** Beyond this many texels, 32 MiB, nothing is kept. */
+  /** The maximum number of texels of a cached texture, which takes 32 MiB. */
   static final int MAX_KEPT = 1 << 22;
 
   private static final int LOG_SIDE = 5;
@@ -19,6 +19,8 @@ final class Texels {
   @FunctionalInterface
   interface Formula {
     /**
+     * Returns the number of a texel.
+     *
      * @param column counted from the left
      * @param row counted from the top
      */
@@ -33,7 +35,9 @@ final class Texels {
   private final AtomicReferenceArray<double[]> tiles;
 
   /**
-   * @param formula must return the same number each time
+   * Creates the numbers of a texture.
+   *
+   * @param formula a pure function
    */
   Texels(int width, int height, Formula formula) {
     requireSize(width, height);
@@ -46,7 +50,9 @@ final class Texels {
   }
 
   /**
-   * @throws IllegalArgumentException if no texture may have this size
+   * Checks the size of a texture.
+   *
+   * @throws IllegalArgumentException if the width or height is out of range
    */
   static void requireSize(int width, int height) {
     int max = TexelTexture.MAX_SIDE;
@@ -68,7 +74,7 @@ final class Texels {
     return height;
   }
 
-  /** Returns the number of a texel, row 0 at the top. */
+  /** Returns the number of a texel; row 0 is at the top. */
   double at(int column, int row) {
     if (!kept) {
       return formula.at(column, row);

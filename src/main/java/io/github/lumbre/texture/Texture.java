@@ -1,9 +1,16 @@
 package io.github.lumbre.texture;
 
-/** A value at each point of a surface, in practice a colour. */
+/**
+ * A value that varies over a surface, usually a color.
+ *
+ * @param <T> the type of the values
+ */
 @FunctionalInterface
 public interface Texture<T> {
-  /** Returns the value at any finite (u, v): in plain numbers, so that asking makes no object. */
+  /**
+   * Returns the value at (u, v), which may be any finite numbers. Plain numbers avoid the
+   * allocation of a point.
+   */
   T at(double u, double v);
 
   /** Returns the value at a point. */
@@ -11,12 +18,12 @@ public interface Texture<T> {
     return at(p.u(), p.v());
   }
 
-  /** Tells whether the texture is known to have one value everywhere. */
+  /** Returns whether the texture is known to have the same value everywhere. */
   default boolean isConstant() {
     return false;
   }
 
-  /** Returns the texture that has one value everywhere. */
+  /** Returns a texture with the same value everywhere. */
   static <T> Texture<T> constant(T value) {
     return new Constant<>(value);
   }

@@ -1,4 +1,4 @@
 package io.github.lumbre.texture;
 
-/** Where on a surface a texture is asked: any finite (u, v). */
+/** Texture coordinates (u, v), any finite numbers. */
 public record TexturePoint(double u, double v) {}

@@ -3,7 +3,7 @@ package io.github.lumbre.texture;
 import io.github.lumbre.image.Rgb;
 import java.util.Objects;
 
-/** A constant times a texture, component by component. */
+/** The product of a constant and a texture, per component. */
 public record TintedTexture(Rgb tint, Texture<Rgb> texture) implements Texture<Rgb> {
   public TintedTexture {
     Objects.requireNonNull(tint, "tint");
@@ -11,9 +11,9 @@ public record TintedTexture(Rgb tint, Texture<Rgb> texture) implements Texture<R
   }
 
   /**
-   * Returns the product in its quickest form: white changes nothing, and an {@link ImageTexture}
-   * multiplies by itself. Tint first, map afterwards: {@code mapping.over(TintedTexture.of(tint,
-   * image))}.
+   * Returns the product in its fastest form: a white tint returns the texture itself, and an {@link
+   * ImageTexture} applies the tint internally. Apply a mapping after the tint: {@code
+   * mapping.over(TintedTexture.of(tint, image))}.
    */
   public static Texture<Rgb> of(Rgb tint, Texture<Rgb> texture) {
     if (tint.equals(Rgb.WHITE)) {

@@ -1,11 +1,14 @@
 package io.github.lumbre.texture;
 
 /**
- * Points of a rectangle whose opposite sides are joined, sorted into a grid to find the nearest.
- * Immutable.
+ * Points on a torus (a rectangle with joined opposite sides), sorted into a grid for
+ * nearest-neighbor search. Immutable.
  */
 final class ToroidalSites {
-  /** Far above the rounding of coordinates up to 2^14, far below any distance that matters. */
+  /**
+   * A tolerance well above the rounding of coordinates up to 2^14, and well below all relevant
+   * distances.
+   */
   private static final double ROUNDING = 1e-9;
 
   private final double width;
@@ -23,15 +26,17 @@ final class ToroidalSites {
   private final double[] ys;
 
   /**
-   * @param x of each site, in [0, width]
-   * @param y of each site, in [0, height]; at least one
+   * Creates the sites; there must be at least one.
+   *
+   * @param x the x of each site, in [0, width]
+   * @param y the y of each site, in [0, height]
    * @param width of the rectangle, up to {@value TexelTexture#MAX_SIDE}
-   * @param height likewise
+   * @param height of the rectangle, up to {@value TexelTexture#MAX_SIDE}
    */
   ToroidalSites(double[] x, double[] y, double width, double height) {
     this.width = width;
     this.height = height;
-    // Make cells about square, with about one site in each.
+    // Make cells nearly square, with about one site in each.
     rows = (int) Math.max(1, Math.min(x.length, Math.rint(Math.sqrt(x.length * height / width))));
     columns = Math.max(1, x.length / rows);
     cellWidth = width / columns;
@@ -66,11 +71,12 @@ final class ToroidalSites {
   }
 
   /**
-   * Returns the index of the site nearest to a point of the rectangle; of several, the lowest.
+   * Returns the index of the site nearest to a point of the rectangle; the lowest index of equally
+   * near sites.
    *
-   * <p>Looks at the cells around the point in growing squares. A site beyond the square of radius r
-   * is further away than the square's nearest side, so the search may end when the best one found
-   * is nearer than that.
+   * <p>Visits the cells around the point in growing squares. A site outside the square of radius r
+   * is farther away than the square's nearest side. The search therefore ends when the best site is
+   * nearer than that side.
    */
   int nearest(double x, double y) {
     Search search = new Search(x, y);
@@ -90,7 +96,7 @@ final class ToroidalSites {
     }
   }
 
-  /** The best site so far. */
+  /** A search and its best site so far. */
   private final class Search {
     private final double x;
     private final double y;
@@ -106,7 +112,7 @@ final class ToroidalSites {
       return distance > 0 && squaredDistance < distance * distance;
     }
 
-    /** Looks at the cells of the square of radius r that are not in the one before. */
+    /** Visits the cells of the square of radius r that are not in the square of radius r - 1. */
     void ring(int column, int row, int r) {
       int left = farthest(r, columns, true);
       int right = farthest(r, columns, false);
@@ -138,7 +144,9 @@ final class ToroidalSites {
     }
   }
 
-  /** Returns the largest offset up to r on one side, so that no cell is met from both sides. */
+  /**
+   * Returns the largest offset, up to r, on one side, so that no cell is visited from both sides.
+   */
   private static int farthest(int r, int cells, boolean before) {
     return Math.min(r, before ? (cells - 1) / 2 : cells / 2);
   }

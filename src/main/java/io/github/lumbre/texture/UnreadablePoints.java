@@ -1,13 +1,13 @@
 package io.github.lumbre.texture;
 
 /**
- * Counts the points at which textures are evaluated and that are not finite, as of coordinates near
- * the largest number times a scale. Textures are evaluated at (0, 0) there, which is wrong but
- * harmless; a render reports how many there were.
+ * Counts invalid texture coordinates: NaN or infinite, for example after a huge coordinate is
+ * scaled. Textures are evaluated at (0, 0) instead, which is wrong but harmless. A render reports
+ * their number.
  *
- * <p>Each thread has a count of its own, and a thread works for one render at a time: so renders
- * never see each other's points, even of the same textures, and no argument is needed on the way to
- * every texture.
+ * <p>Each thread has its own count, and works for one render at a time. Renders therefore never
+ * count each other's points, even with shared textures, and texture evaluation needs no extra
+ * argument.
  */
 public final class UnreadablePoints {
   private static final ThreadLocal<long[]> COUNT = ThreadLocal.withInitial(() -> new long[1]);
@@ -18,7 +18,7 @@ public final class UnreadablePoints {
     COUNT.get()[0]++;
   }
 
-  /** Returns how many there were in this thread since this was last called. */
+  /** Returns the number of invalid points in this thread since the last call, and resets it. */
   public static long take() {
     long count = COUNT.get()[0];
     COUNT.remove();

@@ -3,10 +3,11 @@ package io.github.lumbre.texture;
 import java.util.Objects;
 
 /**
- * Where in a texture a surface's (u, v) is read: at (u · scaleX + offsetX, v · scaleY + offsetY).
+ * A mapping from a surface's (u, v) to texture coordinates: (u · scaleX + offsetX, v · scaleY +
+ * offsetY). All numbers are finite.
  */
 public record UvMapping(double offsetX, double offsetY, double scaleX, double scaleY) {
-  /** Reads every texture where the surface says. */
+  /** The identity mapping. */
   public static final UvMapping IDENTITY = new UvMapping(0, 0, 1, 1);
 
   /**
@@ -19,22 +20,22 @@ public record UvMapping(double offsetX, double offsetY, double scaleX, double sc
     requireFinite(scaleY, "scaleY");
   }
 
-  /** Returns where a point of the surface lies in the texture. */
+  /** Returns the texture coordinates of a surface's (u, v). */
   public TexturePoint apply(TexturePoint p) {
     return new TexturePoint(u(p.u()), v(p.v()));
   }
 
-  /** Returns the texture's u of the surface's. */
+  /** Returns the texture coordinate of a surface's u. */
   double u(double u) {
     return u * scaleX + offsetX;
   }
 
-  /** Returns the texture's v of the surface's. */
+  /** Returns the texture coordinate of a surface's v. */
   double v(double v) {
     return v * scaleY + offsetY;
   }
 
-  /** Returns the texture, read through this mapping. */
+  /** Returns the texture with this mapping applied to its coordinates. */
   public <T> Texture<T> over(Texture<T> texture) {
     Objects.requireNonNull(texture, "texture");
     return equals(IDENTITY) ? texture : (u, v) -> texture.at(u(u), v(v));

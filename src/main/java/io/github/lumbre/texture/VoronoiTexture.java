@@ -4,13 +4,14 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.sampling.Hash;
 
 /**
- * The Voronoi diagram of random points, each with a random colour. The points are stratified: the
- * texture is cut into as many parts of equal area as there are points, each part holding one.
+ * A Voronoi diagram of random points, each with a random color. The points are stratified: the
+ * texture is divided into one part per point, all of equal area, and each part contains one point.
  */
 public final class VoronoiTexture implements TexelTexture {
+  /** The maximum number of cells. */
   public static final int MAX_SAMPLES = 1_000_000;
 
-  /** Hash numbers of a sample: two for its place, three for its colour. */
+  /** The random numbers per cell: two for its position, three for its color. */
   private static final int NUMBERS = 5;
 
   private final long seed;
@@ -19,11 +20,14 @@ public final class VoronoiTexture implements TexelTexture {
   private final Texels nearest;
 
   /**
-   * @param seed everything random follows from it
+   * Creates a texture.
+   *
+   * @param seed the seed of all random numbers
    * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
-   * @param height likewise
-   * @param samples how many cells, 1 to {@value #MAX_SAMPLES}
-   * @param blackAndWhite whether the colours are greys
+   * @param height in texels, 1 to {@value TexelTexture#MAX_SIDE}
+   * @param samples the number of cells, 1 to {@value #MAX_SAMPLES}
+   * @param blackAndWhite whether the colors are shades of gray
+   * @throws IllegalArgumentException if a number is out of range
    */
   public VoronoiTexture(long seed, int width, int height, int samples, boolean blackAndWhite) {
     Texels.requireSize(width, height);
@@ -38,8 +42,8 @@ public final class VoronoiTexture implements TexelTexture {
   }
 
   /**
-   * Returns one point in each of the parts: bands as high as the share of the samples they get, cut
-   * into equal pieces.
+   * Returns one point in each part. The parts are horizontal bands, cut into equal pieces; the
+   * height of a band is proportional to its number of points.
    */
   private ToroidalSites stratified(int width, int height, int samples) {
     double[] x = new double[samples];

@@ -3,7 +3,7 @@ package io.github.lumbre.texture;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 
-/** Wood: dark rings around the texture's centre, bent by turbulence. */
+/** Wood: dark rings around the center of the texture, distorted by turbulence. */
 public final class WoodTexture implements TexelTexture {
   private static final double COARSEST = 32;
   private static final double BENDING = .035;
@@ -15,11 +15,13 @@ public final class WoodTexture implements TexelTexture {
   private final Texels light;
 
   /**
-   * @param seed everything random follows from it
+   * Creates a texture.
+   *
+   * @param seed the seed of all random numbers
    * @param width in texels, 1 to {@value TexelTexture#MAX_SIDE}
-   * @param height likewise
-   * @param rings how many dark rings there are from the centre to the middle of a side; finite and
-   *     ≥ 0
+   * @param height in texels, 1 to {@value TexelTexture#MAX_SIDE}
+   * @param rings the number of dark rings from the center to the middle of a side; finite and ≥ 0
+   * @throws IllegalArgumentException if a number is out of range
    */
   public WoodTexture(long seed, int width, int height, double rings) {
     if (!(rings >= 0) || Double.isInfinite(rings)) {
@@ -35,7 +37,8 @@ public final class WoodTexture implements TexelTexture {
     double y = (double) row / light.height() - .5;
     double d = Math.sqrt(x * x + y * y) + BENDING * noise.turbulence(column, row);
     double turns = rings * d;
-    // Whole turns change nothing, but there may be too many for the sine.
+    // Removing whole turns does not change the result, but keeps the argument in the range of the
+    // sine.
     return Math.abs(Elementary.sinTurns(turns - Math.floor(turns))) / 2;
   }
 

@@ -142,7 +142,7 @@ class RenderSettingsTest {
         List.of(new Crop(29, 0, 2, 1), new Crop(0, 19, 1, 2), new Crop(65535, 0, 65535, 1))) {
       assertThatThrownBy(() -> frame.crop(outside).build())
           .isInstanceOf(IllegalArgumentException.class)
-          .hasMessage("crop: expected inside 30x20, found " + outside);
+          .hasMessage("crop: expected a rectangle inside 30x20, found " + outside);
     }
   }
 
