@@ -49,7 +49,8 @@ final class HelpLayout {
             "--timeout",
             "--adaptive",
             "--samples-from",
-            "--samples-to"));
+            "--samples-to",
+            "--share"));
     FLAGS.put(
         "Picture file",
         List.of(

@@ -184,6 +184,13 @@ final class RenderCommand implements Callable<Integer> {
         "--adaptive: cannot be combined with --checkpoint, --samples-from or --samples-to, because"
             + " a checkpoint file does not record which samples come next");
     require(
+        !flags.hasShare() || checkpoint.isPresent(),
+        "--share: requires --checkpoint, whose files 'lumbre merge' joins");
+    require(
+        !flags.hasShare() || !budgets.areGiven() && quality.targetError().isEmpty(),
+        "--share: cannot be combined with --time, --target-error or --quality, because the shares"
+            + " would end at different samples");
+    require(
         !flags.isClamping() || checkpoint.isEmpty(),
         "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"
             + " the clamped energy");

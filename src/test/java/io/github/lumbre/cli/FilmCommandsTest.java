@@ -212,6 +212,26 @@ class FilmCommandsTest {
   }
 
   @Test
+  void sharesOfAJobArrayMergeToThePicture() throws IOException {
+    assertDone(render("whole.pfm", "-s", "7"));
+    for (int i = 0; i < 3; i++) {
+      String film = path("part-" + i);
+      assertDone(render("p.png", "-s", "7", "--share", i + "/3", "--checkpoint", film));
+    }
+    assertDone(
+        Outcome.of("merge", path("part-2"), path("part-0"), path("part-1"), "-o", path("all.pfm")));
+    assertThat(bytes("all.pfm")).isEqualTo(bytes("whole.pfm"));
+    render("p.png", "-s", "7", "--share", "0/8", "--checkpoint", path("x"))
+        .assertFailed(ExitCodes.USAGE, "--share: expected at least one sample for each share");
+    render("p.png", "--share", "0/2")
+        .assertFailed(ExitCodes.USAGE, "--share: requires --checkpoint");
+    render("p.png", "--share", "0/2", "--time", "5s", "--checkpoint", path("x"))
+        .assertFailed(ExitCodes.USAGE, "--share: cannot be combined with --time");
+    render("p.png", "--share", "auto", "--checkpoint", path("x"))
+        .assertFailed(ExitCodes.USAGE, "--share: auto: expected one of the variables");
+  }
+
+  @Test
   void filmsWithGapsAreDevelopedButNotGoneOnWith() {
     assertDone(render("a.png", "-s", "2", "--checkpoint", path("a")));
     assertDone(render("b.png", "--samples-from", "3", "-s", "2", "--checkpoint", path("b")));

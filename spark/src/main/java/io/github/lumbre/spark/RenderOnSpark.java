@@ -13,9 +13,9 @@ import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 
 /**
- * The program for {@code spark-submit}: {@code RenderOnSpark SCENE... [OPTIONS]} renders scenes with
- * the options of {@code lumbre render}, and {@code RenderOnSpark resume FILM [OPTIONS]} resumes a
- * checkpoint. Without {@code spark.master} it runs on all cores of this machine.
+ * The program for {@code spark-submit}: {@code RenderOnSpark SCENE... [OPTIONS]} renders scenes
+ * with the options of {@code lumbre render}, and {@code RenderOnSpark resume FILM [OPTIONS]}
+ * resumes a checkpoint. Without {@code spark.master} it runs on all cores of this machine.
  */
 public final class RenderOnSpark {
   private static final String USAGE =

@@ -169,7 +169,11 @@ final class SparkPasses implements PassRenderer {
           spark
               .sc()
               .submitJob(
-                  rdd, new UnitRenderer(bundle), partitions(units), new Arrival(arrived), new End());
+                  rdd,
+                  new UnitRenderer(bundle),
+                  partitions(units),
+                  new Arrival(arrived),
+                  new End());
       boolean isCancelled = false;
       try {
         while (!action.isCompleted() || !arrived.isEmpty()) {

@@ -59,7 +59,9 @@ final class Units {
     return side;
   }
 
-  /** Adds the units of a tile; halves it as long as its pixels have different numbers of samples. */
+  /**
+   * Adds the units of a tile; halves it as long as its pixels have different numbers of samples.
+   */
   private void divide(int x, int y, int width, int height) {
     int have = film.samples(x, y);
     int want = target.samples(x, y);
@@ -70,7 +72,11 @@ final class Units {
           int w = isWide ? width / 2 : width;
           int h = isWide ? height : height / 2;
           divide(x, y, w, h);
-          divide(isWide ? x + w : x, isWide ? y : y + h, width - (isWide ? w : 0), height - (isWide ? 0 : h));
+          divide(
+              isWide ? x + w : x,
+              isWide ? y : y + h,
+              width - (isWide ? w : 0),
+              height - (isWide ? 0 : h));
           return;
         }
       }
@@ -82,8 +88,7 @@ final class Units {
         // Not beyond the next power of two.
         end = Math.min(end, first < 1 << 29 ? 2 * Integer.highestOneBit(first) : end);
       }
-      units.add(
-          new WorkUnit(x, y, width, height, film.firstSample() + first, end - first));
+      units.add(new WorkUnit(x, y, width, height, film.firstSample() + first, end - first));
       first = end;
     }
   }

@@ -11,8 +11,7 @@ import java.io.Serializable;
  * @param first index of the first sample of each pixel
  * @param count samples per pixel, at least 1
  */
-record WorkUnit(int x, int y, int width, int height, int first, int count)
-    implements Serializable {
+record WorkUnit(int x, int y, int width, int height, int first, int count) implements Serializable {
   /** Returns the tile. */
   Crop tile() {
     return new Crop(x, y, width, height);

@@ -48,6 +48,17 @@ public final class RenderFlags {
   private Optional<Integer> samplesTo;
 
   @Option(
+      names = "--share",
+      paramLabel = "I/N",
+      description =
+          "Render share I (from 0) of N of the samples, for 'lumbre merge'; auto: the share of this"
+              + " process in a job array. Needs --checkpoint.")
+  private Optional<String> share;
+
+  /** The index of the first sample of the share, once the scene's number of samples is known. */
+  private int firstOfShare;
+
+  @Option(
       names = "--depth",
       paramLabel = "N",
       description = {
@@ -94,6 +105,13 @@ public final class RenderFlags {
       throw new ParameterException(
           spec.commandLine(), "--samples and --samples-to: expected only one of them");
     }
+    share();
+    if (share.isPresent() && (samplesFrom.isPresent() || samplesTo.isPresent())) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--share: cannot be combined with --samples-from or --samples-to, which select samples"
+              + " too");
+    }
     depth.ifPresent(n -> require("--depth", 0, RenderSettings.MAX_DEPTH, n));
     settings.validate(spec);
     maxPixels.ifPresent(n -> require("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
@@ -109,12 +127,36 @@ public final class RenderFlags {
 
   /** Returns whether the flags select a range of sample indices. */
   public boolean hasSampleRange() {
-    return samplesFrom.isPresent() || samplesTo.isPresent();
+    return samplesFrom.isPresent() || samplesTo.isPresent() || share.isPresent();
   }
 
-  /** Returns the index of each pixel's first sample. */
+  /** Returns whether the flags select a share of the samples. */
+  public boolean hasShare() {
+    return share.isPresent();
+  }
+
+  /** Returns the index of each pixel's first sample; of a share, once the scene is read. */
   public int firstSample() {
-    return samplesFrom.orElse(0);
+    return share.isPresent() ? firstOfShare : samplesFrom.orElse(0);
+  }
+
+  private Optional<Share> share() {
+    try {
+      return share.map(text -> Share.parse(text, System.getenv()));
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), "--share: " + e.getMessage(), e);
+    }
+  }
+
+  /** Limits the samples to the share. */
+  private void select(Share part, RenderSettings.Builder builder) {
+    int all = builder.build().samples();
+    try {
+      firstOfShare = part.first(all);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), "--share: " + e.getMessage(), e);
+    }
+    builder.samples(part.end(all) - firstOfShare);
   }
 
   private void require(String flag, int low, int high, int found) {
@@ -170,6 +212,7 @@ public final class RenderFlags {
     RenderSettings.Builder builder = inScene.toBuilder();
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
+    share().ifPresent(part -> select(part, builder));
     settings.override(builder);
     requirePathsFor(Setting.SPLIT, inScene.mode());
     size.ifPresent(s -> builder.size(s.width(), s.height()));

@@ -1,0 +1,156 @@
+package io.github.lumbre.spark;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Pictures from Spark in this process are bit-identical to those of the command line. */
+class RenderOnSparkTest {
+  private static final String SCENES = Path.of("..", "scenes").toString() + "/";
+
+  @TempDir private Path directory;
+
+  /** The exit code and the texts of a command. */
+  record Outcome(int exitCode, String out, String err) {}
+
+  @BeforeEach
+  void useTwoCores() {
+    System.setProperty("spark.master", "local[2]");
+    System.setProperty("spark.ui.enabled", "false");
+    System.setProperty("spark.driver.host", "localhost");
+  }
+
+  @AfterEach
+  void forget() {
+    List.of("spark.master", "spark.ui.enabled", "spark.driver.host").forEach(System::clearProperty);
+  }
+
+  private String path(String name) {
+    return directory.resolve(name).toString();
+  }
+
+  private byte[] bytes(String name) throws IOException {
+    return Files.readAllBytes(directory.resolve(name));
+  }
+
+  private static Outcome onSpark(String... args) {
+    return onSpark(Arrays.asList(args));
+  }
+
+  private static Outcome onSpark(List<String> args) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    int code = RenderOnSpark.run(args, new PrintWriter(out, true), new PrintWriter(err, true));
+    return new Outcome(code, out.toString(), err.toString());
+  }
+
+  private static Outcome here(String... args) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    int code =
+        io.github.lumbre.cli.Lumbre.run(
+            args,
+            new PrintWriter(out, true),
+            new PrintWriter(err, true),
+            io.github.lumbre.cli.run.Engine.LOCAL);
+    return new Outcome(code, out.toString(), err.toString());
+  }
+
+  private static void assertDone(Outcome outcome) {
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "cornell-box.json -s 11 --size 70x50",
+        "cornell-box.json -s 5 --size 70x50 --mode ray",
+        "camera-fisheye.json -s 9 --size 64x48",
+        "camera-fisheye.json -s 5 --size 64x48 --mode ray",
+        "glass-and-mirror.json -s 7 --size 60x40 --split 3 --filter gaussian",
+        "glass-and-mirror.json -s 4 --size 60x40 --mode ray",
+        "torus-knot.json -s 12 --size 80x45 --crop 11,7,50,30",
+        "torus-knot.json -s 4 --size 80x45 --mode ray --seed 9",
+        "table-12-wood.json -s 3 --size 48x48 --depth 3",
+        "table-12-wood.json -s 3 --size 48x48 --mode ray"
+      })
+  void picturesAreBitIdentical(String line) throws IOException {
+    List<String> args = new ArrayList<>(List.of(line.split(" ")));
+    args.set(0, SCENES + args.get(0));
+    List<String> here = new ArrayList<>(args);
+    here.add(0, "render");
+    here.addAll(List.of("-o", path("here.pfm")));
+    assertDone(here(here.toArray(String[]::new)));
+    args.addAll(List.of("-o", path("spark.pfm"), "--unit", "0.1s"));
+    assertDone(onSpark(args));
+    assertThat(bytes("spark.pfm")).isEqualTo(bytes("here.pfm"));
+  }
+
+  @Test
+  void targetErrorStopsAtTheSamplesOfOneMachine() throws IOException {
+    String[] args = {SCENES + "table-15-frog.json", "--size", "64x64", "--target-error", "4%"};
+    List<String> here = new ArrayList<>(List.of("render"));
+    here.addAll(List.of(args));
+    here.addAll(List.of("-o", path("here.pfm")));
+    Outcome local = here(here.toArray(String[]::new));
+    List<String> spark = new ArrayList<>(List.of(args));
+    spark.addAll(List.of("-o", path("spark.pfm"), "--unit", "0.1s"));
+    Outcome outcome = onSpark(spark);
+    assertDone(outcome);
+    assertThat(bytes("spark.pfm")).isEqualTo(bytes("here.pfm"));
+    assertThat(noise(outcome.err())).isNotEmpty().isEqualTo(noise(local.err()));
+  }
+
+  private static String noise(String text) {
+    return text.replaceAll("(?s).*, (\\d+ samples per pixel, noise about [^,]*),.*", "$1");
+  }
+
+  @Test
+  void checkpointsAreResumedHereAndThere() throws IOException {
+    String scene = SCENES + "cornell-box.json";
+    String[] size = {"--size", "40x40"};
+    assertDone(here("render", scene, "-s", "24", size[0], size[1], "-o", path("whole.pfm")));
+    assertDone(
+        onSpark(
+            scene, "-s", "6", size[0], size[1], "-o", path("a.pfm"), "--checkpoint", path("a")));
+    assertDone(here("resume", path("a"), "-s", "13"));
+    assertDone(onSpark("resume", path("a"), "-s", "24", "--unit", "0.1s"));
+    assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
+  }
+
+  @Test
+  void listsOfScenesMakePicturesInAFolder() throws IOException {
+    Path list =
+        Files.writeString(
+            directory.resolve("list.txt"),
+            SCENES + "cornell-box.json\n\n" + SCENES + "torus-knot.json\n");
+    Files.createDirectories(directory.resolve("out"));
+    assertDone(onSpark("--list", list.toString(), "-s", "1", "--size", "20x20", "-o", path("out")));
+    assertThat(directory.resolve("out/cornell-box.png")).exists();
+    assertThat(directory.resolve("out/torus-knot.png")).exists();
+  }
+
+  @Test
+  void wrongCommandLinesAreRefused() {
+    assertThat(onSpark().exitCode()).isEqualTo(2);
+    assertThat(onSpark(SCENES + "cornell-box.json", "--adaptive").err())
+        .contains("--adaptive: not available on Spark");
+    assertThat(onSpark("--unit", "soon", SCENES + "cornell-box.json").err())
+        .contains("--unit: expected 0.1s to 3600s, found soon");
+    assertThat(onSpark(path("missing.json")).exitCode()).isEqualTo(3);
+    assertThat(onSpark("--help").out()).contains("Usage: lumbre-spark");
+  }
+}
