@@ -21,8 +21,8 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
     implements Serializable {
   private static final long serialVersionUID = 1;
 
-  /** The scenes of this executor, by the number of the broadcast that brought them. */
-  private static final Map<Long, SceneFile> SCENES = new ConcurrentHashMap<>();
+  /** The scenes of this executor, by their hashes and settings. */
+  private static final Map<String, SceneFile> SCENES = new ConcurrentHashMap<>();
 
   private final Broadcast<SceneBundle> bundle;
 
@@ -58,10 +58,10 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
   }
 
   private SceneFile scene() {
+    SceneBundle sent = bundle.value();
     return SCENES.computeIfAbsent(
-        bundle.id(),
-        id -> {
-          SceneBundle sent = bundle.value();
+        sent.hash() + sent.settings(),
+        key -> {
           if (sent.revision() != FilmRenderer.REVISION) {
             throw new IllegalStateException(
                 "the executor on "
