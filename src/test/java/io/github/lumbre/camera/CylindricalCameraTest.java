@@ -20,7 +20,7 @@ class CylindricalCameraTest {
     return new CylindricalCamera(Vec3.ZERO, Frame.WORLD, 2, height);
   }
 
-  /** The band of elevations up to atan h covers h/√(1+h²) of the sphere. */
+  /** The elevations up to atan h cover the fraction h/√(1+h²) of the sphere. */
   @ParameterizedTest
   @ValueSource(doubles = {.5, 2, 10, 1000})
   void heightSaysHowMuchOfTheSphereIsSeen(double height) {

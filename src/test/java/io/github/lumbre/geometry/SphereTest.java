@@ -18,7 +18,9 @@ class SphereTest {
   private static final Sphere UNIT = new Sphere(Transform.IDENTITY, 1);
   private static final double EPS = 0x1p-52;
 
-  /** Returns a ray from a distance that passes the origin at another. */
+  /**
+   * Returns a random ray from a given distance that passes the origin at distance {@code impact}.
+   */
   private static Ray passing(Random random, double distance, double impact) {
     Frame frame = Frame.around(Shapes.direction(random));
     Vec3 origin = frame.toWorld(new Vec3(impact, 0, -distance));
@@ -60,7 +62,7 @@ class SphereTest {
     }
   }
 
-  /** Rounding of the ray moves it by some ulp of its distance from the sphere. */
+  /** Rounding moves the ray by a few ulp of its distance from the sphere. */
   @ParameterizedTest
   @ValueSource(doubles = {0, .5, 1, 10, 1e3, 1e6})
   void tangentRaysOfAnyDirectionHitWithinTheUlpOfTheirDistance(double distance) {

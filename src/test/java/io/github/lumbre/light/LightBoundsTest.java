@@ -26,7 +26,7 @@ class LightBoundsTest {
 
   /**
    * The measure of a cone is the integral of its brightness over the sphere: 1 inside the spread,
-   * and from there on the cosine of the angle beyond it, as far as the light falls.
+   * then the cosine of the angle beyond it, up to the falloff angle.
    */
   @ParameterizedTest
   @CsvSource({

@@ -124,7 +124,9 @@ class MixtureTest {
     }
   }
 
-  /** A direction that one part draws, but does not scatter into, counts for the other. */
+  /**
+   * A direction that one part samples but does not scatter into still counts for the other part.
+   */
   @Test
   void partThatScattersNothingTakesNoLightFromTheOther() {
     Lobe dark =

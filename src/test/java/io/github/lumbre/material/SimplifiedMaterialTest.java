@@ -48,7 +48,7 @@ class SimplifiedMaterialTest {
     }
   }
 
-  /** Each colour and number of a material in turn varies, and all others are constant. */
+  /** Each color and number of a material varies in turn, while all others are constant. */
   @Test
   void oneTextureThatVariesMakesAMaterialVary() {
     ScalarTexture number = (u, v) -> u;

@@ -19,7 +19,7 @@ class VisibleSlopeTest {
     return VisibleSlope.cumulative(cos, sin, slope, Elementary.exp(-slope * slope));
   }
 
-  /** Relative to the nearer end, so that the tails are drawn as they should be. */
+  /** Errors are relative to the nearer end, so that the test covers the tails. */
   @ParameterizedTest
   @ValueSource(doubles = {1, 1 - 1e-12, .999, .9, .5, .1, 1e-3, 1e-6, 1e-12})
   void theShareOfSlopesBelowTheOneDrawnIsTheNumberDrawn(double cos) {

@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class CancellingProgressTest {
-  /** Whatever a listener may hear, now or in a later version, it hears through another too. */
+  /** The wrapper forwards every event of the interface, including events that are added later. */
   @Test
   void everythingIsPassedOn() throws IllegalAccessException, InvocationTargetException {
     List<String> heard = new ArrayList<>();

@@ -41,7 +41,7 @@ class RenderStatisticsTest {
     assertThat(RenderStatistics.ofFaults(4, ONE.firstRejected(), 5)).isEqualTo(ONE.faults());
   }
 
-  /** However the samples were shared out, the ten first ones in reading order are named. */
+  /** For any division of the work, the first ten rejected samples in reading order are reported. */
   @Test
   void firstRejectedSamplesDoNotDependOnTheWorkers() {
     List<RejectedSample> all = new ArrayList<>();

@@ -50,7 +50,7 @@ class WatchdogTest {
     Thread thread = new Thread(worker);
     thread.start();
     blocked.await();
-    // The first look finds samples that are new to it.
+    // The first check finds new samples.
     for (double now : new double[] {10, 69, 70, 71, 129, 130, 131, 249, 250, 251}) {
       watchdog.look(now);
     }

@@ -58,7 +58,7 @@ class Distribution1dTest {
     assertThat(distribution.probability(3)).isZero();
   }
 
-  /** Weights that are whole numbers and a power of two together have exact cumulative ones. */
+  /** Integer weights whose sum is a power of two have exact cumulative weights. */
   @Test
   void everyItemIsDrawnFromItsOwnIntervalToTheBit() {
     int total = 1 << 12;

@@ -26,7 +26,7 @@ class IndependentSamplerTest {
     assertThat(ofAnotherSeed.get1d(8)).isNotEqualTo(one.get1d(8));
   }
 
-  /** Means and products, within five standard errors of those of uniform independent numbers. */
+  /** Means and products are within five standard errors of those of independent uniform numbers. */
   @Test
   void valuesAreUniformAndDoNotKnowOfEachOther() {
     IndependentSampler sampler = new IndependentSampler(1);

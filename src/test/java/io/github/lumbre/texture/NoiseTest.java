@@ -39,8 +39,8 @@ class NoiseTest {
   }
 
   /**
-   * A cell's value differs from the next by less than 1, so an octave's from one texel to the next
-   * by less than its cells a texel.
+   * Returns a bound of the step between texels. Neighboring cells differ by less than 1, so an
+   * octave changes per texel by less than its number of cells per texel.
    */
   private static double largestStep(int size, double coarsest) {
     double step = 0;

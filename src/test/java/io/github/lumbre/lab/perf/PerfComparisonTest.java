@@ -70,7 +70,7 @@ class PerfComparisonTest {
   void clockDecides() throws IOException {
     Path a = file("a.json", BEFORE);
     Path b = file("b.json", PerfFixture.result("tiny", "aa", 2, 2.02, 2.04));
-    // The same CPU time, twice the time on the wall.
+    // The same CPU time, but twice the wall-clock time.
     String text = Files.readString(b).replace("\"cpu_seconds\": 4.0,", "\"cpu_seconds\": 2.0,");
     text = text.replace("\"cpu_seconds\": 4.04,", "\"cpu_seconds\": 2.02,");
     text = text.replace("\"cpu_seconds\": 4.08,", "\"cpu_seconds\": 2.04,");

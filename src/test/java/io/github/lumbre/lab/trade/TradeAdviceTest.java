@@ -64,7 +64,7 @@ class TradeAdviceTest {
     }
   }
 
-  /** The other setting would take 92 s if its error went on falling. */
+  /** The other setting would take 92 s if its error continued to decrease. */
   @Test
   void measuredSettingsGoBeforeExtrapolatedOnes() {
     TradeRow split = row(setting(Kind.NOISE, "--split 8 --depth 1000"), 16, .05, 130, NONE);
