@@ -16,7 +16,7 @@ class FilmMergeTest {
     return new FilmMerge.Named(name, FilmFixture.file(window, first, (x, y) -> count));
   }
 
-  /** Cuts a film at random in space and numbers, shuffles the pieces and joins them. */
+  /** Cuts a film randomly by pixels and sample numbers, shuffles the pieces and merges them. */
   @Test
   void anyPartitionGivesTheSameBits() throws FilmMismatchException {
     int samples = 9;

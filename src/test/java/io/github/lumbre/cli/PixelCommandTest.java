@@ -112,7 +112,7 @@ class PixelCommandTest {
     return JsonParser.parseString(outcome.out()).getAsJsonObject();
   }
 
-  /** The warning of a render says what to type; typed, it tells of the same sample. */
+  /** The warning of a render suggests a command, which reports the same sample. */
   @Test
   void rejectedSamplesAreReplayedByTheCommandOfTheWarning() {
     Path scene = TinyScene.write(directory, TinyScene.blinding());

@@ -39,7 +39,7 @@ class SelfTestCommandTest {
     assertThat(run(false, HOLDING).exitCode()).isZero();
   }
 
-  /** The published table tells of these laws and no others; written by the command itself. */
+  /** The published table lists exactly these checks, as written by the command. */
   @Test
   void publishedTableIsThatOfTheLaws() throws IOException {
     List<String> page = Files.readAllLines(Path.of("docs", "stability.md"));

@@ -65,7 +65,7 @@ class ColorTagTest {
     return ICC_Profile.getInstance(space).getData();
   }
 
-  /** A profile with nothing but a description, of the older kind. */
+  /** Returns a profile with only a description, in the older format. */
   private static byte[] named(String name) {
     byte[] text = (name + "\0").getBytes(StandardCharsets.ISO_8859_1);
     ByteBuffer profile = ByteBuffer.allocate(156 + text.length);

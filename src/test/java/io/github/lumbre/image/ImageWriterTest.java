@@ -114,7 +114,7 @@ class ImageWriterTest {
         .hasMessage("pngBits: expected 8 or 16, found " + bits);
   }
 
-  /** A channel on a device with little room. */
+  /** A channel on a device with little free space. */
   private static final class FullChannel implements SeekableByteChannel {
     private final int room;
     private long position;

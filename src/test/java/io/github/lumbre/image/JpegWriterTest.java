@@ -23,7 +23,9 @@ class JpegWriterTest {
     return Files.readAllBytes(file);
   }
 
-  /** Red and blue columns in turn: with halved color resolution both would be purple. */
+  /**
+   * Returns alternating red and blue columns; with halved color resolution, both would be purple.
+   */
   private static Image stripes() {
     Image image = Image.black(32, 16);
     for (int i = 0; i < 32 * 16; i++) {

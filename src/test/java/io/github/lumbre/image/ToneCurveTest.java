@@ -71,7 +71,7 @@ class ToneCurveTest {
     double last = -1;
     for (double v = 1e-6; v < 1e300; v *= 1.1) {
       double shown = grey(curve, v);
-      // Reinhard's grey saturates at 1, reached from below up to rounding.
+      // For gray, Reinhard's curve approaches 1 from below, up to rounding.
       assertThat(shown).isGreaterThanOrEqualTo(last - 1e-15);
       last = shown;
     }

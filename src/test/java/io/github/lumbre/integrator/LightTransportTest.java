@@ -299,7 +299,10 @@ class LightTransportTest {
     assertRadiance(scene, lookingDownAt(0), ALBEDO);
   }
 
-  /** Objects at the point whose coordinates equal the light's direction have no effect. */
+  /**
+   * A sphere occludes a distant light only if it lies in the light's direction, for any position of
+   * the scene.
+   */
   @Test
   void distantLightComesFromItsDirectionWhereverTheSceneStands() {
     Vec3 down = new Vec3(0, -1, 0);

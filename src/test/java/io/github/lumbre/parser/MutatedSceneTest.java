@@ -117,7 +117,7 @@ class MutatedSceneTest {
     for (int i = 0; i < COUNT; i++) {
       Random random = new Random(i);
       String text = i == 0 ? seed : mutated(seed, random);
-      // A new file each time: to empty an old one is slow on some file systems.
+      // A new file each time, because truncating an old one is slow on some file systems.
       Path file = Files.writeString(folder.resolve(i + ".json"), text);
       try {
         new SceneParser().parse(file);

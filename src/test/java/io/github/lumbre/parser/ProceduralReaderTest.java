@@ -159,7 +159,7 @@ class ProceduralReaderTest {
     EnvironmentLight light =
         (EnvironmentLight) fixture.parse(scene(dome, texture(3, size))).scene().lights().get(0);
     Texture<Rgb> sky = glow(3, size);
-    // Straight ahead is the middle.
+    // Straight ahead is the center of the texture.
     assertThat(light.from(new Vec3(0, 0, 1))).isEqualTo(sky.at(new TexturePoint(.5, .5)).times(2));
     assertThat(light.pdf(new Vec3(0, .6, .8))).isPositive();
   }
