@@ -12,6 +12,7 @@ import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.ScriptedSampler;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sampling of lens points from a mask. */
 class BokehCacheTest {
   private static final double LAST = 1 - 0x1p-53;
   private static final int SAMPLES = Effort.count(300_000, 3_000_000);

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the field of view of cylindrical panoramas. */
 class CylindricalCameraTest {
   private static Vec3 direction(Camera camera, double u, double v) {
     return camera.rayFor(new Point2(u, v), new ScriptedSampler()).orElseThrow().direction();

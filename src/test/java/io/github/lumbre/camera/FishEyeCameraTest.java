@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the equidistant projection and its image circle. */
 class FishEyeCameraTest {
   private static final double EPS = 0x1p-52;
   private static final Sampler NO_NUMBERS = new ScriptedSampler();

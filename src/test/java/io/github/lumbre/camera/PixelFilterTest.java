@@ -9,6 +9,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Compares samples of pixel filters with the filters' densities. */
 class PixelFilterTest {
   private static final int POINTS = 1 << 16;
 

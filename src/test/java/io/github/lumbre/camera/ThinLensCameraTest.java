@@ -16,6 +16,7 @@ import io.github.lumbre.testing.Statistics;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests focus, blur and lens sampling of the thin lens camera. */
 class ThinLensCameraTest {
   private static final double EPS = 0x1p-52;
   private static final double FOV = 60;

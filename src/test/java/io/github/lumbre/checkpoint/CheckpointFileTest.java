@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests how checkpoint files are saved, replaced and loaded after failures and kills. */
 class CheckpointFileTest {
   /** The chunk size in bytes; a save then takes about 100 steps. */
   private static final int CHUNK_BYTES = 24;

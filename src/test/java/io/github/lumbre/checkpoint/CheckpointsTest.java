@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+/** Tests when checkpoints are saved while a render continues. */
 @Timeout(60)
 class CheckpointsTest {
   private final List<byte[]> saved = Collections.synchronizedList(new ArrayList<>());

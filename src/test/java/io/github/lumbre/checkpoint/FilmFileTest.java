@@ -24,6 +24,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests the format of film files and the detection of damage. */
 class FilmFileTest {
   @TempDir private Path directory;
   private Path path;

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
+/** Tests which settings belong to the identity of a film. */
 class FilmHeaderTest {
   private static RenderSettings settings(UnaryOperator<RenderSettings.Builder> change) {
     return change.apply(new RenderSettings.Builder().size(12, 7)).build();

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests that merged films are bit-identical to a film of all samples. */
 class FilmMergeTest {
   private static FilmMerge.Named named(String name, Crop window, int first, int count) {
     return new FilmMerge.Named(name, FilmFixture.file(window, first, (x, y) -> count));

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
+/** Tests the overlap and the union of parts of a film. */
 class FilmPartTest {
   /** A sample, identified by its pixel in the full frame and its number. */
   private record Sample(int x, int y, int number) {}

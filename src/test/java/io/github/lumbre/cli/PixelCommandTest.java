@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests {@code lumbre pixel}. */
 class PixelCommandTest {
   @TempDir private Path directory;
 

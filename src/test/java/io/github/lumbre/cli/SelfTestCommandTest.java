@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests {@code lumbre selftest} and its published table. */
 class SelfTestCommandTest {
   private static final Invariant HOLDING =
       new Invariant("one", "share", "everywhere", 1e-3, tries -> 2e-4);

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.xml.sax.InputSource;
 
+/** Tests {@code lumbre trade}. */
 class TradeCommandTest {
   @TempDir private Path directory;
 

@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests that output files appear complete or not at all. */
 class OutputFileTest {
   @TempDir Path directory;
 

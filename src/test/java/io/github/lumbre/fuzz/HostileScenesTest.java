@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Every hostile scene is rendered, or rejected with a reason. */
 class HostileScenesTest {
   private static final int COUNT = 2000;
 

@@ -9,6 +9,7 @@ import io.github.lumbre.math.Vec3;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Compares box hits with a reference, and tests edges and texture frames. */
 class BoxTest {
   private static final Box BOX = new Box(Transform.IDENTITY, 2, 4, 6);
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Compares ellipsoid areas with numerical integrals. */
 class EllipsoidAreaTest {
   private static final int STEPS = 200;
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests hits, borders and sides of planes and rectangles. */
 class FlatShapesTest {
   private static final Rectangle RECTANGLE = new Rectangle(Transform.IDENTITY, 2, 4, false);
   private static final Rectangle TWO_SIDED = new Rectangle(Transform.IDENTITY, 2, 4, true);

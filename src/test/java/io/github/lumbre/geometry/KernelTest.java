@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests that both traversal kernels find bit-identical hits. */
 class KernelTest {
   private static final Bounds3 AROUND = new Bounds3(new Vec3(-6, -6, -6), new Vec3(6, 6, 6));
   private static final Vec3[] AXES = {Vec3.X, Vec3.Y, Vec3.Z};

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests triangle meshes: hits, normals, texture coordinates and degenerate data. */
 class MeshTest {
   private static final double[] NONE = {};
   private static final double[] CORNER = {0, 0, 0, 1, 0, 0, 0, 1, 0};

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
+/** Tests the samples of shapes and their densities. */
 class ShapeSamplingTest {
   /** The critical number of standard errors, exceeded by chance once in two million cases. */
   private static final double Z = 5;

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests hits and texture frames of spheres of all sizes and transforms. */
 class SphereTest {
   private static final Sphere UNIT = new Sphere(Transform.IDENTITY, 1);
   private static final double EPS = 0x1p-52;

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests error bounds, and the rays that leave a surface. */
 class SurfaceHitTest {
   private static final TriangleMesh TRIANGLE =
       Shapes.triangle(new Vec3(-1, -.5, .3), new Vec3(1.2, -.7, -.2), new Vec3(.1, .9, .4));

@@ -8,6 +8,7 @@ import io.github.lumbre.texture.TexturePoint;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests sampled surface points and their densities. */
 class SurfaceSampleTest {
   @Test
   void samplesKeepWhatIsSet() {

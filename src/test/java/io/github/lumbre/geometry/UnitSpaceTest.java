@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the space of a hierarchy's floats and its error bound. */
 class UnitSpaceTest {
   private static final double[] SIZES = {1e-9, .1, 1, 3, 1e9};
 

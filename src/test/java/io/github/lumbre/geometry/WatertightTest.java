@@ -12,6 +12,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** No ray passes between the triangles of a closed mesh. */
 class WatertightTest {
   /** The number of targets: a third each are random points, on edges and at vertices. */
   private static final int TARGETS = Effort.count(40_000, 30_000_000);

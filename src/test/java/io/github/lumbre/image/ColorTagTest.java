@@ -15,6 +15,7 @@ import java.util.zip.DeflaterOutputStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
+/** Tests the detection of color spaces other than sRGB in picture files. */
 class ColorTagTest {
   private static final int AFTER_HEADER = 33;
 

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the reading of pictures as linear RGB. */
 class LinearReaderTest {
   @TempDir private Path directory;
 

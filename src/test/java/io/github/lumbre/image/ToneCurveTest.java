@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Compares tone curves with their formulas. */
 class ToneCurveTest {
   private static double grey(ToneCurve curve, double v) {
     return curve.apply(Rgb.grey(v)).g();

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the samples, densities and bounds of area lights. */
 class AreaLightTest {
   private static final Rgb RADIANCE = new Rgb(1, 2, 3);
   private static final double RADIUS = .5;

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the orientation, radiance and sampling of environment lights. */
 class EnvironmentLightTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the spatial and directional bounds of lights. */
 class LightBoundsTest {
   private static final Bounds3 BOX = Bounds3.of(new Vec3(-1, -2, -2), new Vec3(1, 2, 2));
   private static final double RADIUS = 3;

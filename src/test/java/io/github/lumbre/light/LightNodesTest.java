@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Compares the importance of light tree nodes with irradiance. */
 class LightNodesTest {
   private static final Vec3 PLACE = new Vec3(1, 2, 3);
   private static final double INTENSITY = 7;

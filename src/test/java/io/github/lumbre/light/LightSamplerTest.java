@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the selection probabilities of light samplers. */
 class LightSamplerTest {
   private static final Rgb TWO = new Rgb(1, 2, .5);
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the construction of light trees. */
 class LightTreeBuilderTest {
   private static LightTreeBuilder.Item item(int emitter, Vec3 position, double size) {
     Vec3 half = new Vec3(size, size, size);

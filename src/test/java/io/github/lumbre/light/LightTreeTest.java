@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the selection probabilities of the light tree. */
 class LightTreeTest {
   private static final double SCENE = 5;
 

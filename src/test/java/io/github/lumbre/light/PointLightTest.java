@@ -8,6 +8,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;
 
+/** Tests the irradiance and falloff of point lights. */
 class PointLightTest {
   private static final double EPS = 0x1p-52;
   private static final Point2 U = new Point2(.5, .5);

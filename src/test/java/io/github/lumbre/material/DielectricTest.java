@@ -9,6 +9,7 @@ import io.github.lumbre.math.Vec3;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the directions and weights of smooth glass. */
 class DielectricTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;

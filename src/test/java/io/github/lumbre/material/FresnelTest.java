@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
+/** Compares Fresnel reflectances with tables and closed forms. */
 class FresnelTest {
   private static final double EPS = 0x1p-52;
 

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Tests microfacet reflection against tables and BSDF invariants. */
 class MicrofacetReflectionTest {
   /** An index of refraction with which facets reflect all light. */
   static final double PERFECT = 1e150;

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the Phong lobe against tables and BSDF invariants. */
 class PhongLobeTest {
   private static final double[] EXPONENTS = {0, 1, 10, 52, 1e3, 1e6, 1e9};
   private static final int CELLS = Effort.count(16, 64);

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests rough glass against quadratures and BSDF invariants. */
 class RoughDielectricTest {
   private static final double[] ROUGHNESSES = {1e-3, .01, .05, .1, .3, .5, 1};
   private static final double[] BOTH_SIDES = {1, -1};

@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the sampling of visible slopes against their distribution. */
 class VisibleSlopeTest {
   private static final int DRAWS = 20_000;
 

@@ -17,8 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * In a uniform environment of radiance 1, independent samples of every lobe have the mean of its
- * albedo (known from quadrature), and no lobe scatters more light than it receives.
+ * In a uniform environment of radiance 1, the mean of independent samples of every lobe is its
+ * albedo, known from quadrature. No lobe scatters more light than it receives.
  *
  * <p>Quick builds check this more coarsely with lattice points. With a million weights of standard
  * deviation 0.3, a bias of 0.3 % is detected with a probability above 0.99.

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the accuracy of elementary functions in ulp. */
 class ElementaryTest {
   private static final double EPS = 0x1p-52;
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
+/** Tests the accuracy of piecewise polynomials. */
 class PiecewisePolynomialTest {
   /** The number of points from 0 to 1, inside every interval and on its ends. */
   private static final int POINTS = 6400;

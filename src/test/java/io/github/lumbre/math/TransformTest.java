@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests transforms, their inverses and their error bounds. */
 class TransformTest {
   private static final double EPS = 0x1p-52;
 

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the reading of lights. */
 class LightReaderTest {
   private static final String GLASS =
       json("{'id': 4, 'assetType': 'Material', 'materialType': 'Refractive'}");

@@ -37,6 +37,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests the reading of materials and textures. */
 class MaterialReaderTest {
   private static final TexturePoint LEFT = new TexturePoint(.25, .5);
   private static final TexturePoint RIGHT = new TexturePoint(.75, .5);

@@ -18,6 +18,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Every mutated scene text is read, or rejected with a reason. */
 class MutatedSceneTest {
   private static final int COUNT = 2000;
   private static final Pattern VALUE = Pattern.compile("(?<=: )(-?\\d+|\"[A-Za-z0-9+/=]*\"|true)");

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the transforms of nested objects. */
 class ObjectTreeTest {
   private static List<Placed> objects(String text) {
     Problems problems = new Problems("s.json");

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the reading of procedural textures. */
 class ProceduralReaderTest {
   private static final String SPHERE =
       json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}");

@@ -22,6 +22,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
+/** Tests which pixels the adaptive schedule selects, and that the picture is unbiased. */
 class AdaptiveScheduleTest {
   private static final int WIDTH = 24;
   private static final int HEIGHT = 16;
@@ -86,7 +87,7 @@ class AdaptiveScheduleTest {
 
   /**
    * Of two equally noisy halves, the one with 16 times the rays per sample gets a quarter of the
-   * samples, to within a factor of two because counts are powers of two.
+   * samples. Counts are powers of two, so the tolerance is a factor of two.
    */
   @Test
   void dearSamplesAreFewer() {

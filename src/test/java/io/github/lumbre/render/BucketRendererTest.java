@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests whole renders: pixels, crops, threads, cancellation and failures. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class BucketRendererTest {
   private static final Scene SCENE = sceneSeenBy(pinhole());

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests the listener that adds a cancellation condition. */
 class CancellingProgressTest {
   /** The wrapper forwards every event of the interface, including events that are added later. */
   @Test

@@ -19,6 +19,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.Texture;
 import org.junit.jupiter.api.Test;
 
+/** Compares the energy lost to the path length limit with closed forms. */
 class DepthCutTest {
   /** Inside a sphere, each bounce keeps half of the light, so depth n loses 2^-n of it. */
   @Test

@@ -28,6 +28,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+/** Tests that passes, cancellation and crops do not change the samples. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class FilmRendererTest {
   private static final int SAMPLES = 100;

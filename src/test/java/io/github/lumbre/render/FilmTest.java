@@ -20,6 +20,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+/** Tests the exact sums, the encoding and the merging of films. */
 class FilmTest {
   private static final double GRID = 0x1p-64;
 

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Tests pixel filters in rendered pictures. */
 class FilteredPictureTest {
   private static final int SAMPLES = 4096;
   private static final Matte BLACK = new Matte(Texture.constant(Rgb.BLACK));

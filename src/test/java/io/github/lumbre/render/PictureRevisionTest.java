@@ -11,6 +11,7 @@ import java.util.HexFormat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Checks that a change of pictures comes with a new revision. */
 class PictureRevisionTest {
   private static final Path HASHES = Path.of("scenes", "table-hashes.csv");
   private static final Path REVISIONS = Path.of("src/test/resources/picture-revisions.csv");

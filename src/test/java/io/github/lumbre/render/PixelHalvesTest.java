@@ -7,6 +7,7 @@ import io.github.lumbre.image.Rgb;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the error estimate from two halves of a pixel's samples. */
 class PixelHalvesTest {
   /**
    * For halves of n1 and n2 samples: (m1 - m2)² n1 n2 / (n1 + n2)², divided by m1 m2 plus a floor.

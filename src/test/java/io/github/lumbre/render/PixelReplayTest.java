@@ -32,6 +32,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests that replayed samples are bit-identical to those of a render. */
 class PixelReplayTest {
   private static final int WIDTH = 24;
   private static final int HEIGHT = 16;

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sums of render statistics. */
 class RenderStatisticsTest {
   private static final RenderStatistics ONE =
       new RenderStatistics(1, 2, 3, 4, List.of(new RejectedSample(5, 1, 0)), 5, 6, 7, 8);

@@ -12,6 +12,7 @@ import java.math.MathContext;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the numerical stability of the variance of colors. */
 class RgbMomentsTest {
   private static final int COUNT = 20_000;
 

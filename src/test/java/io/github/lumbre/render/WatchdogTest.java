@@ -22,6 +22,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+/** Tests the reports of stalled buckets. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class WatchdogTest {
   private static final Scene SCENE =

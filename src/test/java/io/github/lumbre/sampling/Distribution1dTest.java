@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sampling of discrete distributions. */
 class Distribution1dTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;

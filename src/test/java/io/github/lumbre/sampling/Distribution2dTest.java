@@ -8,6 +8,7 @@ import io.github.lumbre.testing.ChiSquare;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sampling of piecewise constant densities on the unit square. */
 class Distribution2dTest {
   private static final double LAST = 1 - 0x1p-53;
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.math.Point2;
 import org.junit.jupiter.api.Test;
 
+/** Tests the independence of the sampler's numbers. */
 class IndependentSamplerTest {
   private static final int COUNT = 1 << 16;
 

@@ -14,6 +14,7 @@ import java.util.function.LongFunction;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
+/** Tests the low-discrepancy points of the Sobol sampler and their scrambling. */
 class SobolSamplerTest {
   private final SplittableRandom random = new SplittableRandom(6);
 

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the maps from the unit square to disks, spheres, cones and triangles. */
 class WarpTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests the forecast of the samples that an error needs. */
 class ForecastTest {
   private static NoiseEstimate bound(double relativeMse) {
     return new NoiseEstimate(relativeMse / 2, relativeMse, .95, 0, 1000);

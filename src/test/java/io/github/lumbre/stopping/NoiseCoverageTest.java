@@ -98,10 +98,11 @@ class NoiseCoverageTest {
   }
 
   /**
-   * Bounds from 4, 8 and 16 samples hold at the usual confidence, also in a room lit mostly by rare
-   * bright paths, and where glass encloses one of two lights. With 100 seeds and a true coverage of
-   * 95 %, 14 or more failures have a probability of 4e-4. A coverage of 75 % is detected with a
-   * probability of 0.998. The quick form detects a coverage of 30 % with a probability of 0.998.
+   * Bounds from 4, 8 and 16 samples hold at the usual confidence. The scenes include a room lit
+   * mostly by rare bright paths, and one where glass encloses one of two lights. With 100 seeds and
+   * a true coverage of 95 %, 14 or more failures have a probability of 4e-4. A coverage of 75 % is
+   * detected with a probability of 0.998. The quick form detects a coverage of 30 % with a
+   * probability of 0.998.
    */
   @ParameterizedTest
   @ValueSource(

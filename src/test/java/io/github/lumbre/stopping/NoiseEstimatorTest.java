@@ -9,6 +9,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
+/** Tests the noise estimate and its confidence bound. */
 class NoiseEstimatorTest {
   private static NoiseEstimate estimate(double confidence, double... errors) {
     NoiseEstimator estimator = new NoiseEstimator();

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
+/** Tests the χ² test itself. */
 class ChiSquareTest {
   private static final int SAMPLES = 400_000;
 

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the significance tests and their power. */
 class StatisticsTest {
   private static final double UNIFORM_DEVIATION = Math.sqrt(1 / 12.0);
 

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the lookup, filtering and decoding of image textures. */
 class ImageTextureTest {
   private static final double EPS = Math.ulp(1.0);
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the mean, the continuity and the tiling of noise. */
 class NoiseTest {
   @ParameterizedTest
   @CsvSource({

@@ -16,6 +16,7 @@ import io.github.lumbre.texture.ImageTexture.Role;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the normals that a normal map perturbs. */
 class NormalMapTest {
   private static final double EPS = 0x1p-52;
   private static final TexturePoint POINT = new TexturePoint(.3, .6);

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the values and the tiling of procedural textures. */
 class ProceduralTexturesTest {
   private static final double SMALL = 1e-12;
 

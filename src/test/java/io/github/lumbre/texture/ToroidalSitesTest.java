@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Compares nearest sites with a brute-force search. */
 class ToroidalSitesTest {
   private static double around(double a, double b, double size) {
     double d = Math.abs(a - b);

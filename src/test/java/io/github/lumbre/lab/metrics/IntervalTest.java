@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
+/** Tests confidence intervals of medians. */
 class IntervalTest {
   /** The ranks are from tables of the sign test: 1 of 6 and 8, 2 of 9, 4 of 15, 6 of 20. */
   @Test

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
+/** Tests confidence intervals of ratios. */
 class RatioIntervalTest {
   private final SplittableRandom random = new SplittableRandom(4);
 

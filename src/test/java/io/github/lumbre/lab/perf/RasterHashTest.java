@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Image;
 import org.junit.jupiter.api.Test;
 
+/** Tests the hash of a picture. */
 class RasterHashTest {
   private static final float[] RGB = {.5f, 1, -0f, 3.25f, 1e-3f, 65504};
 

@@ -12,6 +12,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.xml.sax.InputSource;
 
+/** Tests the tables of a trade study for each scene. */
 class SceneTablesTest {
   private static final TradeWork WORK = new TradeWork(4, 2, 30, 1.5);
   private static final TradeRow.Bias NONE = new TradeRow.Bias(0, -1e-4, 1e-4);

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests the time to reach an error, measured or extrapolated. */
 class TimeToErrorTest {
   /** Three seeds whose squared error is a power of the samples. */
   private static List<TimeToError.Cost> rows(double exponent, int... ladder) {

@@ -11,6 +11,7 @@ import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests which settings a trade study recommends. */
 class TradeAdviceTest {
   private static final Image TRUTH = TestPictures.pattern(8, 8);
   private static final Bias NONE = new Bias(0, -1e-5, 2e-5);

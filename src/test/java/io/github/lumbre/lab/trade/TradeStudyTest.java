@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests the bias and gain estimates of a trade study. */
 class TradeStudyTest {
   private static final Image TRUTH = TestPictures.pattern(48, 32);
 
