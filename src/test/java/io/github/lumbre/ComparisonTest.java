@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The programs by which others are compared with Lumbre stand outside of the build. */
+/** Checks the comparison programs, which are not part of the build. */
 class ComparisonTest {
   @TempDir private Path classes;
 

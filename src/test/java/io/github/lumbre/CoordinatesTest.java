@@ -9,7 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** The README has the coordinates of the build. */
+/** The README shows the Maven coordinates of the build. */
 class CoordinatesTest {
   private static final Pattern COORDINATES =
       Pattern.compile(

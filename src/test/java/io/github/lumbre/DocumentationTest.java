@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The pages of the documentation: their links lead somewhere, and the index has them all. */
+/** All links in the documentation are valid, and the index lists every page. */
 class DocumentationTest {
   private static final Path DOCS = Path.of("docs");
   private static final Pattern LINK =
@@ -65,7 +65,7 @@ class DocumentationTest {
             .anyMatch(heading -> anchor(heading.group(1)).equals(parts[1]));
   }
 
-  /** Returns the anchor that forges give a heading. */
+  /** Returns the anchor that GitHub generates for a heading. */
   private static String anchor(String heading) {
     return heading.strip().toLowerCase(Locale.ROOT).replaceAll("[^\\w\\- ]", "").replace(' ', '-');
   }

@@ -24,7 +24,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Other programs can use the library with Gson beside it and nothing else. */
+/** Other programs can use the library with Gson as its only dependency. */
 class EmbeddingIT {
   private static final Path CONSUMER = Path.of("src", "test", "resources", "consumer");
 
@@ -73,7 +73,7 @@ class EmbeddingIT {
     }
   }
 
-  /** What a program gets with the library: of other groups, Gson without its annotations. */
+  /** The transitive dependencies of other groups are Gson alone, without its annotations. */
   @Test
   void dependenciesThatAreInheritedAreGsonAlone() throws IOException {
     String pom = Files.readString(Path.of("pom.xml"));
@@ -105,7 +105,7 @@ class EmbeddingIT {
     return library() + File.pathSeparator + gson;
   }
 
-  /** Returns the thin jar, whose name carries the version. */
+  /** Returns the thin jar, whose name contains the version. */
   private static Path library() throws IOException {
     try (Stream<Path> files = Files.list(Path.of("target").toAbsolutePath())) {
       return files

@@ -11,7 +11,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** The file of options that both launchers hand to the virtual machine. */
+/** Tests the JVM options file that both launchers use. */
 class JvmOptionsTest {
   private static final Path FILE = Path.of("src", "main", "jvm", "options");
   private static final Pattern HINT =

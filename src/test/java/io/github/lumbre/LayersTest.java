@@ -33,7 +33,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Packages lie in layers, arrows only go down, and the library is a well-behaved guest. */
+/**
+ * Packages form layers with downward dependencies only, and the library does not affect its host
+ * program.
+ */
 class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
   private static final String BASIC = "math image sampling texture geometry";
@@ -42,7 +45,7 @@ class LayersTest {
           + " file path material camera light scene integrator render parser checkpoint stopping"
           + " audit";
 
-  /** What each package may use, besides itself and Java. */
+  /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
       Map.ofEntries(
           Map.entry("math", ""),
@@ -81,7 +84,7 @@ class LayersTest {
                   + " lab lab.metrics lab.perf lab.report lab.gallery lab.checks lab.trade"
                   + " cli.output cli.run cli.option"));
 
-  /** Libraries beyond Java that a package may use. */
+  /** The third-party libraries that each package may use. */
   private static final Map<String, List<String>> LIBRARIES =
       Map.of(
           "geometry", List.of("jdk.incubator.vector.."),

@@ -23,9 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The Java of the README, compiled as it stands there, writes what {@code lumbre render} writes:
- * every byte of a PFM file, and of a PNG file every chunk except the texts, which say how the
- * command line made the picture.
+ * The Java example of the README compiles and writes the same files as {@code lumbre render},
+ * except for the text chunks of PNG files, which describe the command line.
  */
 class ReadmeExampleTest {
   private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
@@ -117,7 +116,7 @@ class ReadmeExampleTest {
     }
   }
 
-  /** The settings matter: without them the same scene has other bytes. */
+  /** Without the settings, the same scene gives different bytes. */
   @Test
   void settingsChangeTheBytes() throws Exception {
     Path plain = directory.resolve("plain.png");
@@ -127,7 +126,7 @@ class ReadmeExampleTest {
     assertThat(Files.readAllBytes(plain)).isNotEqualTo(Files.readAllBytes(bright));
   }
 
-  /** Returns a PNG file without its texts; any other file as it is. */
+  /** Returns a PNG file without its text chunks; other files unchanged. */
   private static byte[] withoutTexts(byte[] file) {
     if (file[0] == 'P') {
       return file;

@@ -22,13 +22,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A picture depends neither on the unit of length nor on where in the world the scene stands. */
+/** A picture does not depend on the unit of length or on the scene's position in world space. */
 class ScaleAndPlaceTest {
   private static final String TETRAHEDRON =
       "v 0 0 0\nv 1 0 0\nv 0 1 .1\nv .2 .1 1\nvn -1 -1 -1\nvn 1 0 0\nvn 0 1 0\nvn 0 0 1\n"
           + "f 1//1 3//3 2//2\nf 1//1 2//2 4//4\nf 1//1 4//4 3//3\nf 2//2 3//3 4//4\n";
 
-  /** Every shape and material, and lights without a place in the world. */
+  /** Every shape and material, and lights without a position. */
   private static final String THINGS =
       """
 {'type': 'Shape', 'shapeType': 'Plane', 'materialID': 10},
@@ -72,7 +72,7 @@ class ScaleAndPlaceTest {
 
   @TempDir Path folder;
 
-  /** Lights whose numbers have the unit of length in them, or not at all. */
+  /** Lights with and without parameters that depend on the unit of length. */
   private static String fewLights(double scale) {
     double squared = scale * scale;
     return lamp(0, "radiance", 9)
@@ -178,8 +178,8 @@ class ScaleAndPlaceTest {
   }
 
   /**
-   * Inside of things pixels agree to the distance's ulp beside their size, 1e-6 at 1e8, and to a
-   * float's own. Silhouettes move by a few ulp of the distance, a hundred thousandth of a pixel.
+   * Inside objects, pixels agree to the ulp of the distance relative to the object size (1e-6 at
+   * 1e8) and to float precision. Silhouettes move by a few ulp of the distance, 1e-5 pixels.
    */
   @ParameterizedTest
   @ValueSource(doubles = {1e3, 1e6, 1e8})

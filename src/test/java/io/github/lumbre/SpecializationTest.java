@@ -17,7 +17,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The renderer leaves out work that a scene does not require, and nobody can see that. */
+/** Renders with and without specializations are bit-identical. */
 class SpecializationTest {
   private static List<Path> scenes() throws IOException {
     try (Stream<Path> files = Files.list(Path.of("scenes"))) {

@@ -5,13 +5,13 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinTask;
 
 /**
- * Builds a binary hierarchy over boxes from the top down with the binned surface area heuristic
- * (Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies"). Mutable; each
+ * Builds a binary hierarchy over boxes from the top down with the binned surface area heuristic.
+ * Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies". Mutable; each
  * instance builds one tree.
  *
  * <p>Items are numbered. Items below {@code triangles} are triangles, the others are shapes; a leaf
- * holds items of one kind. Large ranges are built in parallel by the fork-join pool that calls
- * {@link #build}, or by the common pool. Each task owns a fixed range of the order, so the tree
+ * holds items of one kind. Large ranges are built in parallel by the fork-join pool in which {@link
+ * #build} is called, or by the common pool. Each task owns a fixed range of the order, so the tree
  * does not depend on the number of threads.
  *
  * <p>If the calling thread is interrupted, the build stops at the next large range.

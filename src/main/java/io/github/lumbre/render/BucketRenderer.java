@@ -24,7 +24,7 @@ public final class BucketRenderer {
   /**
    * Renders a scene without progress reports.
    *
-   * @throws InterruptedException if the calling thread is interrupted; all workers have ended then
+   * @throws InterruptedException if the calling thread is interrupted; all workers have then ended
    * @throws RenderException if a worker failed
    */
   public Image render(Scene scene) throws InterruptedException {

@@ -26,10 +26,10 @@ public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second
    *
    * <p>For halves of n1 and n2 samples with means m1 and m2, (m1 − m2)² n1 n2 / (n1 + n2)²
    * estimates the variance of the mean of all samples. It is unbiased for independent samples. For
-   * a scrambled net, it is too high by the factor (1 − ρ)/(1 + ρ) for any number of samples, where
-   * ρ is the correlation of the halves. Their covariance is negative, so their errors partly cancel
-   * (Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature"). With fixed batches, the factor
-   * would grow with the number of samples.
+   * a scrambled net, it is too high by the factor (1 − ρ)/(1 + ρ), where ρ is the correlation of
+   * the halves. This factor does not depend on the number of samples. Their covariance is negative,
+   * so their errors partly cancel (Owen 1997, "Monte Carlo Variance of Scrambled Net Quadrature").
+   * With fixed batches, the factor would grow with the number of samples.
    *
    * <p>The relative error divides by m1 m2, which estimates the squared true value. The squared
    * mean would hide the error of bright spots, because it contains their own brightness.

@@ -6,8 +6,8 @@ import java.util.List;
 
 /**
  * Turbulence: a sum of value noise in several octaves. Each octave has half the scale and half the
- * weight of the one before (Perlin 1985, "An Image Synthesizer", with the value lattice of
- * Vandevenne's "Texture Generation using Random Noise"). Immutable.
+ * weight of the one before. Sources: Perlin 1985, "An Image Synthesizer"; the value lattice is that
+ * of Vandevenne's "Texture Generation using Random Noise". Immutable.
  *
  * <p>It is defined on the texels of a width × height texture, and tiles. Each octave has its own
  * lattice with a whole number of cells, stretched slightly where the scale does not divide the

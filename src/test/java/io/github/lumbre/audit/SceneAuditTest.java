@@ -17,7 +17,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Each kind of finding, in a scene that has it and in one that has not. */
+/** Tests each kind of finding with one scene that has it and one that does not. */
 class SceneAuditTest {
   private static final String CAMERA =
       "{\"id\": 1, \"type\": \"Camera\", \"localPosition\": {\"x\": 0, \"y\": 1, \"z\": -4}}";
@@ -267,7 +267,7 @@ class SceneAuditTest {
         "{\"type\": \"Shape\", \"shapeType\": \"Sphere\", \"materialID\": 1, \"radius\": 12}";
     String white = material("Diffuse", "\"color\": {\"r\": 0.8, \"g\": 0.8, \"b\": 0.8}");
     List<Finding> shallow = audit("\"maxTraceDepth\": 1", white, LAMP, room);
-    // Each bounce keeps .8, so that direct light is a fifth of all.
+    // Each bounce keeps 0.8 of the light, so direct light is a fifth of the total.
     assertFinds(shallow, "depth", Severity.WARNING, "$.renderOptions.maxTraceDepth", "about ");
     assertThat(shallow)
         .anyMatch(f -> f.law().equals("depth") && f.found().matches("about (7|8).*"));

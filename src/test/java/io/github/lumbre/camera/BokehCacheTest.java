@@ -12,11 +12,12 @@ import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.ScriptedSampler;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sampling of lens points from a mask. */
 class BokehCacheTest {
   private static final double LAST = 1 - 0x1p-53;
   private static final int SAMPLES = Effort.count(300_000, 3_000_000);
 
-  /** An asymmetric form, like a heart with one lobe higher; row 0 is the bottom. */
+  /** Returns an asymmetric mask: a heart with one higher lobe; row 0 is the bottom. */
   private static boolean[][] heart(int size) {
     boolean[][] white = new boolean[size][size];
     for (int row = 0; row < size; row++) {
@@ -34,7 +35,7 @@ class BokehCacheTest {
     return new ScriptedSampler().with(Sampler.LENS, u, v).with(Sampler.MASK, .5, .5, .5);
   }
 
-  /** Samples over pixels, and of one pixel in sequence, in a grid of the mask's own texels. */
+  /** Returns sample counts per mask texel, over many pixels and over the samples of one pixel. */
   private static long[] histogram(BokehCache cache, int size, int n) {
     long[] counts = new long[size * size];
     SobolSampler sampler = new SobolSampler(Effort.seed(4));

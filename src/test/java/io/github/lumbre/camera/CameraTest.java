@@ -20,7 +20,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What holds for every camera. */
+/** Tests properties of all cameras. */
 class CameraTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
@@ -105,7 +105,7 @@ class CameraTest {
     }
   }
 
-  /** A ray that is aimed again keeps nothing of the film point before. */
+  /** A reused ray keeps nothing of the previous film point. */
   @Test
   void raysAimedAgainAreThoseOfNewOnes() {
     Vec3 position = new Vec3(1, 2, 3);
@@ -176,7 +176,7 @@ class CameraTest {
 
   @Test
   void resolutionDoesNotMatter() {
-    // Pixel 17 of 64 at .25 is pixel 34 of 128 at .5.
+    // Position 0.25 in pixel 17 of 64 is position 0.5 in pixel 34 of 128.
     for (Camera camera : camerasWithoutLens(Vec3.ZERO, Frame.WORLD, 1)) {
       Vec3 coarse = ray(camera, (17 + .25) / 64, (30 + .75) / 64).direction();
       Vec3 fine = ray(camera, (34 + .5) / 128, (61 + .5) / 128).direction();
@@ -205,7 +205,7 @@ class CameraTest {
     }
   }
 
-  /** Where the filter of a pixel reaches beyond the film. */
+  /** Panoramas continue where a pixel filter extends beyond the film. */
   @Test
   void panoramasContinueBeyondTheirSides() {
     Camera spherical = new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2);
@@ -219,7 +219,7 @@ class CameraTest {
                 ray(camera, 1 + t, .3).direction().minus(ray(camera, t, .3).direction()).length())
             .isLessThan(8 * EPS);
       }
-      // Over a pole the other side of the sphere follows.
+      // Across a pole, the film continues on the other side of the sphere.
       assertThat(
               ray(spherical, .2, -t).direction().minus(ray(spherical, .7, t).direction()).length())
           .isLessThan(8 * EPS);
@@ -247,7 +247,7 @@ class CameraTest {
     }
   }
 
-  /** Sums up the solid angles of the film's cells, by the corners of their diagonals. */
+  /** The solid angles of the film's cells, computed from opposite corners, sum to 4π. */
   @Test
   void sphericalFilmCoversTheSphere() {
     Camera camera = new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2);
@@ -262,7 +262,10 @@ class CameraTest {
     assertThat(solidAngle).isCloseTo(4 * Math.PI, within(4 * Math.PI * 1e-4));
   }
 
-  /** The midpoint rule over the cosine of latitude has a closed form, near 4π but not 4π. */
+  /**
+   * The midpoint rule over the cosine of latitude has a closed form, close to 4π but not equal to
+   * it.
+   */
   @Test
   void sphericalRowsHaveTheWeightOfTheirLatitude() {
     Camera camera = new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2);
@@ -332,12 +335,12 @@ class CameraTest {
   @Test
   void pinholeRaysAreTheKnownOnes() {
     Camera camera = new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90);
-    // The middle of the upper left of four pixels.
+    // The center of the upper left of four pixels.
     Vec3 d = ray(camera, .25, .25).direction();
     assertThat(d.x()).isCloseTo(-.4082482904638631, within(4 * EPS));
     assertThat(d.y()).isCloseTo(.4082482904638631, within(4 * EPS));
     assertThat(d.z()).isCloseTo(.8164965809277261, within(4 * EPS));
-    // The angle of view is the vertical one; the horizontal follows the proportions.
+    // The field of view is vertical; the horizontal one follows from the aspect ratio.
     Camera wide = new PinholeCamera(Vec3.ZERO, Frame.WORLD, 2, 60);
     Vec3 top = ray(wide, .5, 0).direction();
     assertThat(top.y() / top.z()).isCloseTo(Math.sqrt(1 / 3.0), within(4 * EPS));

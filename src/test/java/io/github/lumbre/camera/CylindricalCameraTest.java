@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the field of view of cylindrical panoramas. */
 class CylindricalCameraTest {
   private static Vec3 direction(Camera camera, double u, double v) {
     return camera.rayFor(new Point2(u, v), new ScriptedSampler()).orElseThrow().direction();
@@ -20,7 +21,7 @@ class CylindricalCameraTest {
     return new CylindricalCamera(Vec3.ZERO, Frame.WORLD, 2, height);
   }
 
-  /** The band of elevations up to atan h covers h/√(1+h²) of the sphere. */
+  /** The elevations up to atan h cover the fraction h/√(1+h²) of the sphere. */
   @ParameterizedTest
   @ValueSource(doubles = {.5, 2, 10, 1000})
   void heightSaysHowMuchOfTheSphereIsSeen(double height) {

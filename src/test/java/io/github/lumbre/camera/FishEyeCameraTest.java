@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the equidistant projection and its image circle. */
 class FishEyeCameraTest {
   private static final double EPS = 0x1p-52;
   private static final Sampler NO_NUMBERS = new ScriptedSampler();
@@ -32,7 +33,7 @@ class FishEyeCameraTest {
     for (double angle : new double[] {1e-9, 180, 360}) {
       assertThat(direction(camera(1, angle), .5, .5)).contains(Vec3.Z);
       Vec3 near = direction(camera(1, angle), .5 + EPS, .5).orElseThrow();
-      // At 2 eps from the centre of a circle of radius 1: half the angle times that.
+      // At distance 2 eps from the center of a circle of radius 1: half the angle times 2 eps.
       assertThat(near.x()).isCloseTo(Math.toRadians(angle) * EPS, within(1e-30));
     }
   }
@@ -102,7 +103,7 @@ class FishEyeCameraTest {
     assertThat(solidAngle).isCloseTo(2 * Math.PI, within(2 * Math.PI * 1e-3));
   }
 
-  /** Returns the solid angle of a cell from differences over half its width, towards the centre. */
+  /** Returns the solid angle of a cell from differences over half its width, towards the center. */
   private static double cell(Camera camera, double u, double v, double quarter) {
     double h = u < .5 ? quarter : -quarter;
     double k = v < .5 ? quarter : -quarter;
@@ -116,7 +117,8 @@ class FishEyeCameraTest {
   void blankShareOfASquareIsOneLessQuarterPi() {
     SplittableRandom random = new SplittableRandom(22);
     FishEyeCamera camera = camera(1, 180);
-    // The deviation of a coin of .785 is .41: a bias of .003 is found.
+    // A Bernoulli variable with mean 0.785 has the standard deviation 0.41: the test detects a bias
+    // of 0.003.
     Moments imaged =
         Statistics.moments(
             Statistics.samplesToDetect(.003, .411),

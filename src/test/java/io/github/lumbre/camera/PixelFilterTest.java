@@ -10,10 +10,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Compares samples of pixel filters with the filters' densities. */
 class PixelFilterTest {
   private static final int POINTS = 1 << 16;
 
-  /** The densities by their definitions; x from the center in pixels, not normalized. */
+  /** The unnormalized densities by definition; x is the offset from the center in pixels. */
   private static final Map<PixelFilter, DoubleUnaryOperator> DENSITIES =
       new EnumMap<>(
           Map.of(
@@ -30,7 +31,10 @@ class PixelFilterTest {
         - .01168 * Math.cos(3 * phase);
   }
 
-  /** Returns the integral of x^power times a filter's density over x from the center. */
+  /**
+   * Returns the integral of x^power times a filter's density, where x is the offset from the
+   * center.
+   */
   private static double moment(PixelFilter filter, int power, double upTo) {
     double width = (upTo + filter.radius()) / POINTS;
     double sum = 0;

@@ -16,6 +16,7 @@ import io.github.lumbre.testing.Statistics;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests focus, blur and lens sampling of the thin lens camera. */
 class ThinLensCameraTest {
   private static final double EPS = 0x1p-52;
   private static final double FOV = 60;
@@ -44,13 +45,13 @@ class ThinLensCameraTest {
     return camera.rayFor(film, new ScriptedSampler()).orElseThrow().direction();
   }
 
-  /** Returns where the ray of the lens's centre meets the plane at a depth. */
+  /** Returns the point where the ray through the lens center hits the plane at a depth. */
   private static Vec3 chief(Point2 film, double depth) {
     Vec3 d = PinholeCamera.direction(film.x(), film.y(), 1.5, PinholeCamera.halfHeight(FOV));
     return d.times(depth);
   }
 
-  /** Returns the distance of a point from the line that a ray lies on. */
+  /** Returns the distance of a point from the line of a ray. */
   private static double distance(Ray ray, Vec3 p) {
     return p.minus(ray.origin()).cross(ray.direction()).length();
   }
@@ -116,7 +117,7 @@ class ThinLensCameraTest {
       ThinLensCamera camera = camera(focus, aperture);
       Point2 film = new Point2(.3, .8);
       Vec3 centre = chief(film, depth);
-      // r²/R² is uniform, its deviation .289: a bias of .005 is found, or of .002.
+      // r²/R² is uniform with standard deviation 0.289: the test detects a bias of 0.005, or 0.002.
       Moments moments = new Moments();
       int n = Statistics.samplesToDetect(Effort.isExhaustive() ? .002 : .005, .289);
       for (int i = 0; i < n; i++) {
@@ -149,7 +150,7 @@ class ThinLensCameraTest {
   void farthestFocusThatIsFiniteIsAtItsDistance() {
     Point2 centre = new Point2(.5, .5);
     Ray ray = ray(camera(1e12, 1e12), centre, new Point2(1, .5));
-    // From a lens as wide as the focus is far, rays to the middle come at 45°.
+    // If the lens radius equals the focus distance, rays from its border to the focus come at 45°.
     assertThat(ray.direction().x()).isCloseTo(-Math.sqrt(.5), within(4 * EPS));
     assertThat(ray.direction().z()).isCloseTo(Math.sqrt(.5), within(4 * EPS));
   }
@@ -170,7 +171,7 @@ class ThinLensCameraTest {
 
   @Test
   void pixelsAreAntialiasedWithALensToo() {
-    // For one point of the lens, neighbouring film points see different points in focus.
+    // For one point of the lens, neighboring film points see different points in focus.
     Point2 lens = new Point2(.2, .9);
     Ray one = ray(camera(5, .2), new Point2(.5, .5), lens);
     Ray other = ray(camera(5, .2), new Point2(.501, .5), lens);
@@ -180,7 +181,7 @@ class ThinLensCameraTest {
     assertThat(step.minus(expected).length()).isLessThan(1e-14);
   }
 
-  /** A highlight behind the plane of focus paints the lens on the film as it is, upright. */
+  /** A highlight behind the plane of focus forms an upright image of the lens on the film. */
   @Test
   void highlightBehindTheFocusShowsTheLensUprightAndOneBeforeItTurned() {
     BokehCache upperRight = new BokehCache(new boolean[][] {{false, false}, {false, true}});
@@ -189,7 +190,7 @@ class ThinLensCameraTest {
     Vec3 lens = camera.rayFor(new Point2(.5, .5), sampler).orElseThrow().origin();
     assertThat(lens).isEqualTo(new Vec3(.25, .25, 0));
     for (double depth : new double[] {20, 2}) {
-      // Which point of the film sees (0, 0, depth) through that point of the lens?
+      // Find the film point that sees (0, 0, depth) through this point of the lens.
       Vec3 towards = new Vec3(0, 0, depth).minus(lens);
       Vec3 inFocus = lens.plus(5 / depth, towards);
       Vec3 corner = chief(new Point2(1, 0), 5);

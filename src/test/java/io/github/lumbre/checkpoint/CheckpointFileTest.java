@@ -18,8 +18,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests how checkpoint files are saved, replaced and loaded after failures and kills. */
 class CheckpointFileTest {
-  /** Of the steps that a save takes, about a hundred. */
+  /** The chunk size in bytes; a save then takes about 100 steps. */
   private static final int CHUNK_BYTES = 24;
 
   @TempDir private Path directory;
@@ -58,7 +59,7 @@ class CheckpointFileTest {
     }
   }
 
-  /** The last film has just lost its hidden name, and the next one has none yet. */
+  /** The last film has just lost its hidden name, and the next film does not have it yet. */
   @Test
   void isReservedWhileFilmsAreGivenTheirNames() throws IOException {
     AtomicInteger refused = new AtomicInteger();
@@ -82,8 +83,8 @@ class CheckpointFileTest {
   }
 
   /**
-   * The program is killed at each step of the second and the third save in turn: the film before or
-   * the new one is read, and the next run can save.
+   * The program is killed at each step of the second and third save: the previous or the new film
+   * is readable, and the next run can save.
    */
   @Test
   void killedSaveLeavesOneFilmOrTheOther() throws IOException {
@@ -117,7 +118,7 @@ class CheckpointFileTest {
     return saved;
   }
 
-  /** The disk is full for one step: what was saved before is there, and the next save succeeds. */
+  /** The disk is full for one step: the previous film is kept, and the next save succeeds. */
   @Test
   void failedSaveKeepsTheFilmBefore() throws IOException {
     boolean failed = true;
@@ -186,7 +187,9 @@ class CheckpointFileTest {
     save(2);
   }
 
-  /** What holds the hidden name is gone in the end: the place is free for the next render. */
+  /**
+   * The file with the hidden name is deleted at the end, so the name is free for the next render.
+   */
   @Test
   void placeThatCannotBeOpenedIsNotKept() throws IOException {
     Path hidden = directory.resolve(".a.film.tmp");

@@ -20,13 +20,13 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What checkpoints of a large picture take from rendering. */
+/** Measures the overhead of checkpoints for a large picture. */
 @Tag(Effort.EXHAUSTIVE)
 class CheckpointOverheadTest {
   private static final Crop FRAME = new Crop(0, 0, 1920, 1080);
   private static final int SAVES = 11;
 
-  /** Of the minute between two checkpoints. */
+  /** The maximum overhead: 1 % of the 60 s between two checkpoints. */
   private static final double MOST_SECONDS = .01 * 60;
 
   private final List<Double> pauses = new ArrayList<>();
@@ -35,7 +35,7 @@ class CheckpointOverheadTest {
 
   @TempDir private Path directory;
 
-  /** Returns a film whose pixels have a hundred samples. */
+  /** Returns a film whose pixels have 100 samples. */
   private static Film film() {
     Random random = new Random(4);
     Film film = new Film(FRAME, false, 0);

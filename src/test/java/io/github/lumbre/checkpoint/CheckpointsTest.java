@@ -14,13 +14,14 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+/** Tests when checkpoints are saved while a render continues. */
 @Timeout(60)
 class CheckpointsTest {
   private final List<byte[]> saved = Collections.synchronizedList(new ArrayList<>());
   private final List<Thread> savers = Collections.synchronizedList(new ArrayList<>());
   private final AtomicInteger atOnce = new AtomicInteger();
 
-  /** How many saves may end. */
+  /** The number of saves that may end. */
   private final Semaphore disk = new Semaphore(0);
 
   private static Film film(int samples) {
@@ -103,7 +104,9 @@ class CheckpointsTest {
     assertThat(savers).containsExactly(Thread.currentThread());
   }
 
-  /** What the saver throws is a fault of the program: it ends the render, after a last attempt. */
+  /**
+   * An exception of the saver is a program error: it ends the render, after a last attempt to save.
+   */
   @Test
   void faultsOfTheThreadThatSavesAreTold() {
     List<Integer> samples = new ArrayList<>();
@@ -120,7 +123,7 @@ class CheckpointsTest {
     assertThat(samples).containsExactly(2);
   }
 
-  /** Whatever the machine does meanwhile, no two saves begin sooner than an interval apart. */
+  /** On a machine with any load, saves begin at least an interval apart. */
   @Test
   void savesAreAnIntervalApart() throws InterruptedException {
     Duration interval = Duration.ofMillis(200);
@@ -153,7 +156,7 @@ class CheckpointsTest {
     assertThat(saved).hasSize(2);
   }
 
-  /** The first save is done before the second film is copied over the first. */
+  /** The first save ends before the second film overwrites the first one's copy. */
   @Test
   void eachSaveHasTheFilmAsItWas() throws InterruptedException {
     Checkpoints checkpoints = always(true);
@@ -189,7 +192,7 @@ class CheckpointsTest {
     }
   }
 
-  /** The save interrupts the render's thread while it waits, and ends when it waits again. */
+  /** The save interrupts the render thread while that waits, and ends when it waits again. */
   @Test
   void interruptionsAreKeptUntilTheSaveHasEnded() {
     Thread render = Thread.currentThread();

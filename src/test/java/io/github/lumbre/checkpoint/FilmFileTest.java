@@ -24,6 +24,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests the format of film files and the detection of damage. */
 class FilmFileTest {
   @TempDir private Path directory;
   private Path path;
@@ -63,7 +64,7 @@ class FilmFileTest {
     return header.withParts(header.window(), header.parts(), RenderStatistics.ZERO);
   }
 
-  /** As those of versions that knew of no revision. */
+  /** Films of older versions have no revision, for example. */
   @Test
   void valuesThatOneOfTwoFilmsDoesNotHaveAreDifferences() {
     Map<String, String> older = new LinkedHashMap<>(FilmFixture.IDENTITY);
@@ -90,7 +91,10 @@ class FilmFileTest {
     assertThat(read.film().firstSample()).isEqualTo(7);
   }
 
-  /** Every bit of the header and 1000 random ones of the rest, and every kind of cut. */
+  /**
+   * Changes each bit of the header and 1000 random bits of the rest, and truncates the file in all
+   * ways.
+   */
   @Test
   void damageIsDetected() throws IOException {
     byte[] whole = Files.readAllBytes(path);
@@ -122,7 +126,7 @@ class FilmFileTest {
     assertRefusedFor("is not a film", ascii("hello, this is no film"));
   }
 
-  /** Writes content with the checksum that it has. */
+  /** Writes content with a valid checksum. */
   private void writeSealed(byte[] content) throws IOException {
     CRC32C checksum = new CRC32C();
     checksum.update(content);
@@ -183,7 +187,10 @@ class FilmFileTest {
     assertThat(read.film().firstSample()).isEqualTo(3);
   }
 
-  /** Notes of growing length move the pixels across every place of the first buffers' ends. */
+  /**
+   * Notes of increasing length move the pixels across all positions relative to the first buffer
+   * ends.
+   */
   @Test
   void anyLengthIsReadAsItWasWritten() throws IOException {
     byte[] pixels = FilmFixture.pixels(film.film());
@@ -210,7 +217,7 @@ class FilmFileTest {
     }
   }
 
-  /** Lengths of a note for which the end of the file or of its header is near a place. */
+  /** Returns note lengths for which the end of the file or of its header is near a position. */
   private static int[] lengthsAround(int place, int base, int pixels) {
     return IntStream.rangeClosed(-12, 4)
         .flatMap(offset -> IntStream.of(place - base + offset, place - base + offset + pixels))

@@ -15,7 +15,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/** Films with random samples, which are a function of pixel and number. */
+/**
+ * Creates films with pseudorandom samples, which are a function of the pixel and the sample number.
+ */
 final class FilmFixture {
   static final Crop FRAME = new Crop(0, 0, 12, 7);
 
@@ -27,7 +29,7 @@ final class FilmFixture {
 
   private FilmFixture() {}
 
-  /** Returns how many samples a pixel is to have. */
+  /** The number of samples of each pixel. */
   interface Counts {
     int of(int x, int y);
   }
@@ -46,7 +48,7 @@ final class FilmFixture {
     return FilmFile.of(IDENTITY, film, NOTES, faults);
   }
 
-  /** Returns what is wrong with a sample: some count as black, some are cut. */
+  /** Returns the faults of a sample: some are rejected, some saturated. */
   private static RenderStatistics faults(int x, int y, int sample) {
     int kind = (7 * x + 5 * y + 3 * sample) % 11;
     return kind == 0
@@ -67,7 +69,7 @@ final class FilmFixture {
     film.addAll(one);
   }
 
-  /** Returns all that pixels hold, for comparison. */
+  /** Returns the encoded contents of all pixels, for comparison. */
   static byte[] pixels(Film film) {
     int pixels = film.window().width() * film.window().height();
     ByteBuffer bytes = ByteBuffer.allocate(pixels * Film.MAX_PIXEL_BYTES);
@@ -91,7 +93,7 @@ final class FilmFixture {
 
   /** A disk that fails at one of its steps. */
   static final class FailingDisk implements Disk {
-    /** What a killed program does: nothing more. */
+    /** Simulates the kill of the program. */
     static final class Killed extends Error {
       private static final long serialVersionUID = 1;
     }
@@ -101,9 +103,9 @@ final class FilmFixture {
     private int left;
 
     /**
-     * @param steps that succeed
-     * @param kills whether the program ends at the failing step, or is told of an error
-     * @param chunk the most bytes that a step writes
+     * @param steps the number of steps that succeed
+     * @param kills whether the failing step kills the program, or throws an exception
+     * @param chunk the maximum number of bytes that a step writes
      */
     FailingDisk(int steps, boolean kills, int chunk) {
       left = steps;
@@ -111,7 +113,7 @@ final class FilmFixture {
       this.chunk = chunk;
     }
 
-    /** Returns a disk that never fails, and does not wait for its platters. */
+    /** Returns a disk that never fails and does not sync. */
     static FailingDisk never() {
       return new FailingDisk(Integer.MAX_VALUE, false, Integer.MAX_VALUE);
     }
@@ -135,7 +137,7 @@ final class FilmFixture {
       int size = Math.min(chunk, buffer.remaining());
       ByteBuffer part = buffer.slice().limit(size);
       if (left == 0) {
-        // The failing step writes half of what it was to write.
+        // The failing step writes half of its bytes.
         channel.write(part.limit(size / 2));
       }
       step();

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
+/** Tests which settings belong to the identity of a film. */
 class FilmHeaderTest {
   private static RenderSettings settings(UnaryOperator<RenderSettings.Builder> change) {
     return change.apply(new RenderSettings.Builder().size(12, 7)).build();
@@ -29,7 +30,7 @@ class FilmHeaderTest {
         Map.of());
   }
 
-  /** Every setting that samples depend on makes a different identity; the others make none. */
+  /** Settings that change samples change the film's identity; other settings do not. */
   @Test
   void settingsThatSamplesDependOnAreTheIdentity() {
     Map<String, String> usual = FilmHeader.identity("ab", settings(s -> s));
@@ -59,7 +60,7 @@ class FilmHeaderTest {
     assertThat(ray).containsEntry(FilmHeader.MODE, "ray").containsEntry(FilmHeader.DEPTH, "3,4");
   }
 
-  /** As those of versions that could not split paths. */
+  /** Films of versions without path splitting do not state it. */
   @Test
   void filmsThatDoNotStateASplitHaveOne() {
     Map<String, String> one = FilmHeader.identity("ab", settings(s -> s.split(1)));

@@ -12,12 +12,13 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests that merged films are bit-identical to a film of all samples. */
 class FilmMergeTest {
   private static FilmMerge.Named named(String name, Crop window, int first, int count) {
     return new FilmMerge.Named(name, FilmFixture.file(window, first, (x, y) -> count));
   }
 
-  /** Cuts a film at random in space and numbers, shuffles the pieces and joins them. */
+  /** Cuts a film randomly by pixels and sample numbers, shuffles the pieces and merges them. */
   @Test
   void anyPartitionGivesTheSameBits() throws FilmMismatchException {
     int samples = 9;

@@ -11,8 +11,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
+/** Tests the overlap and the union of parts of a film. */
 class FilmPartTest {
-  /** A sample: pixel of the full frame, number. */
+  /** A sample, identified by its pixel in the full frame and its number. */
   private record Sample(int x, int y, int number) {}
 
   /** All windows in a frame of 3x3 pixels. */
@@ -70,7 +71,7 @@ class FilmPartTest {
     }
   }
 
-  /** Of disjoint parts, all samples of the joined one and no others are of one of the two. */
+  /** The union of two disjoint parts has exactly the samples of both. */
   @Test
   void joinedPartsHaveTheSamplesOfBoth() {
     int joins = 0;
@@ -94,7 +95,7 @@ class FilmPartTest {
     assertThat(joins).isPositive();
   }
 
-  /** A window is cut at each column and row: the right or lower half joins the other. */
+  /** A window is cut at each column and row; the right or lower half joins the other one. */
   @Test
   void neighboringWindowsJoinIfTheyFillARectangle() {
     for (Crop whole : windows()) {
@@ -144,7 +145,7 @@ class FilmPartTest {
     assertThat(new FilmPart(left, 5, 3, 4).joined(new FilmPart(right, 6, 3, 4))).isEmpty();
   }
 
-  /** A pixel with fewer samples than another would have a gap in their numbers. */
+  /** If pixels had different sample counts, the joined sample numbers would have gaps. */
   @Test
   void samplesThatFollowJoinIfAllPixelsAreAsFar() {
     Crop window = new Crop(0, 0, 2, 2);

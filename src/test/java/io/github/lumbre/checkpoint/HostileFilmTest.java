@@ -20,7 +20,7 @@ import java.util.zip.CRC32C;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Films that somebody made, with checksums that are right. */
+/** Tests manipulated films with valid checksums. */
 class HostileFilmTest {
   private static final int CHECKSUM_BYTES = 4;
   private static final Pattern WORD = Pattern.compile("[^\\s=,]+");
@@ -51,7 +51,7 @@ class HostileFilmTest {
       }
       Files.delete(file);
     }
-    // If all were refused, or none, the test would be of no use.
+    // If all or no films were rejected, the test would be useless.
     assertThat(read).isBetween(count / 50, count * 49 / 50);
   }
 

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests {@code lumbre audit}. */
 class AuditCommandTest {
   @TempDir private Path directory;
 

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the benchmark command, its table and its stored hashes. */
 class BenchmarkCommandTest {
   @TempDir private Path directory;
 

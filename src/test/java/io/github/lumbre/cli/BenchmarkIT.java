@@ -12,7 +12,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The benchmark's own launcher, in a copy of the project that is built already. */
+/** Tests the benchmark's launcher in a copy of the built project. */
 @DisabledOnOs(OS.WINDOWS)
 class BenchmarkIT {
   @TempDir private Path directory;

@@ -29,8 +29,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 
 /**
- * A Chromium without a window, driven by its DevTools protocol. It shows one page at a time, and
- * remembers what the page has complained of and asked the network for.
+ * A headless Chromium, controlled by its DevTools protocol. It shows one page at a time, and
+ * records the page's console messages and network requests.
  */
 final class Browser implements AutoCloseable {
   private static final List<String> NAMES =
@@ -53,8 +53,8 @@ final class Browser implements AutoCloseable {
   }
 
   /**
-   * Starts the browser that the system property {@code browser} names, the environment variable
-   * LUMBRE_BROWSER, or the search path has.
+   * Starts the browser from the system property {@code browser}, the environment variable
+   * LUMBRE_BROWSER, or the search path.
    *
    * @throws AssertionError if there is none
    */
@@ -78,7 +78,7 @@ final class Browser implements AutoCloseable {
                 "--user-data-dir=" + profile,
                 "about:blank"));
     if ("root".equals(System.getProperty("user.name"))) {
-      // Its sandbox refuses to work for the superuser.
+      // The browser's sandbox does not work for the superuser.
       command.add(1, "--no-sandbox");
     }
     Process process =
@@ -116,7 +116,7 @@ final class Browser implements AutoCloseable {
         .findFirst();
   }
 
-  /** Returns the port that the browser listens at, which it writes into its profile. */
+  /** Returns the port on which the browser listens; the browser writes it to its profile. */
   private static int port(Process process, Path profile) throws IOException, InterruptedException {
     Path file = profile.resolve("DevToolsActivePort");
     long end = System.nanoTime() + PATIENCE.toNanos();
@@ -184,7 +184,7 @@ final class Browser implements AutoCloseable {
     return message.getAsJsonObject("result");
   }
 
-  /** Opens a page in a viewport, and forgets what the last one did. */
+  /** Opens a page in a viewport, and discards the records of the last page. */
   void open(URI address, int width, int height, boolean isDark) throws InterruptedException {
     for (String domain : List.of("Page", "Runtime", "Log", "Network")) {
       send(domain + ".enable", Map.of());
@@ -219,7 +219,7 @@ final class Browser implements AutoCloseable {
         .toList();
   }
 
-  /** Returns all that went to the console, and exceptions. */
+  /** Returns all console messages and exceptions. */
   List<String> complaints() {
     return Stream.of("Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded")
         .flatMap(method -> named(method).stream())
@@ -227,7 +227,7 @@ final class Browser implements AutoCloseable {
         .toList();
   }
 
-  /** Returns the addresses that the page asked for, those inside of itself left out. */
+  /** Returns the addresses that the page requested, without those inside the page. */
   List<String> requests() {
     return named("Network.requestWillBeSent").stream()
         .map(event -> event.getAsJsonObject("request").get("url").getAsString())
@@ -235,7 +235,7 @@ final class Browser implements AutoCloseable {
         .toList();
   }
 
-  /** Returns the text that an expression of JavaScript comes to in the page. */
+  /** Returns the value of a JavaScript expression in the page, as text. */
   String evaluate(String expression) {
     JsonObject result =
         send("Runtime.evaluate", Map.of("expression", expression, "returnByValue", true));

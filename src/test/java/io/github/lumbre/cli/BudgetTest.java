@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Renders that a time or an error ends. */
+/** Tests renders that end at a time limit or a target error. */
 class BudgetTest {
   @TempDir private Path directory;
 
@@ -110,7 +110,7 @@ class BudgetTest {
     assertThat(share).isBetween(.01, .99);
     assertThat(outcome.err()).contains("energy lost to clamping: ", " samples above 0.3");
 
-    // What is missing in the picture is what the clamp took.
+    // The light that the picture lacks is the light that the clamp removed.
     double all = light("plain.pfm");
     assertThat(light("clamped.pfm")).isCloseTo(all * (1 - share), within(1e-4 * all));
     render("a.png", "--clamp", "0").assertFailed(ExitCodes.USAGE, "--clamp: expected more than 0");
@@ -219,7 +219,7 @@ class BudgetTest {
     assertThat(json(again).getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(4096);
   }
 
-  /** The time of 1 ms is over before the first sample; the first pass is completed all the same. */
+  /** The time limit of 1 ms ends before the first sample, but the first pass is still completed. */
   @Test
   void everyPixelHasASampleHoweverShortTheTime() {
     Outcome outcome = render("a.png", "--size", "300x200", "--time", "0.001s", "--json");
@@ -244,7 +244,7 @@ class BudgetTest {
     assertThat(json(more).getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(64);
   }
 
-  /** In 64x64 pixels, 4 samples are enough for a check of 20 %. */
+  /** With 64x64 pixels, 4 samples are enough to check an error of 20 %. */
   @Test
   void coarseErrorsEndBefore32Samples() {
     Outcome outcome = render("a.pfm", "--size", "64x64", "--target-error", "20%", "--json");

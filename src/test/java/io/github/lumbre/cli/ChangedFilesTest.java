@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code lumbre resume} after somebody has changed the scene or its files. */
+/** Tests {@code lumbre resume} after the scene or its files have changed. */
 class ChangedFilesTest {
   private static final String ADVICE =
       " changed since the checkpoint file was created; to resume, restore the files, or name an"

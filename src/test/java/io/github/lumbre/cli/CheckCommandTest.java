@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests {@code lumbre check}. */
 class CheckCommandTest {
   @TempDir private Path directory;
 

@@ -20,7 +20,7 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
 /**
- * {@code docs/cli.md} is what the commands declare. To write it anew: {@code ./mvnw test
+ * {@code docs/cli.md} matches the declared commands. To regenerate it: {@code ./mvnw test
  * -Dtest=CliPageTest -Dlumbre.write=true}.
  */
 class CliPageTest {
@@ -122,7 +122,7 @@ All commands use the same codes. Each command below lists its own meanings.
     return plain(arg.description()).replace("|", "\\|");
   }
 
-  /** Returns the lines of a description as one, as picocli prints them. */
+  /** Returns the lines of a description as one line, as picocli prints them. */
   private static String plain(String[] lines) {
     return List.of(lines).stream().collect(Collectors.joining(" ")).replace("%n", " ").replace("%%", "%").strip();
   }

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests {@code lumbre compare}. */
 class CompareCommandTest {
   @TempDir private Path directory;
   private String half;

@@ -36,8 +36,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Memory during a long render: a hundred passes in every build, half an hour under {@code
- * -Pendurance}, or as many minutes as {@code -Dlumbre.endurance.minutes} says.
+ * Measures memory during a long render: 100 passes in a normal build, 30 min with {@code
+ * -Pendurance}, or the minutes in {@code -Dlumbre.endurance.minutes}.
  */
 class EnduranceTest {
   private static final Path SCENE = Path.of("scenes", "glass-and-mirror.json");
@@ -46,15 +46,15 @@ class EnduranceTest {
   private static final int PASSES_PER_LOOK = 25;
   private static final long MEBIBYTE = 1 << 20;
 
-  /** What of the heap may be in use at one moment and not at another. */
+  /** The maximum growth of the used heap, in bytes. */
   private static final long MOST_HEAP_GROWTH = MEBIBYTE;
 
-  /** What the virtual machine itself may still take: for compiled code above all. */
+  /** The maximum growth of the JVM's own memory, in bytes, mainly for compiled code. */
   private static final long MOST_RESIDENT_GROWTH = 16 * MEBIBYTE;
 
   @TempDir private Path directory;
 
-  /** What was in use at one moment. */
+  /** The memory in use at one moment. */
   private record Memory(double seconds, long heap, long resident) {}
 
   @Test
@@ -97,7 +97,7 @@ class EnduranceTest {
     assertThat(liveThreads()).isEmpty();
   }
 
-  /** The first look comes after a minute, the last one before the picture is made. */
+  /** The first measurement is after 60 s, the last one before the picture is developed. */
   @Test
   @Tag("endurance")
   void memoryDoesNotGrow() throws Exception {
@@ -152,7 +152,7 @@ class EnduranceTest {
     return Lumbre.run(args, nowhere, nowhere);
   }
 
-  /** Returns what a collection of all garbage has left. */
+  /** Returns the used heap after a full garbage collection, in bytes. */
   private static long heap() {
     System.gc();
     return ManagementFactory.getMemoryPoolMXBeans().stream()
@@ -163,7 +163,7 @@ class EnduranceTest {
         .sum();
   }
 
-  /** Returns what the process takes of the machine's memory; 0 where that cannot be read. */
+  /** Returns the resident memory of the process, in bytes; 0 where that is not available. */
   private static long resident() throws IOException {
     Path status = Path.of("/proc/self/status");
     if (!Files.exists(status)) {

@@ -23,7 +23,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Films on the command line: {@code resume}, {@code merge} and {@code develop}. */
+/** Tests the film commands {@code resume}, {@code merge} and {@code develop}. */
 class FilmCommandsTest {
   @TempDir private Path directory;
 
@@ -68,7 +68,7 @@ class FilmCommandsTest {
     assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
     assertDone(render("b.pfm", "-s", "20"));
     assertThat(bytes("a.pfm")).isNotEqualTo(bytes("b.pfm"));
-    // Their samples are others than those of paths that go on in one way.
+    // Samples of split paths differ from those of paths that are not split.
     assertDone(render("c.pfm", "--samples-from", "20", "--checkpoint", path("c.film")));
     Outcome.of("merge", path("a.film"), path("c.film"), "-o", path("d.film"))
         .assertFailed(ExitCodes.SCENE, "split: ", "has 3", "has 1");
@@ -82,12 +82,12 @@ class FilmCommandsTest {
             render("a.pfm", "--target-error", "1%", "-s", "40", "--checkpoint", path("a.film"))
                 .exitCode())
         .isEqualTo(ExitCodes.TARGET);
-    // As before, it has all samples that it was to have.
+    // It still has all requested samples.
     assertThat(Outcome.of("resume", path("a.film")).exitCode()).isEqualTo(ExitCodes.TARGET);
     assertDone(Outcome.of("resume", path("a.film"), "--target-error", "1%", "--time", "1h"));
     assertDone(render("whole.pfm", "--target-error", "1%"));
     assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
-    // And now it has the error that it was to have.
+    // Now it has reached the target error.
     assertDone(Outcome.of("resume", path("a.film")));
     assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
   }
@@ -142,7 +142,7 @@ class FilmCommandsTest {
     assertThat(FilmFile.read(directory.resolve("a.film")).header().faults()).isEqualTo(faults);
   }
 
-  /** The film tells of no revision, as those of older versions. */
+  /** The film has no revision, like films of older versions. */
   @Test
   void filmsOfOtherVersionsAreDevelopedButNotGoneOnWith() throws IOException {
     assertDone(render("a.pfm", "-s", "3", "--checkpoint", path("a.film")));

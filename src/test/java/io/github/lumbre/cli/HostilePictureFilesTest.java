@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** {@code lumbre compare} of pictures that lie, each kind of lie by hand. */
+/** Tests {@code lumbre compare} with invalid pictures, made by hand for each kind of fault. */
 class HostilePictureFilesTest {
   private static final int WIDTH = 8;
   private static final int HEIGHT = 20;
@@ -46,7 +46,7 @@ class HostilePictureFilesTest {
     exr = Files.readAllBytes(file);
   }
 
-  /** Both as the picture and as the reference, for people and for programs. */
+  /** Checks the file as the picture and as the reference, with text and JSON output. */
   private void assertRefused(byte[] content, int exitCode, String reason) throws IOException {
     String file = Files.write(directory.resolve("hostile"), content).toString();
     Outcome.of("compare", file, sound).assertFailed(exitCode, "hostile: ", reason);
@@ -75,21 +75,21 @@ class HostilePictureFilesTest {
     assertRefused((header + "\n").getBytes(StandardCharsets.US_ASCII), exitCode, reason);
   }
 
-  /** Returns the OpenEXR file with four bytes of an attribute exchanged. */
+  /** Returns the OpenEXR file with four bytes of an attribute replaced. */
   private byte[] with(String attribute, int at, int value) {
     byte[] file = exr.clone();
     ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN).putInt(start(attribute) + at, value);
     return file;
   }
 
-  /** Returns the OpenEXR file with the first byte of an attribute exchanged. */
+  /** Returns the OpenEXR file with the first byte of an attribute replaced. */
   private byte[] with(String attribute, int value) {
     byte[] file = exr.clone();
     file[start(attribute)] = (byte) value;
     return file;
   }
 
-  /** Returns where an attribute's value begins: after its name, its type and its length. */
+  /** Returns the offset of an attribute's value, after its name, its type and its length. */
   private int start(String attribute) {
     int name = new String(exr, StandardCharsets.ISO_8859_1).indexOf(attribute + "\0");
     int type = name + attribute.length() + 1;
@@ -133,7 +133,8 @@ class HostilePictureFilesTest {
   void blocksOfOpenExrTwice() throws IOException {
     int last = exr.length;
     ByteBuffer in = ByteBuffer.wrap(exr).order(ByteOrder.LITTLE_ENDIAN);
-    // The second block holds the last four lines; its number is written over by the first's.
+    // The second block holds the last four lines; the number of the first block overwrites its
+    // number.
     for (int i = 0; i < last - 8; i++) {
       if (in.getInt(i) == 16 && in.getInt(i + 4) == last - i - 8) {
         in.putInt(i, 0);

@@ -21,10 +21,10 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Renders that are ended by whatever, in processes of their own, and gone on with. */
+/** Tests renders in their own processes that are killed and resumed. */
 @DisabledOnOs(OS.WINDOWS)
 class KillIT {
-  /** More samples than any of these renders has time for. */
+  /** More samples than any of these renders can complete. */
   private static final String ENDLESS = "100000000";
 
   private static final long MAX_STOP_MILLIS = 2_000;
@@ -48,7 +48,7 @@ class KillIT {
     return process;
   }
 
-  /** A test that fails leaves no endless render behind. */
+  /** A failed test must not leave an endless render running. */
   @AfterEach
   void endAll() throws InterruptedException {
     for (Process process : started) {
@@ -58,7 +58,7 @@ class KillIT {
 
   private void run(String... args) throws IOException, InterruptedException {
     Process process = start(args);
-    // What many killed renders did may take one a while.
+    // Completing many killed renders may take some time.
     process.waitFor(MAX_RENDER_MINUTES, TimeUnit.MINUTES);
     Outcome outcome = Program.await(directory, process);
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
@@ -89,7 +89,7 @@ class KillIT {
     }
   }
 
-  /** Adds samples to what has been rendered so far and compares with a render of all of them. */
+  /** Resumes the render to completion and compares the picture with an uninterrupted one. */
   private void assertSamePictureAsUninterrupted() throws IOException, InterruptedException {
     int most = CheckpointFile.load(film()).file().film().mostSamples();
     String samples = String.valueOf(most + 3);
@@ -99,7 +99,7 @@ class KillIT {
         .isEqualTo(Files.readAllBytes(directory.resolve("whole.pfm")));
   }
 
-  /** Each render goes on from where the last one was killed, at a random moment of its life. */
+  /** Each render resumes the previous one, which was killed at a random time. */
   @Test
   void killedRendersGoOnToTheSameBits() throws IOException, InterruptedException {
     Random random = new Random(Effort.seed(70));
@@ -151,14 +151,14 @@ class KillIT {
           .containsExactlyInAnyOrder(
               "a.film", "a.film.bak", "a.pfm", "err.txt", "out.txt", "tiny.json");
     }
-    // The film has all that the picture shows.
+    // The film has all samples of the picture.
     run("develop", "a.film", "-o", "developed.pfm");
     assertThat(Files.readAllBytes(directory.resolve("developed.pfm")))
         .isEqualTo(Files.readAllBytes(directory.resolve("a.pfm")));
     assertSamePictureAsUninterrupted();
   }
 
-  /** Saving film and picture of this size takes longer than the moment between the signals. */
+  /** Saving a film and a picture of this size takes longer than the time between the signals. */
   @Test
   void secondInterruptionLeavesAtOnceAndTheLastFilmIsUsable()
       throws IOException, InterruptedException {
@@ -180,7 +180,7 @@ class KillIT {
             "0.05s");
     awaitFilm(process);
     while (process.isAlive()) {
-      // Sent while the program does not listen yet, the second one is lost.
+      // If sent before the program handles signals, the second signal is lost.
       new ProcessBuilder("kill", "-INT", "" + process.pid()).start().waitFor();
       process.waitFor(50, TimeUnit.MILLISECONDS);
     }
@@ -201,7 +201,7 @@ class KillIT {
     assertThat(new ProcessBuilder(kill).start().waitFor()).isZero();
   }
 
-  /** A directory that vanishes is no better than a full disk. */
+  /** A deleted directory has the same effect as a full disk. */
   @Test
   void filmThatCannotBeWrittenIsKeptElsewhere() throws IOException, InterruptedException {
     Path lost = Files.createDirectory(directory.resolve("lost"));

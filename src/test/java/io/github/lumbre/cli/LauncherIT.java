@@ -21,7 +21,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The launcher of POSIX systems, in a copy of the project whose build only copies the jar. */
+/** Tests the POSIX launcher in a copy of the project whose build only copies the jar. */
 @DisabledOnOs(OS.WINDOWS)
 class LauncherIT {
   @TempDir private Path directory;
@@ -92,7 +92,7 @@ class LauncherIT {
 
   @Test
   void launchesAtTheSameTimeShareABuild() throws IOException, InterruptedException {
-    // Longer than a builder that has not told its number is waited for.
+    // Longer than the launcher waits for a builder that has not written its process ID.
     script(home.resolve("mvnw"), "#!/bin/sh\nsleep 8\n" + Files.readString(home.resolve("mvnw")));
     List<Process> processes = new ArrayList<>();
     for (int i = 0; i < 4; i++) {
@@ -118,7 +118,7 @@ class LauncherIT {
     assertThat(lock).doesNotExist();
   }
 
-  /** Without a folder for its lock, a launcher cannot build and must not wait forever. */
+  /** Without a folder for the lock, the launcher cannot build and must not wait forever. */
   @Test
   void launcherEndsIfTheBuildFolderIsDeletedWhileItWaits()
       throws IOException, InterruptedException {
@@ -173,7 +173,7 @@ class LauncherIT {
         .hasLineCount(1);
   }
 
-  /** Returns a directory of the tools that the launcher uses before it looks for Java. */
+  /** Returns a directory with the tools that the launcher needs before it searches for Java. */
   private Path toolsWithoutJava() throws IOException {
     Path tools = Files.createDirectories(directory.resolve("tools"));
     for (String tool : List.of("dirname", "readlink", "sed")) {
@@ -205,7 +205,7 @@ class LauncherIT {
     assumeTrue(ModuleFinder.ofSystem().find("jdk.incubator.vector").isPresent());
     launch();
     Outcome outcome = launch();
-    // That would be the reason against vectors.
+    // That option would be the reason for missing vectors.
     assertThat(outcome.out()).contains("Kernel: ").doesNotContain("--add-modules");
     assertThat(outcome.err()).isEmpty();
   }

@@ -20,8 +20,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * File names with letters beyond ASCII where there is no locale, as in cron and in containers. The
- * commands stand in files, since a virtual machine without a locale cannot hand such names on.
+ * Tests file names with non-ASCII letters without a locale, as in cron and in containers. The
+ * commands are in files, because a JVM without a locale cannot pass such names on.
  */
 @DisabledOnOs(OS.WINDOWS)
 class LocaleIT {

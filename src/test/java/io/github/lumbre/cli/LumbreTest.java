@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 
+/** Tests help, version, completion and errors of the command line. */
 class LumbreTest {
   @ParameterizedTest
   @CsvSource(

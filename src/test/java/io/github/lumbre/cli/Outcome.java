@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 
-/** How a run of the command line ended, and what it printed. */
+/** The exit code and the output of a run of the command line. */
 public record Outcome(int exitCode, String out, String err) {
-  /** Runs the command line in this virtual machine. */
+  /** Runs the command line in this JVM. */
   public static Outcome of(String... args) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
@@ -15,7 +15,7 @@ public record Outcome(int exitCode, String out, String err) {
     return new Outcome(exitCode, out.toString(), err.toString());
   }
 
-  /** Passes if the run failed with this code and a single line that contains these texts. */
+  /** Checks that the run failed with this code and a single line that contains these texts. */
   public void assertFailed(int code, String... parts) {
     assertThat(err).contains(parts).doesNotContain("Exception", "\tat ");
     assertThat(err.lines()).hasSize(1);

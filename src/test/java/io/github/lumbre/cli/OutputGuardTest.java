@@ -26,10 +26,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** No command overwrites what it reads, or a file of a different kind. */
+/** No command overwrites its input or a file of a different type. */
 @DisabledOnOs(OS.WINDOWS)
 class OutputGuardTest {
-  /** Paths that commands only read, or in which they only create files of new names. */
+  /** Paths that commands only read, or in which they only create files with new names. */
   private static final Set<String> INPUTS =
       Set.of(
           "render SCENE",
@@ -81,7 +81,7 @@ class OutputGuardTest {
     run("render T/wood.json -o T/a.png --checkpoint T/a.film");
   }
 
-  /** Runs a command line in which T is the directory of the test. */
+  /** Runs a command line in which T stands for the directory of the test. */
   private Outcome run(String line) {
     return Outcome.of(
         Stream.of(line.split(" "))
@@ -139,7 +139,7 @@ class OutputGuardTest {
     return OUTPUTS.keySet().stream().filter(name -> !name.equals("gallery --out")).sorted();
   }
 
-  /** The output is a link to a file of somebody else, which may not be replaced unasked. */
+  /** The output is a link to a foreign file, which must not be replaced silently. */
   @ParameterizedTest
   @MethodSource("commands")
   void aFileOfAnotherKindIsRefused(String output) throws IOException {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests {@code lumbre perf}. */
 class PerfCommandTest {
   @TempDir private Path directory;
 
@@ -70,7 +71,7 @@ class PerfCommandTest {
     List<Double> few = relativeMses("-s", "1");
     List<Double> many = relativeMses("-s", "64");
     assertThat(few).hasSize(2).doesNotHaveDuplicates();
-    // Independent samples would make it 64 times less.
+    // With independent samples, it would be 64 times lower.
     assertThat(many).hasSize(2).allMatch(error -> error > 0 && error < few.get(0) / 32);
   }
 
@@ -184,7 +185,7 @@ class PerfCommandTest {
     bench("--split", "0").assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 0");
   }
 
-  /** A mesh of 2000 vertices and triangles takes a hundred kilobytes at least. */
+  /** A mesh of 2000 vertices and triangles takes at least 100 kB. */
   @Test
   void loadingTellsWhatUnusedAssetsWouldTake() throws IOException {
     String obj = "v 0 0 0\nv 1 0 0\n" + "v 0 1 0\nf 1 2 -1\n".repeat(2000);

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests {@code lumbre pixel}. */
 class PixelCommandTest {
   @TempDir private Path directory;
 
@@ -112,7 +113,7 @@ class PixelCommandTest {
     return JsonParser.parseString(outcome.out()).getAsJsonObject();
   }
 
-  /** The warning of a render says what to type; typed, it tells of the same sample. */
+  /** The warning of a render suggests a command, which reports the same sample. */
   @Test
   void rejectedSamplesAreReplayedByTheCommandOfTheWarning() {
     Path scene = TinyScene.write(directory, TinyScene.blinding());

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
-/** Starts other programs, as a user would, and waits for their end. */
+/** Starts other processes, as a user would, and waits for their end. */
 final class Program {
-  /** The command line with everything it needs. */
+  /** The jar of the command line with all its dependencies. */
   static final Path JAR = Path.of("target", "lumbre-all.jar").toAbsolutePath();
 
   private static final int SIGINT = 2;
@@ -18,26 +18,26 @@ final class Program {
 
   private Program() {}
 
-  /** Returns the arguments that run Lumbre by this virtual machine's Java. */
+  /** Returns the arguments that run Lumbre with the Java of this JVM. */
   static List<String> lumbre(String... args) {
     List<String> command = new ArrayList<>(List.of(java("java"), "-Xmx512m", "-jar", "" + JAR));
     command.addAll(List.of(args));
     return command;
   }
 
-  /** Returns the path of a program of the JDK that runs this. */
+  /** Returns the path of a program in the current JDK. */
   static String java(String name) {
     return Path.of(System.getProperty("java.home"), "bin", name).toString();
   }
 
-  /** Copies the options of the virtual machine to a copy of the project. */
+  /** Copies the JVM options file to a copy of the project. */
   static void copyOptions(Path home) throws IOException {
     Path options = Path.of("src", "main", "jvm", "options");
     Files.createDirectories(home.resolve(options).getParent());
     Files.copy(options, home.resolve(options));
   }
 
-  /** Starts a program in a directory, which takes what it prints. */
+  /** Starts a program in a directory that receives its output. */
   static Process start(Path directory, List<String> command) throws IOException {
     return new ProcessBuilder(interruptible(command))
         .directory(directory.toFile())
@@ -47,8 +47,8 @@ final class Program {
   }
 
   /**
-   * Returns a command that hears SIGINT even if this process does not: shells let what they start
-   * in the background ignore it, and children inherit that.
+   * Returns a command that handles SIGINT even if this process ignores it: shells make background
+   * processes ignore it, and children inherit that.
    */
   static List<String> interruptible(List<String> command) throws IOException {
     Path status = Path.of("/proc/self/status");
@@ -67,7 +67,7 @@ final class Program {
     return all;
   }
 
-  /** Waits for the end of what {@link #start} started. */
+  /** Waits for the end of a process from {@link #start}. */
   static Outcome await(Path directory, Process process) throws IOException, InterruptedException {
     if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
       process.destroyForcibly();

@@ -17,8 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A terminal whose keyboard and screen belong to a test, made by the program {@code script} of
- * util-linux.
+ * A terminal whose keyboard and screen a test controls, created by {@code script} of util-linux.
  */
 final class PseudoTerminal implements AutoCloseable {
   private static final long PATIENCE_SECONDS = 60;
@@ -39,7 +38,7 @@ final class PseudoTerminal implements AutoCloseable {
     reader.start();
   }
 
-  /** Returns whether this system can make one. */
+  /** Returns whether this system can create one. */
   static boolean isSupported() throws InterruptedException {
     try {
       Process process = new ProcessBuilder("script", "--version").redirectErrorStream(true).start();
@@ -56,7 +55,7 @@ final class PseudoTerminal implements AutoCloseable {
       throws IOException, InterruptedException {
     Path device = directory.resolve("device.txt");
     Files.deleteIfExists(device);
-    // By another name first, so that the file is complete when it appears.
+    // With another name first, so that the file is complete when it appears.
     String prepared =
         "stty rows 24 cols " + columns + "; tty >device.new; mv device.new device.txt; " + command;
     ProcessBuilder builder =
@@ -89,21 +88,21 @@ final class PseudoTerminal implements AutoCloseable {
     }
   }
 
-  /** Returns everything that was printed, with its control characters. */
+  /** Returns the complete output, with control characters. */
   String printed() {
     synchronized (printed) {
       return printed.toString();
     }
   }
 
-  /** Returns how many characters were printed. */
+  /** Returns the number of printed characters. */
   int length() {
     synchronized (printed) {
       return printed.length();
     }
   }
 
-  /** Returns the lines that the bar has drawn from a place of the print on, complete ones only. */
+  /** Returns the complete lines that the progress bar has drawn since a position in the output. */
   List<String> bars(int from) {
     List<String> bars = new ArrayList<>();
     Matcher matcher = Pattern.compile("\r([^\r\n\033]+)\033\\[K\r").matcher(printed());
@@ -153,7 +152,7 @@ final class PseudoTerminal implements AutoCloseable {
     type(String.valueOf((char) (letter - '@')));
   }
 
-  /** Gives the window another width; the kernel sends SIGWINCH. */
+  /** Changes the width of the window; the kernel sends SIGWINCH. */
   void resize(int columns) throws IOException, InterruptedException {
     String name = Files.readString(device).strip();
     assertThat(
@@ -172,7 +171,7 @@ final class PseudoTerminal implements AutoCloseable {
     return script.isAlive();
   }
 
-  /** Waits until something is true, given all that was printed. */
+  /** Waits until a condition on the complete output is true. */
   void await(String what, Predicate<String> condition) throws InterruptedException {
     long start = System.nanoTime();
     while (!condition.test(printed())) {

@@ -12,11 +12,14 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The time limit holds while a scene is read, too. */
+/** The time limit also applies while a scene is read. */
 class ReadingTimeoutTest {
   private static final int TRIANGLES = 2_000_000;
 
-  /** Processor time that the reading thread may take; all of the scene takes several times that. */
+  /**
+   * The maximum processor time of the reading thread, in seconds; the whole scene takes several
+   * times as long.
+   */
   private static final double MOST_SECONDS = 1;
 
   @TempDir private Path directory;

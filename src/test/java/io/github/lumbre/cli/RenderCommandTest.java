@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests {@code lumbre render}, its flags and its errors. */
 class RenderCommandTest {
   @TempDir private Path directory;
 

@@ -22,14 +22,14 @@ import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Renders in one virtual machine share no choice and no number. */
+/** Renders in one JVM share no settings and no counters. */
 class RendersInOneJvmTest {
   private static final String MARBLE =
       "{\"id\": 9, \"assetType\": \"Texture\", \"textureType\": \"Marble\"}";
 
   @TempDir private Path directory;
 
-  /** Returns the tiny scene with a marble whose texture coordinates are scaled. */
+  /** Returns the tiny scene with a marble texture whose coordinates are scaled. */
   private static String marble(String scale) {
     return TinyScene.withAsset(MARBLE)
         .replace(
@@ -76,7 +76,7 @@ class RendersInOneJvmTest {
     }
   }
 
-  /** Each scene has its own kernel, whatever others in the virtual machine have. */
+  /** Each scene has its own kernel, independent of other scenes in the JVM. */
   @Test
   void kernelsAreChosenForEachScene() throws InterruptedException {
     String mesh =

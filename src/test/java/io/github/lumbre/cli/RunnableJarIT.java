@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The program as users run it: a process of its own, its exit code, and what it leaves behind. */
+/** Tests the program as users run it: its process, its exit code and its files. */
 class RunnableJarIT {
   @TempDir private Path directory;
 
@@ -104,7 +104,7 @@ class RunnableJarIT {
         .replace("\"Reflective\"", "\"Diffuse\", \"colorTextureId\": 9");
   }
 
-  /** Returns the scene with its sphere exchanged for a mesh. */
+  /** Returns the scene with its sphere replaced by a mesh. */
   private static String shown(String mesh) {
     return TinyScene.withAsset(mesh)
         .replace("\"Sphere\", \"materialID\": 2, \"radius\": 1", "\"Mesh\", \"meshId\": 9");
@@ -114,7 +114,7 @@ class RunnableJarIT {
     return Base64.getEncoder().encodeToString(bytes);
   }
 
-  /** Returns a PNG of one pixel whose header claims another size, with a checksum that fits. */
+  /** Returns a PNG of one pixel whose header states another size, with a valid checksum. */
   private static byte[] pngOfSize(int side) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", out);
@@ -145,7 +145,7 @@ class RunnableJarIT {
     lumbre("render", ".", "-o", "p.png").assertFailed(ExitCodes.SCENE, "directory");
   }
 
-  /** They are counted, and named so that they can be repeated; the picture is written anyway. */
+  /** Rejected samples are counted and identified for replay; the picture is still written. */
   @Test
   void samplesThatAreNoNumbersFailUnderStrictnessOnly() throws IOException, InterruptedException {
     TinyScene.write(directory, TinyScene.blinding());
@@ -163,7 +163,10 @@ class RunnableJarIT {
     assertThat(strict.err().lines().filter(line -> line.contains("lumbre pixel "))).hasSize(10);
   }
 
-  /** Interpreted, or compiled by either compiler: + - * / and sqrt are exact everywhere. */
+  /**
+   * Results are bit-identical in the interpreter and both JIT compilers, because + - * / and sqrt
+   * are exactly rounded.
+   */
   @Test
   void interpreterAndCompilersGiveTheSameBits() throws IOException, InterruptedException {
     Path scene = Path.of("scenes", "glass-and-mirror.json").toAbsolutePath();
@@ -203,7 +206,7 @@ class RunnableJarIT {
     assertThat(directory.resolve(".tiny.png.tmp")).doesNotExist();
   }
 
-  /** Waits until the process works for its render, and not for its start alone. */
+  /** Waits until the process has started to render. */
   private static void awaitRender(Process process) throws InterruptedException {
     long enough = 3_000;
     while (process.toHandle().info().totalCpuDuration().orElseThrow().toMillis() < enough) {

@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests {@code lumbre selftest} and its published table. */
 class SelfTestCommandTest {
   private static final Invariant HOLDING =
       new Invariant("one", "share", "everywhere", 1e-3, tries -> 2e-4);
@@ -39,7 +40,7 @@ class SelfTestCommandTest {
     assertThat(run(false, HOLDING).exitCode()).isZero();
   }
 
-  /** The published table tells of these laws and no others; written by the command itself. */
+  /** The published table lists exactly these checks, as written by the command. */
   @Test
   void publishedTableIsThatOfTheLaws() throws IOException {
     List<String> page = Files.readAllLines(Path.of("docs", "stability.md"));

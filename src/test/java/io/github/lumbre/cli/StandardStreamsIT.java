@@ -22,7 +22,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Pictures to standard output, scenes from standard input, and streams that cannot be written. */
+/**
+ * Tests pictures on standard output, scenes from standard input, and streams that cannot be
+ * written.
+ */
 @DisabledOnOs(OS.WINDOWS)
 class StandardStreamsIT {
   @TempDir private Path directory;
@@ -33,7 +36,7 @@ class StandardStreamsIT {
     Files.createDirectory(directory.resolve("other"));
   }
 
-  /** Runs a line of a shell in which LUMBRE is the program. */
+  /** Runs a shell command in which LUMBRE stands for the program. */
   private Outcome shell(String line) throws IOException, InterruptedException {
     String program = Program.lumbre().stream().collect(Collectors.joining("' '", "'", "'"));
     return Program.run(directory, List.of("sh", "-c", line.replace("LUMBRE", program)));
@@ -150,7 +153,7 @@ class StandardStreamsIT {
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
   }
 
-  /** A limit on the size of files does what a full disk does, in both places. */
+  /** A file size limit simulates a full disk in both places. */
   @Test
   void twoFullDisksLeaveNoEmptyFile() throws IOException, InterruptedException {
     Outcome outcome =

@@ -20,9 +20,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The launcher in a terminal: the progress bar, Ctrl-C, Ctrl-Z, a closed window. */
+/** Tests the launcher in a terminal: the progress bar, Ctrl-C, Ctrl-Z and a closed window. */
 class TerminalIT {
-  /** More samples than any of these renders has time for. */
+  /** More samples than any of these renders can complete. */
   private static final String ENDLESS = "100000000";
 
   private static final Pattern BAR =
@@ -30,7 +30,7 @@ class TerminalIT {
           " *(\\d+) % \\[=*>? *\\] \\d:\\d\\d:\\d\\d left, [0-9.]+( M)? samples/s"
               + "(, noise [0-9.]+ % \\(target 0.0010 %\\))?");
 
-  /** What a bar shows as soon as there are samples. */
+  /** The text of a progress bar as soon as there are samples. */
   private static final Pattern BEGUN = Pattern.compile(" [1-9][0-9.]*( M)? samples/s");
 
   private static final long MAX_STOP_SECONDS = 10;
@@ -59,13 +59,13 @@ class TerminalIT {
         columns,
         Map.of(
             "JAVA_HOME", System.getProperty("java.home"),
-            // Renders are short: the second compiler would take more time than it saves.
+            // The renders are short: the second JIT compiler would cost more time than it saves.
             "LUMBRE_JAVA_OPTS", "-Xmx512m -XX:TieredStopAtLevel=1",
             "LUMBRE", home.resolve("lumbre").toString()),
         command);
   }
 
-  /** Runs the launcher in the place of the terminal's shell. */
+  /** Runs the launcher instead of the terminal's shell. */
   private PseudoTerminal lumbre(int columns, String arguments)
       throws IOException, InterruptedException {
     return run(columns, "echo $$ >pid.new; mv pid.new pid.txt; exec \"$LUMBRE\" " + arguments);
@@ -140,14 +140,14 @@ class TerminalIT {
     return bars.isEmpty() ? 0 : bars.get(bars.size() - 1).length();
   }
 
-  /** Pressed while a large mesh is read and its hierarchy is built, or before that. */
+  /** Presses Ctrl-C before or while a large mesh is read and its hierarchy is built. */
   @Test
   void interruptedReadingLeavesNothing() throws IOException, InterruptedException {
     writeLargeScene();
     Random random = new Random(Effort.seed(201));
     for (int i = 0; i < Effort.count(3, 30); i++) {
       try (PseudoTerminal terminal = lumbre(80, "render large.json -s " + ENDLESS + " -o a.png")) {
-        // Reading takes about as long as Java takes to start, building twice that.
+        // Reading takes about as long as the start of Java, building twice as long.
         int millis = random.nextInt(4000);
         terminal.await(
             "its beginning", p -> Files.exists(directory.resolve(".a.png.tmp")) || p.length() > 0);
@@ -169,7 +169,7 @@ class TerminalIT {
     assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(ExitCodes.INTERRUPTED);
     assertThat(TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start))
         .isLessThan(MAX_STOP_SECONDS);
-    // The terminal itself prints ^C, which may stand before the summary.
+    // The terminal prints ^C, which may precede the summary.
     List<String> screen =
         terminal.screen().stream().map(line -> line.replaceFirst("^\\^C", "")).toList();
     boolean isSaved = screen.stream().anyMatch(line -> line.startsWith("a.png: "));
@@ -184,7 +184,7 @@ class TerminalIT {
     Files.deleteIfExists(directory.resolve("a.png"));
   }
 
-  /** A mesh of many triangles, which takes longer to read than to render. */
+  /** Writes a mesh of many triangles, which takes longer to read than to render. */
   private void writeLargeScene() throws IOException {
     int side = 300;
     StringBuilder obj = new StringBuilder();
@@ -211,7 +211,7 @@ class TerminalIT {
                     + " \"meshId\": 9, \"materialID\": 1},"));
   }
 
-  /** Each render resumes the one that was interrupted before it. */
+  /** Each render resumes the previous one, which was interrupted. */
   @Test
   void interruptedRendersAndResumesSavePictureAndFilm() throws IOException, InterruptedException {
     Random random = new Random(Effort.seed(202));
@@ -234,7 +234,7 @@ class TerminalIT {
     }
   }
 
-  /** The first pass over so many pixels takes longer than it takes to press the key. */
+  /** With this number of pixels, the first pass takes longer than pressing the key. */
   @Test
   void interruptedFirstPassTellsTheShareOfBlackPixels() throws IOException, InterruptedException {
     try (PseudoTerminal terminal =
@@ -272,7 +272,7 @@ class TerminalIT {
 
   @Test
   void secondInterruptEndsAtOnce() throws IOException, InterruptedException {
-    // A picture that takes many times as long to encode as passes between the two signals.
+    // Encoding this picture takes many times longer than the time between the two signals.
     String large = "render tiny.json -s " + ENDLESS + " --size 2000x1500 --bits 16 -o a.png";
     try (PseudoTerminal terminal = lumbre(80, large)) {
       awaitBar(terminal);
@@ -301,7 +301,7 @@ class TerminalIT {
     assertNothingLeftBehind();
   }
 
-  /** As an interactive shell does, the one here passes the signal on, and waits. */
+  /** Like an interactive shell, the shell here forwards the signal and waits. */
   @Test
   void closedWindowSavesThePicture() throws IOException, InterruptedException {
     String arguments = "render tiny.json -s " + ENDLESS + " -o a.png --checkpoint a.film";

@@ -5,9 +5,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A scene that renders in no time: a lit sphere in a corner of two walls, 16x12 pixels. */
+/** A scene that renders very fast: a lit sphere in a corner of two walls, 16x12 pixels. */
 public final class TinyScene {
-  /** The scene's text. Each thing is on a line of its own, for {@link #with} to exchange. */
+  /** The scene's text, with each object on its own line for replacement by {@link #with}. */
   public static final String JSON =
       """
 {"mainCameraId": 1,
@@ -27,7 +27,7 @@ public final class TinyScene {
 
   private TinyScene() {}
 
-  /** Returns the scene with the first occurrence of one text exchanged for another. */
+  /** Returns the scene with the first occurrence of a text replaced by another. */
   public static String with(String old, String replacement) {
     int at = JSON.indexOf(old);
     if (at < 0) {
@@ -43,7 +43,7 @@ public final class TinyScene {
 
   /** Returns the scene with lights so bright that some samples are infinite. */
   static String blinding() {
-    // One of sixteen, over the probability of its choice, overflows.
+    // One of 16 lights, divided by its selection probability, overflows.
     String light =
         "{\"type\": \"Light\", \"lightType\": \"Directional\", \"intensity\": 1.7e308,"
             + " \"localRotation\": {\"x\": 60, \"y\": 0, \"z\": 0}}, ";

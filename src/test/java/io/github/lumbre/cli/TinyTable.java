@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A folder with a table of two rows, whose scenes render in no time. */
+/** A folder with a table of two rows, whose scenes render very fast. */
 final class TinyTable {
   private static final String TEXT =
       """
@@ -16,7 +16,7 @@ final class TinyTable {
 
   private TinyTable() {}
 
-  /** Writes it and returns the folder. */
+  /** Writes the folder and returns its path. */
   static Path write(Path directory) throws IOException {
     Files.createDirectories(directory);
     TinyScene.write(directory, TinyScene.JSON);

@@ -12,15 +12,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The page of {@code lumbre trade} as a browser shows it: complete, silent, and readable on wide
- * and narrow, light and dark screens. Screenshots are left in {@code target/browser}.
+ * In a browser, the page of {@code lumbre trade} is complete, free of console messages, and
+ * readable on wide and narrow, light and dark screens. Screenshots are in {@code target/browser}.
  */
 @Tag("browser")
 class TradeBrowserTest {
   private static final Path FOLDER = Path.of("target", "browser");
   private static final Path PAGE = FOLDER.resolve("trade.html");
 
-  /** Names those of some elements that something is wrong with, a line each. */
+  /** Returns the names of the faulty elements, one per line. */
   private static final String NAMES =
       """
       const name = e => e.tagName + ' ' + (e.textContent || e.alt || '').trim().slice(0, 60);
@@ -32,8 +32,8 @@ class TradeBrowserTest {
       "named(document.images, i => !i.complete || i.naturalWidth < 8 || box(i).width < 8)";
 
   /**
-   * What scrolls by itself may be wider than the screen; the page may not. On a narrow screen,
-   * innerWidth is the width of the page if this is larger, so the screen's own width counts.
+   * Elements that scroll by themselves may be wider than the screen; the page may not. On a narrow
+   * screen, innerWidth is the page width if that is larger, so the screen's own width is used.
    */
   private static final String OUTSIDE =
       """
@@ -42,7 +42,7 @@ class TradeBrowserTest {
         + (document.documentElement.scrollWidth > screen.width ? 'the page' : '')
       """;
 
-  /** Tables wider than a narrow screen without a line above them that says so. */
+  /** Tables wider than a narrow screen that lack a note above them. */
   private static final String HIDDEN_COLUMNS =
       """
 named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.clientWidth + 1),
@@ -58,7 +58,9 @@ named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.cl
       })
       """;
 
-  /** Marks of axes, names of axes and the legend; labels of points may be close to each other. */
+  /**
+   * Axis ticks, axis names and the legend must not overlap; labels of points may be close together.
+   */
   private static final String OVERLAPPING =
       """
       [...document.querySelectorAll('svg')].map(svg => {
@@ -69,7 +71,9 @@ named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.cl
       }).filter(text => text).join('\\n')
       """;
 
-  /** Contrast by WCAG 2.1: 4.5 is what it asks of texts. What is grey on purpose is left out. */
+  /**
+   * Contrast by WCAG 2.1, which requires 4.5 for texts. Deliberately gray elements are excluded.
+   */
   private static final String FAINT =
       """
 (() => {
@@ -129,7 +133,7 @@ named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.cl
     assertThat(browser.complaints()).isEmpty();
     assertThat(browser.requests())
         .allMatch(url -> URI.create(url).getPath().equals(address.getPath()));
-    // Nineteen settings with a picture and a map each, some more for the usual one's samples.
+    // 19 settings with a picture and a map each, and more for the samples of the baseline.
     assertThat(count("img")).isGreaterThan(40);
     assertThat(count("svg")).isGreaterThanOrEqualTo(9);
     assertThat(wrong(BROKEN_PICTURES)).isEmpty();

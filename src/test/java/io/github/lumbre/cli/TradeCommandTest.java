@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.xml.sax.InputSource;
 
+/** Tests {@code lumbre trade}. */
 class TradeCommandTest {
   @TempDir private Path directory;
 
@@ -50,8 +51,8 @@ class TradeCommandTest {
         JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
     assertThat(values.get("format").getAsString()).isEqualTo("lumbre-trade-2");
     int rows = values.getAsJsonArray("rows").size();
-    // Seven depths, ray tracing, one sampler, three strategies, four roulettes, three splits, three
-    // clamps; and the head.
+    // Seven depths, ray tracing, one sampler, three MIS heuristics, four roulettes, three splits,
+    // three clamps, and the header.
     assertThat(rows % 22).isZero();
     assertThat(Files.readAllLines(directory.resolve("out.csv"))).hasSize(3 * rows + 1);
   }
@@ -106,7 +107,10 @@ class TradeCommandTest {
     assertThat(directory.resolve("table-depth.svg")).exists();
   }
 
-  /** What goes on to an error reaches it with every seed, by a reference that can tell. */
+  /**
+   * A setting that runs to a target error reaches it with every seed, compared with an accurate
+   * reference.
+   */
   @Test
   void usualSettingGoesOnToAnError() throws Exception {
     Path page = directory.resolve("out.html");
@@ -177,7 +181,7 @@ class TradeCommandTest {
     assertThat(outcome.err()).contains("no time for ");
   }
 
-  /** In direct light, no depth leaves anything out, and errors are those of the qualities. */
+  /** In direct light, no depth loses energy, and the errors are those of the quality levels. */
   @Test
   void qualitiesHaveTheirErrors() throws IOException {
     String scene = TinyScene.write(directory, TinyScene.JSON).toString();

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every command names the reason for which a file cannot be read. */
+/** Every command reports why a file cannot be read. */
 @DisabledOnOs(OS.WINDOWS)
 class UnreadableFilesTest {
   @TempDir private Path directory;

@@ -17,13 +17,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The work that a small picture of a scene takes, which does not depend on the machine.
+ * The work for a small picture of a scene, which does not depend on the machine.
  *
- * @param scene its file's name, without the ending
+ * @param scene the name of its file, without the extension
  * @param mode as on the command line
- * @param samples taken over all pixels
- * @param rays followed to what they meet
- * @param shadowRays followed to see whether they meet anything
+ * @param samples the number of samples over all pixels
+ * @param rays the number of rays traced to their nearest hit
+ * @param shadowRays the number of rays tested for occlusion
  */
 record WorkCounters(String scene, String mode, long samples, long rays, long shadowRays) {
   static final String HEADER = "scene,mode,samples,rays,shadow_rays";
@@ -74,12 +74,12 @@ record WorkCounters(String scene, String mode, long samples, long rays, long sha
     return inScene.toBuilder().size(WIDTH, HEIGHT).samples(SAMPLES).threads(1).build();
   }
 
-  /** Returns them as a line of a file that begins with {@link #HEADER}. */
+  /** Returns the counters as a line of a file that begins with {@link #HEADER}. */
   String line() {
     return Csv.line(List.of(scene, mode, samples, rays, shadowRays));
   }
 
-  /** Returns the counters of such a line. */
+  /** Returns the counters of a line from {@link #line}. */
   static WorkCounters parse(String line) {
     List<String> values = Csv.values(line);
     return new WorkCounters(
@@ -90,7 +90,7 @@ record WorkCounters(String scene, String mode, long samples, long rays, long sha
         Long.parseLong(values.get(4)));
   }
 
-  /** Tells whether both are of the same picture. */
+  /** Returns whether both are counters of the same picture. */
   boolean isOfSame(WorkCounters o) {
     return scene.equals(o.scene) && mode.equals(o.mode);
   }

@@ -13,13 +13,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * The program does no more work than it did: rays are counted, which needs no clock, and compared
- * with what is stored. Less work passes; store it too, to keep what was gained.
+ * The program does not do more work than before: ray counts, which need no clock, are compared with
+ * stored ones. Less work passes; update the stored counts then to keep the gain.
  */
 class WorkCountersTest {
   private static final Path STORED = Path.of("src", "test", "resources", "work-counters.csv");
 
-  /** How much the counters may grow. */
+  /** The maximum relative growth of the counters. */
   private static final double GROWTH = .005;
 
   private static final String ADVICE =

@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests that output files appear complete or not at all. */
 class OutputFileTest {
   @TempDir Path directory;
 
@@ -150,7 +151,7 @@ class OutputFileTest {
 
   @Test
   void aDirectoryThatCannotBeWrittenIsNamed() {
-    // Nobody, not even the superuser, can create files there.
+    // Not even the superuser can create files there.
     Path target = Path.of("/proc/self/a.png");
     assumeTrue(Files.isDirectory(target.getParent()));
     assertThatThrownBy(() -> OutputFile.open(target))
@@ -184,7 +185,7 @@ class OutputFileTest {
     }
   }
 
-  /** Notes what is done to the disk, and writes a byte at a time. */
+  /** Records all disk operations, and writes one byte at a time. */
   private static class Recording implements Disk {
     final List<String> steps = new ArrayList<>();
 
@@ -271,7 +272,7 @@ class OutputFileTest {
     OutputFile.reserve(target).close();
   }
 
-  /** The name is given, whatever the folder's own bytes do: the next run finds the place free. */
+  /** The file gets its name even if syncing the folder fails; the next run finds the name free. */
   @Test
   void placeIsFreeAfterAFaultOfTheFolder() throws IOException {
     Path target = directory.resolve("a.png");

@@ -17,11 +17,12 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongFunction;
 
 /**
- * Very many hostile scenes or pictures, on several threads, of which each has half a minute of
- * processor time, and ten minutes of the clock, as other programs may be busy. System properties
- * say how many: {@code lumbre.fuzz.scenes} (a million), {@code lumbre.fuzz.pictures} (a million),
- * {@code lumbre.fuzz.threads} (one a processor) and {@code lumbre.fuzz.seed} (a new one). Mutable,
- * for one run.
+ * Runs very many hostile scenes or pictures on several threads. Each has a limit of 30 s of
+ * processor time, and of 10 min of wall-clock time because the machine may be busy.
+ *
+ * <p>System properties and their defaults: {@code lumbre.fuzz.scenes} (1,000,000), {@code
+ * lumbre.fuzz.pictures} (1,000,000), {@code lumbre.fuzz.threads} (one per processor) and {@code
+ * lumbre.fuzz.seed} (a new one). Mutable; each instance is one run.
  */
 final class FuzzRun {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
@@ -32,7 +33,7 @@ final class FuzzRun {
 
   private static final ThreadMXBean CLOCK = ManagementFactory.getThreadMXBean();
 
-  /** A scene that is being tried, and when that began by the thread's time and by the clock. */
+  /** A current trial, with its start in processor time and in wall-clock time. */
   private record Started(long seed, long processorNanos, long nanos) {}
 
   private final String what;
@@ -55,8 +56,8 @@ final class FuzzRun {
   }
 
   /**
-   * @param what is tried, for messages and the name of a property
-   * @param trial tries that of a seed, and throws an {@link AssertionError} if that fails
+   * @param what the subject of the trials, for messages and the name of a property
+   * @param trial runs the trial of a seed, and throws an {@link AssertionError} if it fails
    */
   static FuzzRun fromProperties(String what, LongFunction<Ending> trial) {
     int processors = Runtime.getRuntime().availableProcessors();
@@ -69,7 +70,7 @@ final class FuzzRun {
         seed == null ? new SecureRandom().nextLong() >>> 1 : seed);
   }
 
-  /** Runs until all are done, or too many have failed. */
+  /** Runs until all trials are done, or too many have failed. */
   void start() throws InterruptedException {
     System.out.println(
         count + " hostile " + what + "; to repeat them: -Dlumbre.fuzz.seed=" + firstSeed);
@@ -88,7 +89,7 @@ final class FuzzRun {
     System.out.println("ended: " + endings);
   }
 
-  /** Returns what went wrong, a text for each. */
+  /** Returns one message for each failure. */
   List<String> failures() {
     return List.copyOf(failures);
   }

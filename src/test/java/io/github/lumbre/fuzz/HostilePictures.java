@@ -11,8 +11,8 @@ import java.util.HexFormat;
 import java.util.Random;
 
 /**
- * Picture files that somebody made to break whoever reads or compares them, each a function of a
- * seed: OpenEXR, portable float maps, PNG and JPEG. Usable by several threads.
+ * Malformed picture files that try to break readers: OpenEXR, portable float maps, PNG and JPEG.
+ * Each is a function of a seed. Thread-safe.
  */
 final class HostilePictures {
   private static final int MOST_PIXELS = 512;
@@ -21,7 +21,7 @@ final class HostilePictures {
   private final LinearPictureMutator linear;
 
   /**
-   * @param folder for sound files
+   * @param folder receives valid files
    */
   HostilePictures(Path folder) {
     linear = LinearPictureMutator.in(folder);
@@ -36,10 +36,10 @@ final class HostilePictures {
   }
 
   /**
-   * Reads the picture of a seed and compares it with a grey one.
+   * Reads the picture of a seed and compares it with a gray one.
    *
-   * @return the exit code that {@code lumbre compare} would end with
-   * @throws AssertionError if it ended in another way than it may
+   * @return the ending, with the exit code of {@code lumbre compare}
+   * @throws AssertionError if the ending is not allowed
    */
   Ending run(long seed) {
     byte[] file = file(seed);

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Every malformed picture is compared, or rejected with a reason. */
 class HostilePicturesTest {
   private static final int COUNT = 5000;
 

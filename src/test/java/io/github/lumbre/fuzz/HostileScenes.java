@@ -27,8 +27,8 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * Scenes that somebody made to break the program, each a function of a seed, in a folder of their
- * own with files that they may read and files outside that they may not. Usable by several threads.
+ * Hostile scenes that try to break the program, each a function of a seed. Their folder holds files
+ * that they may read; files outside are forbidden. Thread-safe.
  */
 public final class HostileScenes {
   static final String INSIDE_PICTURE = "inside.png";
@@ -46,14 +46,14 @@ public final class HostileScenes {
   private final List<byte[]> readable = new ArrayList<>();
 
   /**
-   * How a scene ended.
+   * The result of a scene.
    *
-   * @param exitCode that the command line would end with: 0, 3, 4 or 5
-   * @param rejected samples that were not finite, and count as black
+   * @param exitCode the exit code of the command line: 0, 3, 4 or 5
+   * @param rejected the number of rejected samples (negative, NaN or infinite)
    */
   public record Ending(int exitCode, long rejected) {}
 
-  /** Prepares a folder below the given one. */
+  /** Creates a folder below the given one. */
   public HostileScenes(Path around) {
     folder = around.resolve("scenes");
     try {
@@ -81,7 +81,7 @@ public final class HostileScenes {
       Files.createSymbolicLink(folder.resolve("link.png"), around.resolve("outside.png"));
       Files.createSymbolicLink(folder.resolve("linked"), around);
     } catch (IOException | UnsupportedOperationException e) {
-      // Some systems have no links, so nothing can be led astray by them.
+      // Some systems have no links, so there is nothing to test.
       return;
     }
   }
@@ -98,7 +98,7 @@ public final class HostileScenes {
     return new SceneMutator(seeds, vocabulary, new Random(seed)).next();
   }
 
-  /** Writes a scene into the folder, where it may be deleted again. */
+  /** Writes the scene of a seed into the folder; the caller may delete it. */
   public Path write(long seed, byte[] text) {
     try {
       return Files.write(folder.resolve(seed + ".json"), text);
@@ -110,7 +110,7 @@ public final class HostileScenes {
   /**
    * Reads the scene of a seed and renders a few pixels of it.
    *
-   * @throws AssertionError if it ended in another way than it may
+   * @throws AssertionError if the ending is not allowed
    */
   public Ending run(long seed) {
     byte[] text = text(seed);
@@ -148,7 +148,7 @@ public final class HostileScenes {
     return new Ending(0, result.statistics().rejected());
   }
 
-  /** Returns settings that take no time, but for what the file says about everything else. */
+  /** Returns settings for a very short render; other settings are those of the file. */
   private static RenderSettings quick(RenderSettings settings) {
     RenderSettings.Builder builder = settings.toBuilder();
     if ((long) settings.width() * settings.height() > MOST_PIXELS) {
@@ -179,7 +179,7 @@ public final class HostileScenes {
     require(line.codePoints().noneMatch(Character::isISOControl), "controls terminals: " + line);
   }
 
-  /** Returns the hashes of a scene that has read none, one or all of the files it may read. */
+  /** Returns the possible hashes of a scene that has read none, one or all of its allowed files. */
   private Set<String> hashes(byte[] text) {
     Set<String> hashes = new TreeSet<>();
     hashes.add(hash(text));

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Every hostile scene is rendered, or rejected with a reason. */
 class HostileScenesTest {
   private static final int COUNT = 2000;
 
@@ -28,7 +29,7 @@ class HostileScenesTest {
             .mapToObj(i -> scenes.run(Effort.seed(0) + i))
             .collect(Collectors.groupingBy(Ending::exitCode, TreeMap::new, Collectors.counting()));
     assertThat(endings).containsOnlyKeys(0, 3, 4, 5);
-    // Scenes that are all refused, or all rendered, would test nothing.
+    // If all scenes were rejected, or all rendered, the test would be useless.
     assertThat(endings.get(0)).isBetween(COUNT / 10L, COUNT * 9L / 10);
   }
 

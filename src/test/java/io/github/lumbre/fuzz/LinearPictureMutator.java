@@ -18,8 +18,8 @@ import java.util.Map;
 import java.util.Random;
 
 /**
- * Changes OpenEXR files attribute by attribute and block by block, and portable float maps word by
- * word, so that what is not changed still fits together. Confined to one thread.
+ * Changes OpenEXR files by attributes and blocks, and portable float maps by words, so that
+ * unchanged parts stay consistent. Confined to one thread.
  */
 final class LinearPictureMutator {
   private static final int MAGIC_BYTES = 8;
@@ -84,10 +84,10 @@ final class LinearPictureMutator {
   private final List<byte[]> pfms;
   private final Random random;
 
-  /** A named value of a header. */
+  /** A header attribute. */
   private record Attribute(String name, String type, byte[] value) {}
 
-  /** Lines of pixels, from one on. */
+  /** A block of pixel lines that starts at the given line. */
   private record Block(int line, int length, byte[] data) {}
 
   private LinearPictureMutator(List<byte[]> exrs, List<byte[]> pfms, Random random) {
@@ -96,7 +96,7 @@ final class LinearPictureMutator {
     this.random = random;
   }
 
-  /** Returns a mutator of sound files, which it writes below a folder and forgets there. */
+  /** Returns a mutator of valid files, which it writes below a folder and does not delete. */
   static LinearPictureMutator in(Path folder) {
     List<byte[]> exrs = new ArrayList<>();
     List<byte[]> pfms = new ArrayList<>();
@@ -112,7 +112,7 @@ final class LinearPictureMutator {
     return new LinearPictureMutator(exrs, pfms, new Random());
   }
 
-  /** Returns one that draws from another source. */
+  /** Returns the same mutator with another source of random numbers. */
   LinearPictureMutator drawingFrom(Random source) {
     return new LinearPictureMutator(exrs, pfms, source);
   }
@@ -139,7 +139,7 @@ final class LinearPictureMutator {
     }
   }
 
-  /** Returns a file that differs from a sound one. */
+  /** Returns a file that differs from a valid one. */
   byte[] next() {
     byte[] file = random.nextBoolean() ? changedMap() : changedExr();
     return random.nextInt(8) == 0 ? Arrays.copyOf(file, random.nextInt(file.length + 1)) : file;
@@ -256,7 +256,7 @@ final class LinearPictureMutator {
         blocks.set(at, new Block(old.line, old.length, data));
       }
       default -> {
-        // Blocks that did not shrink are stored as they are, so this is a value of some pixel.
+        // Blocks that did not shrink are stored uncompressed, so this is the value of some pixel.
         changeFloat(ByteBuffer.wrap(data).order(ByteOrder.LITTLE_ENDIAN), 0);
         blocks.set(at, new Block(old.line, old.length, data));
       }

@@ -79,7 +79,7 @@ final class MeshMutator {
     this.random = random;
   }
 
-  /** Returns an OBJ text that differs from the given one, or from a sound one if that is empty. */
+  /** Returns an OBJ text that differs from the given one, or from a valid one if that is empty. */
   byte[] changed(byte[] old) {
     String text =
         old.length == 0 || random.nextBoolean()

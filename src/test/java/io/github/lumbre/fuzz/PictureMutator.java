@@ -17,7 +17,7 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.Inflater;
 import javax.imageio.ImageIO;
 
-/** Changes PNG files chunk by chunk, with checksums that are right, and JPEG files byte by byte. */
+/** Changes PNG files chunk by chunk, with valid checksums, and JPEG files byte by byte. */
 final class PictureMutator {
   private static final int SIGNATURE_BYTES = 8;
   private static final int[] TYPES = {
@@ -52,7 +52,7 @@ final class PictureMutator {
       files("jpg", BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY);
 
   static {
-    // As many scans as are allowed, and more.
+    // The maximum number of scans, and more.
     JPEGS.add(ProgressiveJpeg.grey(2, 100));
     JPEGS.add(ProgressiveJpeg.grey(1, 101));
   }
@@ -83,12 +83,12 @@ final class PictureMutator {
     return files;
   }
 
-  /** Returns a picture file that is as it should be. */
+  /** Returns a valid picture file. */
   static byte[] sound() {
     return PNGS.get(0).clone();
   }
 
-  /** Returns a picture file that differs from a sound one. */
+  /** Returns a picture file that differs from a valid one. */
   byte[] next() {
     if (random.nextInt(4) == 0) {
       return changedBytes(JPEGS.get(random.nextInt(JPEGS.size())));
@@ -156,7 +156,7 @@ final class PictureMutator {
     return header;
   }
 
-  /** Changes the pixels' bytes before they are deflated, so that what is deflated stays sound. */
+  /** Changes the pixels' bytes before compression, so that the compressed stream stays valid. */
   private void changePixels(List<Chunk> chunks) {
     for (int i = 0; i < chunks.size(); i++) {
       if (chunks.get(i).type.equals("IDAT")) {

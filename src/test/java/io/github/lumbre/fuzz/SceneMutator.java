@@ -13,9 +13,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/** Changes a scene at a few places, mostly so that it stays JSON. Mutable, for one thread. */
+/**
+ * Changes a scene in a few places; the result is usually still JSON. Mutable; confined to one
+ * thread.
+ */
 final class SceneMutator {
-  /** Numbers at the borders of what machines and the format know. */
+  /** Numbers at the limits of machine types and of the format. */
   private static final String[] NUMBERS = {
     "0",
     "-0",
@@ -145,10 +148,10 @@ final class SceneMutator {
     "\"type\":\"Light\","
   };
 
-  /** Marks a string whose text is to be printed as it is. */
+  /** Marks a string whose text is printed verbatim. */
   private static final String RAW = "\u0000raw:";
 
-  /** Where a value stands: in an array, at an index, or in an object, under a key. */
+  /** The place of a value: an array and an index, or an object and a key. */
   private record Place(JsonElement parent, String key, int index) {
     JsonElement value() {
       return parent instanceof JsonArray array ? array.get(index) : object().get(key);
@@ -173,9 +176,9 @@ final class SceneMutator {
   private final Random random;
 
   /**
-   * @param seeds sound scenes
-   * @param vocabulary of all of them
-   * @param random from which all that happens follows
+   * @param seeds valid scenes
+   * @param vocabulary the vocabulary of all these scenes
+   * @param random the only source of randomness
    */
   SceneMutator(List<JsonObject> seeds, Vocabulary vocabulary, Random random) {
     this.seeds = seeds;
@@ -184,7 +187,7 @@ final class SceneMutator {
     texts = vocabulary.texts();
   }
 
-  /** Returns the text of a scene that differs from a sound one. */
+  /** Returns the text of a scene that differs from a valid one. */
   byte[] next() {
     JsonObject scene = any(seeds).deepCopy();
     for (int changes = 1 + random.nextInt(3); changes > 0; changes--) {
@@ -211,7 +214,7 @@ final class SceneMutator {
     return list[random.nextInt(list.length)];
   }
 
-  /** Returns any place, but files and settings, of which there are few, more often. */
+  /** Returns a random place; files and settings, which are rare, are more probable. */
   private Place place(List<Place> places) {
     int kind = random.nextInt(8);
     List<Place> wanted =
@@ -233,7 +236,7 @@ final class SceneMutator {
         .orElse(JsonNull.INSTANCE);
   }
 
-  /** Asks for more than there is room for. */
+  /** Requests more memory than is available. */
   private void enlarge(JsonObject scene) {
     if (scene.get("renderOptions") instanceof JsonObject options && random.nextBoolean()) {
       options.addProperty("width", 65535);
@@ -348,7 +351,7 @@ final class SceneMutator {
     }
   }
 
-  /** Puts an object among its own children, or a value into many arrays and objects. */
+  /** Nests an object in itself, or a value in many arrays and objects. */
   private void nest(Place place) {
     if (place.value() instanceof JsonObject object && object.has("type")) {
       JsonArray children = new JsonArray();
@@ -367,7 +370,7 @@ final class SceneMutator {
     other.set(first);
   }
 
-  /** Adds a key that some scene has to an object. */
+  /** Adds a key of another scene to an object. */
   private void add(Place place) {
     if (place.value() instanceof JsonObject object) {
       JsonElement value = random.nextBoolean() ? raw(any(NUMBERS)) : new JsonPrimitive(any(texts));

@@ -9,10 +9,10 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * The words that scenes are made of.
+ * The words of scenes.
  *
- * @param keys of all objects
- * @param texts of all short values that are strings
+ * @param keys the keys of all objects
+ * @param texts all short string values
  */
 record Vocabulary(List<String> keys, List<String> texts) {
   private static final int LONGEST = 20;

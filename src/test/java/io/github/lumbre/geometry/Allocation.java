@@ -3,8 +3,8 @@ package io.github.lumbre.geometry;
 import java.lang.reflect.Method;
 
 /**
- * How many bytes this thread has allocated. By reflection, since the module does not read the
- * management interfaces that say so.
+ * Measures the bytes that the current thread has allocated, by reflection because the module does
+ * not read the management interfaces.
  */
 final class Allocation {
   private Allocation() {}

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests the branch-free choices of an axis. */
 class AxesTest {
   private static final double[] VALUES = {
     -Double.MAX_VALUE, -2, -1, -Double.MIN_VALUE, -0.0, 0, Double.MIN_VALUE, 1, 2, 1e300

@@ -9,10 +9,14 @@ import io.github.lumbre.math.Vec3;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Compares box hits with a reference, and tests edges and texture frames. */
 class BoxTest {
   private static final Box BOX = new Box(Transform.IDENTITY, 2, 4, 6);
 
-  /** All directions of -1, 0, 1 on each axis, from origins inside, outside and on the faces. */
+  /**
+   * Tests all directions with components -1, 0 and 1, from origins inside, outside and on the
+   * faces.
+   */
   @Test
   void zeroDirectionsOfEitherSignAgree() {
     double[] places = {-1.5, -1, -.5, 0, .5, 1, 1.5};
@@ -41,12 +45,12 @@ class BoxTest {
     assertThat(hits).isGreaterThan(1000);
   }
 
-  /** Returns a number, if it is 0 with a sign by the lowest bit. */
+  /** Returns the number, or for 0 a zero whose sign is the lowest bit of {@code signs}. */
   private static double zero(double d, int signs) {
     return d != 0 ? d : (signs & 1) == 0 ? 0.0 : -0.0;
   }
 
-  /** The slabs by their definition: t of the first crossing at which the ray is on the box. */
+  /** Returns the t of the first slab crossing at which the ray is on the box. */
   private static double reference(Vec3 origin, double[] d) {
     double[] half = {1, 2, 3};
     double best = Double.NaN;
@@ -58,7 +62,7 @@ class BoxTest {
           double p = origin.get(other) + t * d[other];
           isOn &= other == axis || Math.abs(p) <= half[other];
         }
-        // Sliding out of an edge: a ray that only touches has entered there.
+        // A ray that only touches an edge enters and leaves there.
         best = isOn ? t : best;
       }
     }
@@ -107,7 +111,7 @@ class BoxTest {
         Frame frame = hit.shading();
         SphereTest.assertOrthonormal(frame);
         assertThat(hit.geometricNormal().dot(from)).isPositive();
-        // Moving a little along a tangent must raise its texture coordinate.
+        // A small step along a tangent must increase its texture coordinate.
         assertThat(moved(box, ray, frame.tangent()).texture().u()).isGreaterThan(hit.texture().u());
         assertThat(moved(box, ray, frame.bitangent()).texture().v())
             .isGreaterThan(hit.texture().v());

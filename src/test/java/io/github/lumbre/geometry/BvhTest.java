@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Compares hits of the hierarchy with a test of every shape. */
 class BvhTest {
   private static final Bounds3 AROUND = new Bounds3(new Vec3(-6, -6, -6), new Vec3(6, 6, 6));
 
@@ -105,7 +106,7 @@ class BvhTest {
     NearestHit found = new NearestHit();
     NearestHit expected = new NearestHit();
     for (int i = 0; i < 5000; i++) {
-      // Half-integers lie on borders, integers in planes.
+      // Half-integers are on borders, integers are in planes.
       Vec3 origin =
           new Vec3(.5 * random.nextInt(18) - 1, random.nextInt(5) - 1, .5 * random.nextInt(18) - 1);
       for (Vec3 direction :
@@ -248,7 +249,7 @@ class BvhTest {
     assertThat(hit.t()).isEqualTo(1);
   }
 
-  /** A plane cut into triangles, with corners, edges and rays that doubles hold exactly. */
+  /** A plane divided into triangles, whose corners, edges and rays are exact in doubles. */
   @Test
   void sharedEdgesBelongToTheLowestElement() {
     int side = 8;
@@ -292,7 +293,7 @@ class BvhTest {
     return TriangleMesh.of(p, new double[0], new double[0], f);
   }
 
-  /** A ray is blocked just if its nearest hit lies before its end, to the last bit. */
+  /** A ray is occluded exactly if its nearest hit is before its end, to the last bit. */
   @Test
   void occlusionAgreesWithTheNearestHitAtItsVeryEnd() {
     Random random = new Random(Effort.seed(8));

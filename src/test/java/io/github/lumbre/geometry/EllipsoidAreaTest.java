@@ -9,12 +9,13 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Compares ellipsoid areas with numerical integrals. */
 class EllipsoidAreaTest {
   private static final int STEPS = 200;
 
   /**
    * Returns the area by Fejér's first rule over the cosine of the colatitude and the trapezoidal
-   * rule over the longitude, which converge exponentially.
+   * rule over the longitude. Both converge exponentially.
    */
   private static double byQuadrature(Transform m) {
     double sum = 0;
@@ -35,7 +36,7 @@ class EllipsoidAreaTest {
     return sum;
   }
 
-  /** Returns the weight of a point of Fejér's rule. */
+  /** Returns the weight of a point in Fejér's rule. */
   private static double weight(int i) {
     double angle = Math.PI * (2 * i + 1) / STEPS;
     double sum = 0;

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests hits, borders and sides of planes and rectangles. */
 class FlatShapesTest {
   private static final Rectangle RECTANGLE = new Rectangle(Transform.IDENTITY, 2, 4, false);
   private static final Rectangle TWO_SIDED = new Rectangle(Transform.IDENTITY, 2, 4, true);
@@ -79,7 +80,7 @@ class FlatShapesTest {
     assertThat(hit.texture().u()).isCloseTo(.1 * sin / cos, within(1e-14 / cos));
   }
 
-  /** However flat the ray and however the surface is turned, to some ulp of the way. */
+  /** Grazing rays hit rotated surfaces to within a few ulp of the distance. */
   @ParameterizedTest
   @ValueSource(doubles = {1e-1, 1e-5, 1e-10, 1e-13, 1e-15})
   void grazingRaysHitOnTheSurface(double cos) {
@@ -92,7 +93,7 @@ class FlatShapesTest {
       Vec3 normal = place.normal(Vec3.Y);
       Vec3 along = place.vector(Vec3.X);
       Vec3 direction = along.times(sin).plus(-cos, normal);
-      // What the rounded coordinates of the ray stand for, and not what they were meant to.
+      // Computed from the rounded coordinates of the ray, not from the intended ones.
       double height = normal.dot(normal);
       double slope = -direction.dot(normal);
       Ray ray = new Ray(normal, direction);

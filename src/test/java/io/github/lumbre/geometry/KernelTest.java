@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests that both traversal kernels find bit-identical hits. */
 class KernelTest {
   private static final Bounds3 AROUND = new Bounds3(new Vec3(-6, -6, -6), new Vec3(6, 6, 6));
   private static final Vec3[] AXES = {Vec3.X, Vec3.Y, Vec3.Z};
@@ -30,7 +31,7 @@ class KernelTest {
     assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
   }
 
-  /** Both hierarchies over the same shapes. */
+  /** The two hierarchies over the same shapes. */
   private record Pair(List<? extends Shape> shapes, Bvh vector, Bvh scalar) {
     static Pair over(List<? extends Shape> shapes) {
       assumeVectors();
@@ -38,7 +39,7 @@ class KernelTest {
     }
   }
 
-  /** Returns whether there is a hit, the same for both. */
+  /** Checks that both kernels find the same hit, and returns whether there is one. */
   private boolean assertSame(Pair pair, Ray ray) {
     boolean isHit = pair.scalar.intersect(ray, byPlainJava);
     assertThat(pair.vector.intersect(ray, byVectors)).as("hit of %s", ray).isEqualTo(isHit);
@@ -56,7 +57,10 @@ class KernelTest {
     return isHit;
   }
 
-  /** Tries a ray and those derived from its hit: ended near it, gone on from it, reflected. */
+  /**
+   * Tests a ray and rays derived from its hit: one that ends near it, one that continues from it,
+   * and a reflected one.
+   */
   private int assertSameAround(Pair pair, Ray ray, Random random) {
     if (!assertSame(pair, ray)) {
       return 0;
@@ -214,8 +218,8 @@ class KernelTest {
   }
 
   /**
-   * Rays in the planes of triangles, which rounding decides about: hits are the same, and they are
-   * where the ray is.
+   * For rays in the planes of triangles, where rounding decides, both kernels find the same hits,
+   * and the hits are on the ray.
    */
   @Test
   void hitsOfTrianglesSeenEdgeOnAreTheSame() {
@@ -245,7 +249,7 @@ class KernelTest {
     assertThat(hits).isGreaterThan(250 * rounds);
   }
 
-  /** Returns triangles in a cube with edges from 1 down to 2^-40, most of them slivers. */
+  /** Returns triangles in a cube, with edges from 2^-40 to 1; most of them are slivers. */
   private static TriangleMesh triangles(Random random, int count) {
     double[] p = new double[9 * count];
     int[] indices = new int[3 * count];
@@ -268,7 +272,7 @@ class KernelTest {
     return a.plus(b1, b.minus(a)).plus(b2, c.minus(a));
   }
 
-  /** The counting search finds the hits of plain Java, by a number of nodes that a tree has. */
+  /** The counting traversal finds the hits of plain Java with a plausible number of node visits. */
   @Test
   void countingFindsTheSameHitsAndFewNodes() {
     Random random = new Random(7);
@@ -291,7 +295,7 @@ class KernelTest {
       assertThat(counting.isOccluded(ray, counted)).isEqualTo(isHit);
     }
     assertThat(hits).isGreaterThan(100);
-    // 2400 triangles and 60 shapes, of which a search meets a few dozen nodes.
+    // For 2400 triangles and 60 shapes, a traversal visits a few dozen nodes.
     assertThat(visits.sum() / 10_000.0).isBetween(3.0, 60.0);
   }
 
@@ -320,7 +324,7 @@ class KernelTest {
       }
       least = Math.min(least, Allocation.ofThisThread() - before);
     }
-    // Asking costs a little itself; an object a ray would be a hundred thousand bytes.
+    // The measurement itself allocates a little; one object per ray would be 100,000 bytes.
     assertThat(least).isLessThan(2000);
   }
 

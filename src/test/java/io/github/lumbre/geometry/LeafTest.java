@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** How leaves are named, weighed and numbered. */
+/** Tests the encoding, the weights and the numbering of leaves. */
 class LeafTest {
   @Test
   void referencesKeepWhatTheyAreMadeOf() {
@@ -21,7 +21,9 @@ class LeafTest {
     }
   }
 
-  /** Triangles are tested in blocks, and the last block may not be full; shapes one by one. */
+  /**
+   * Triangles are tested in blocks, and the last block may be partial; shapes are tested singly.
+   */
   @Test
   void blocksOfTrianglesAndShapesAreUnits() {
     for (int block : new int[] {1, 2, 4, 8}) {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests triangle meshes: hits, normals, texture coordinates and degenerate data. */
 class MeshTest {
   private static final double[] NONE = {};
   private static final double[] CORNER = {0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -195,7 +196,9 @@ class MeshTest {
     }
   }
 
-  /** Rays that pass a border by more than rounding moves them meet a sliver just if they do. */
+  /**
+   * Rays farther from a border than the rounding error hit a sliver exactly if the exact ray does.
+   */
   @ParameterizedTest
   @ValueSource(doubles = {1e-3, 1e-6, 1e-9, 1e-12})
   void sliversAreHitWhereExactArithmeticSaysSo(double width) {
@@ -227,7 +230,7 @@ class MeshTest {
     assertThat(hits).isGreaterThan(rays / 5);
   }
 
-  /** A ray and a triangle without any rounding: edge functions of whole numbers of digits. */
+  /** An intersection test of a ray and a triangle in exact arithmetic. */
   private static final class ExactTriangle {
     private final BigDecimal[] edges = new BigDecimal[3];
     private final double[] distances = new double[3];
@@ -254,7 +257,7 @@ class MeshTest {
       return Math.abs(sum) == 3 && sideOfOrigin == sideOfDirection;
     }
 
-    /** Returns how far the ray's line is from those of the edges. */
+    /** Returns the distance of the ray's line from the lines of the edges. */
     double distanceFromBorder() {
       return Math.min(distances[0], Math.min(distances[1], distances[2]));
     }

@@ -12,12 +12,12 @@ import java.util.function.Function;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What leaves one of two close, parallel surfaces into the gap between them meets the other. */
+/** A ray that leaves one of two close, parallel surfaces into their gap hits the other surface. */
 class NarrowGapTest {
   /** The narrowest gap between flat shapes, in ulp of the largest coordinate. */
   private static final double FLAT = 64;
 
-  /** The same for triangles, which their error bound holds farther apart. */
+  /** The narrowest gap between triangles, whose error bound is larger. */
   private static final double TRIANGLES = 128;
 
   private static final int WAYS = 10;
@@ -56,8 +56,8 @@ class NarrowGapTest {
       Ray ray = new Ray(origin, target.minus(origin).normalized());
       NearestHit nearest = new NearestHit();
       boolean isMet = both.intersect(ray, nearest) && nearest.shape() == 0;
-      // Rounding may lead a ray that starts on the surface far beyond its target, to coordinates
-      // for which the gap is too narrow.
+      // Rounding may carry a ray far beyond its target, to coordinates for which the gap is too
+      // narrow.
       if (isMet && nearest.t() <= 3 * distance) {
         SurfaceHit hit = at.apply(turned).surfaceAt(nearest);
         leaks += leaks(both, hit, turned.vector(Vec3.Y), distance, 2 * gap / distance, random);
@@ -68,7 +68,10 @@ class NarrowGapTest {
     assertThat(leaks).isZero();
   }
 
-  /** Counts rays out of a gap, leaving out those that may pass the other surface's border. */
+  /**
+   * Counts the rays that leak from a gap, without those that may pass the border of the other
+   * surface.
+   */
   private static int leaks(
       Bvh both, SurfaceHit hit, Vec3 up, double distance, double leastCosine, Random random) {
     NearestHit scratch = new NearestHit();

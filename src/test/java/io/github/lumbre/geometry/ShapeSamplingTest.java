@@ -17,8 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
+/** Tests the samples of shapes and their densities. */
 class ShapeSamplingTest {
-  /** Standard errors: exceeded by chance once in two million. */
+  /** The critical number of standard errors, exceeded by chance once in two million cases. */
   private static final double Z = 5;
 
   private static final Transform SKEWED =
@@ -51,7 +52,7 @@ class ShapeSamplingTest {
       if (sample.pdf() > 0 && isVisible(shape, reference, sample)) {
         Vec3 way = sample.position().minus(reference);
         Optional<SurfaceHit> hit = Shapes.hit(shape, new Ray(reference, way.normalized()));
-        // Grazing hits move far along the surface by rounding.
+        // Rounding moves grazing hits far along the surface.
         double cos = Math.abs(way.normalized().dot(sample.normal()));
         if (cos > 1e-3) {
           compared++;
@@ -65,7 +66,7 @@ class ShapeSamplingTest {
     assertThat(compared).isGreaterThan(800);
   }
 
-  /** Two estimates of a solid angle, and of the share of samples that can be seen. */
+  /** Compares two estimates of a solid angle, and of the fraction of visible samples. */
   @ParameterizedTest
   @MethodSource("shapes")
   void samplesWeighLikeUniformDirections(Shape shape) {
@@ -79,7 +80,8 @@ class ShapeSamplingTest {
       for (int i = 0; i < 40_000; i++) {
         SurfaceSample sample = shape.sample(reference, Shapes.square(random));
         boolean isVisible = sample.pdf() > 0 && isVisible(shape, reference, sample);
-        // Points seen edge on weigh without bound: bounded weights make a fair test of the rest.
+        // The weights of points seen edge-on are unbounded; clamping them allows a test of the
+        // rest.
         solidAngle.add(isVisible ? Math.min(1, .01 * sample.pdf()) / sample.pdf() : 0);
         drawn.add(isVisible ? Math.min(1, 1 / sample.pdf()) : 0);
         Ray ray = new Ray(reference, Shapes.direction(random));
@@ -214,7 +216,7 @@ class ShapeSamplingTest {
     assertThat(new Plane(doubled, true).area()).isInfinite();
   }
 
-  /** Mean and variance of a series. */
+  /** The mean and variance of a series. */
   private static final class Mean {
     private int n;
     private double mean;

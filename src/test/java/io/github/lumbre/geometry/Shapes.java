@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 
-/** Shapes, rays and reference searches for tests. */
+/** Shapes, rays and reference intersection functions for tests. */
 final class Shapes {
   private Shapes() {}
 
@@ -23,7 +23,7 @@ final class Shapes {
     return new Point2(random.nextDouble(), random.nextDouble());
   }
 
-  /** Returns a point of the cube [-size, size]³. */
+  /** Returns a random point in the cube [-size, size]³. */
   static Vec3 point(Random random, double size) {
     return new Vec3(
         size * (2 * random.nextDouble() - 1),
@@ -35,7 +35,10 @@ final class Shapes {
     return Transform.rotationDegrees(point(random, 180));
   }
 
-  /** Returns translation · rotation · scale with factors up to the given ratio apart. */
+  /**
+   * Returns a random translation · rotation · scale; the scale factors differ by at most the given
+   * ratio.
+   */
   static Transform placement(Random random, double distance, double ratio) {
     Vec3 scale = new Vec3(factor(random, ratio), factor(random, ratio), factor(random, ratio));
     return Transform.translation(point(random, distance))
@@ -47,28 +50,28 @@ final class Shapes {
     return StrictMath.pow(ratio, random.nextDouble() - .5);
   }
 
-  /** Returns the nearest hit of one shape by itself. */
+  /** Returns the nearest hit of a single shape. */
   static Optional<SurfaceHit> hit(Shape shape, Ray ray) {
     NearestHit nearest = new NearestHit();
     nearest.aim(ray);
     return shape.intersect(nearest) ? Optional.of(shape.surfaceAt(nearest)) : Optional.empty();
   }
 
-  /** Returns the t of the nearest hit of one shape by itself, or NaN. */
+  /** Returns the t of the nearest hit of a single shape, or NaN. */
   static double distance(Shape shape, Ray ray) {
     NearestHit nearest = new NearestHit();
     nearest.aim(ray);
     return shape.intersect(nearest) ? nearest.t : Double.NaN;
   }
 
-  /** Tells whether a shape hides one of its own points from a surface. */
+  /** Returns whether a shape occludes one of its own points as seen from a surface. */
   static boolean hidesItself(Shape shape, SurfaceHit from, SurfaceSample sample) {
     NearestHit nearest = new NearestHit();
     from.spawnTowards(sample, nearest);
     return shape.intersect(nearest);
   }
 
-  /** Asks every shape in turn; the first wins ties. */
+  /** Tests every shape in order; the first one wins ties. */
   static boolean bruteForce(List<? extends Shape> shapes, Ray ray, NearestHit nearest) {
     nearest.aim(ray);
     for (int i = 0; i < shapes.size(); i++) {
@@ -84,7 +87,7 @@ final class Shapes {
     return TriangleMesh.of(positions, new double[0], new double[0], new int[] {0, 1, 2});
   }
 
-  /** Returns each triangle of a mesh as a mesh of its own, in world space. */
+  /** Returns each triangle of a mesh as a separate mesh in world space. */
   static List<Mesh> singly(Mesh mesh) {
     TriangleMesh all = mesh.triangles();
     List<Mesh> result = new ArrayList<>();
@@ -151,7 +154,7 @@ final class Shapes {
     return ring == rings ? (rings - 1) * sectors + 1 : 1 + (ring - 1) * sectors + sector % sectors;
   }
 
-  /** Returns a mixed bag of shapes around the origin. */
+  /** Returns random shapes of all kinds around the origin. */
   static List<Shape> zoo(Random random, int count) {
     SharedMesh ball = new SharedMesh(closedBall(6, 8, .2, true));
     List<Shape> shapes = new ArrayList<>();
@@ -171,7 +174,7 @@ final class Shapes {
     return shapes;
   }
 
-  /** Returns a ray of one of several kinds: from inside, towards the middle, or along an axis. */
+  /** Returns a random ray: from inside, towards the center, or along an axis. */
   static Ray ray(Random random, Bounds3 around) {
     Vec3 target = within(random, around);
     return switch (random.nextInt(4)) {

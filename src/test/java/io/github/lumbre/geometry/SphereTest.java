@@ -14,11 +14,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests hits and texture frames of spheres of all sizes and transforms. */
 class SphereTest {
   private static final Sphere UNIT = new Sphere(Transform.IDENTITY, 1);
   private static final double EPS = 0x1p-52;
 
-  /** Returns a ray from a distance that passes the origin at another. */
+  /**
+   * Returns a random ray from a given distance that passes the origin at distance {@code impact}.
+   */
   private static Ray passing(Random random, double distance, double impact) {
     Frame frame = Frame.around(Shapes.direction(random));
     Vec3 origin = frame.toWorld(new Vec3(impact, 0, -distance));
@@ -60,7 +63,7 @@ class SphereTest {
     }
   }
 
-  /** Rounding of the ray moves it by some ulp of its distance from the sphere. */
+  /** Rounding moves the ray by a few ulp of its distance from the sphere. */
   @ParameterizedTest
   @ValueSource(doubles = {0, .5, 1, 10, 1e3, 1e6})
   void tangentRaysOfAnyDirectionHitWithinTheUlpOfTheirDistance(double distance) {

@@ -16,11 +16,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Rectangles drawn by solid angle, against closed forms of solid angles. */
+/** Compares rectangles sampled by solid angle with closed forms of solid angles. */
 class SphericalRectangleTest {
   private static final int CELLS = 16;
 
-  /** Returns the solid angle of the rectangle between the foot of the point and (x, y), signed. */
+  /** Returns the signed solid angle of the rectangle between the foot of the point and (x, y). */
   private static double ofCorner(double x, double y, double z) {
     return Math.atan2(x * y, z * Math.sqrt(x * x + y * y + z * z));
   }
@@ -48,7 +48,7 @@ class SphericalRectangleTest {
     }
   }
 
-  /** From just above a rectangle it fills the half of all directions. */
+  /** Seen from just above, a rectangle fills half of all directions. */
   @Test
   void solidAngleOfANearRectangleIsHalfTheSphere() {
     for (double z : new double[] {1e-9, 1e-100, 1e-300}) {
@@ -58,7 +58,9 @@ class SphericalRectangleTest {
     }
   }
 
-  /** Equal cells of the square have equal solid angles: each cell's corners tell its own. */
+  /**
+   * Equal cells of the unit square map to equal solid angles, computed from each cell's corners.
+   */
   @ParameterizedTest
   @CsvSource({
     "-1, 1, -1, 1, 1",
@@ -126,7 +128,7 @@ class SphericalRectangleTest {
     assertThat(ChiSquare.of(counts, shares).passes()).isTrue();
   }
 
-  /** The distance at which one map gives way to the other is no edge of the light. */
+  /** The mean does not change at the distance at which the sampling method changes. */
   @Test
   void bothMapsHaveTheSameMean() {
     Rectangle rectangle = new Rectangle(Transform.IDENTITY, 3, 1, false);
@@ -146,13 +148,14 @@ class SphericalRectangleTest {
                 return -way.dot(direction) / sample.pdf();
               });
     }
-    // Where the two are the same, the deviation of the nearer one is that of the cosine alone.
+    // Where both means are equal, the standard deviation of the nearer case comes from the cosine
+    // alone.
     assertThat(irradiances[0].variance()).isLessThan(.05 * irradiances[1].variance());
     assertThat(Statistics.deviation(irradiances[0].z(irradiances[1])))
         .isLessThan(Statistics.CRITICAL_Z);
   }
 
-  /** A slanted image is no rectangle: its points are drawn by area, and its density is of area. */
+  /** A parallelogram is not a rectangle, so its points are sampled by area. */
   @Test
   void parallelogramsAreDrawnByArea() {
     Transform slanted =

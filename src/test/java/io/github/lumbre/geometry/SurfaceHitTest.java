@@ -18,11 +18,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests error bounds, and the rays that leave a surface. */
 class SurfaceHitTest {
   private static final TriangleMesh TRIANGLE =
       Shapes.triangle(new Vec3(-1, -.5, .3), new Vec3(1.2, -.7, -.2), new Vec3(.1, .9, .4));
 
-  /** A flat or convex surface cannot be met again on the side that one leaves it to. */
+  /** A ray that leaves a flat or convex surface cannot hit it again. */
   @ParameterizedTest
   @ValueSource(doubles = {1e-8, 1e-4, 1, 1e4, 1e8})
   void raysThatLeaveDoNotMeetTheSurfaceAgain(double size) {
@@ -62,7 +63,9 @@ class SurfaceHitTest {
     return shapes;
   }
 
-  /** Rays that left surfaces, and what is told of the first that met its own again. */
+  /**
+   * Counts the rays that left surfaces, and describes the first ray that hit its own surface again.
+   */
   private static final class Spawned {
     private int hits;
     private long rays;
@@ -135,7 +138,7 @@ class SurfaceHitTest {
     }
   }
 
-  /** Where a map skews, the way into local space and back is the less exact the longer it is. */
+  /** With a skewing transform, mapping to local space and back is less exact for longer rays. */
   @ParameterizedTest
   @ValueSource(doubles = {1e2, 1e4, 1e6})
   void shadowRaysEndBeforeSkewedSpheres(double distance) {
@@ -250,7 +253,7 @@ class SurfaceHitTest {
     }
   }
 
-  /** Off the surface by the error, to the side to which they go. */
+  /** Origins are offset by the error, to the side that the rays point to. */
   @Test
   void raysBeginOffTheSurfaceByItsError() {
     Random random = new Random(23);
@@ -276,7 +279,7 @@ class SurfaceHitTest {
     }
   }
 
-  /** Off both surfaces by their errors, each to the side of the other. */
+  /** Both ends are offset by the errors of their surfaces, each towards the other surface. */
   @Test
   void shadowRaysEndOffTheOtherSurfaceByItsError() {
     Random random = new Random(24);

@@ -8,6 +8,7 @@ import io.github.lumbre.texture.TexturePoint;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests sampled surface points and their densities. */
 class SurfaceSampleTest {
   @Test
   void samplesKeepWhatIsSet() {
@@ -39,7 +40,7 @@ class SurfaceSampleTest {
     assertThat(sample.isSeenFrontally(new Vec3(1, 2, 0))).isFalse();
   }
 
-  /** dist^2 / (|cos| area), from either side; 0 where that is no number. */
+  /** The density is distance² / (|cos| area) from either side, or 0 where that is not finite. */
   @Test
   void densityOfAnAreaIsThatOfItsSolidAngle() {
     Vec3 way = new Vec3(0, 3, 4);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the space of a hierarchy's floats and its error bound. */
 class UnitSpaceTest {
   private static final double[] SIZES = {1e-9, .1, 1, 3, 1e9};
 
@@ -14,7 +15,10 @@ class UnitSpaceTest {
         new double[] {x - half, x + half, y - half / 2, y + half / 2, z - half / 4, z + half / 4});
   }
 
-  /** Corners lie within one, and the farthest beyond a half: floats are used to their limit. */
+  /**
+   * All corners are within 1 and the farthest is beyond 0.5, so floats are used to their full
+   * precision.
+   */
   @Test
   void allThatThereIsFillsTheUnitCube() {
     for (double half : SIZES) {
@@ -70,7 +74,7 @@ class UnitSpaceTest {
   void slackGrowsWithBothReaches() {
     double slack = UnitSpace.slack(1, 1);
     assertThat(slack).isPositive();
-    // Four roundings of floats, of numbers of up to 2, and of doubles far from the centre.
+    // Four roundings of floats up to 2, and of doubles far from the center.
     assertThat(UnitSpace.slack(3, 1)).isGreaterThan(slack + 2 * 0x1p-24);
     assertThat(UnitSpace.slack(1, 1e6)).isGreaterThan(slack + 1e6 * 0x1p-52);
     assertThat(UnitSpace.slack(1, 1e6)).isLessThan(.01);
@@ -89,7 +93,7 @@ class UnitSpaceTest {
     }
   }
 
-  /** So far from the origin that doubles have no digit left for floats. */
+  /** So far from the origin that doubles have no precision left for floats. */
   @Test
   void nothingIsInsideOutOfTheReachOfFloats() {
     UnitSpace far = around(0x1p50, 0, 0, 1);

@@ -12,8 +12,9 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** No ray passes between the triangles of a closed mesh. */
 class WatertightTest {
-  /** A third of the targets each are at random, at edges and at vertices. */
+  /** The number of targets: a third each are random points, on edges and at vertices. */
   private static final int TARGETS = Effort.count(40_000, 30_000_000);
 
   private static final TriangleMesh BALL = Shapes.closedBall(16, 16, .2, false);
@@ -32,7 +33,7 @@ class WatertightTest {
     Bvh bvh = Bvh.over(List.of(mesh));
     NearestHit hit = new NearestHit();
     int leaks = 0;
-    // The first place gets ten million targets of each kind, the others three.
+    // The first position gets 10 million targets of each kind, the others 3 million.
     int targets = scale == 1 && offset == 0 ? TARGETS : Effort.count(TARGETS, 9_000_000);
     for (int i = 0; i < targets; i++) {
       Vec3 inside = place.point(Shapes.point(random, .2));
@@ -48,7 +49,7 @@ class WatertightTest {
     assertThat(leaks).isZero();
   }
 
-  /** Returns a point of a triangle, of an edge as nearly as rounding allows, or a vertex. */
+  /** Returns a random point of a triangle, a point of an edge up to rounding, or a vertex. */
   private static Vec3 target(TriangleMesh mesh, Random random, int kind) {
     int triangle = random.nextInt(mesh.triangleCount());
     Vec3 a = mesh.position(mesh.vertex(triangle, 0));

@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Laws of the choice of nodes that have up to eight children. */
+/** Tests the choice of nodes with up to eight children. */
 class WideCollapseTest {
   private static final int TREES = 300;
   private static final int MAX_LEAVES = 60;
 
-  /** Returns a tree, of any shape, over leaves of random boxes. */
+  /** Returns a tree of random shape over leaves with random boxes. */
   private static BvhNode tree(int first, int end, SplittableRandom random) {
     if (end - first == 1) {
       double[] box = new double[6];
@@ -33,7 +33,7 @@ class WideCollapseTest {
     return new BvhNode.Inner(box, left, right);
   }
 
-  /** Gathers the leaves in order; returns the surface of the nodes kept. */
+  /** Collects the leaves in order; returns the total surface area of the kept nodes. */
   private static double walk(WideCollapse collapse, WideCollapse.Kept node, List<BvhNode> leaves) {
     double surface = BvhSplitter.halfArea(node.node().box(), 0);
     WideCollapse.Kept[] children = collapse.children(node);
@@ -48,7 +48,7 @@ class WideCollapseTest {
     return surface;
   }
 
-  /** Returns the surface of nodes kept by a random choice. */
+  /** Returns the total surface area of the nodes that a random choice keeps. */
   private static double atRandom(BvhNode node, SplittableRandom random) {
     List<BvhNode> lanes = new ArrayList<>(List.of(node));
     int wanted = random.nextInt(2, WideTree.WIDTH + 1);
@@ -66,7 +66,9 @@ class WideCollapseTest {
             .sum();
   }
 
-  /** Returns the surface of nodes kept by opening the largest again and again. */
+  /**
+   * Returns the total surface area of the nodes kept when the largest node is always opened first.
+   */
   private static double byOpeningTheLargest(BvhNode node) {
     List<BvhNode> lanes = new ArrayList<>(List.of(node));
     while (lanes.size() < WideTree.WIDTH) {

@@ -15,6 +15,7 @@ import java.util.zip.DeflaterOutputStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
+/** Tests the detection of color spaces other than sRGB in picture files. */
 class ColorTagTest {
   private static final int AFTER_HEADER = 33;
 
@@ -65,7 +66,7 @@ class ColorTagTest {
     return ICC_Profile.getInstance(space).getData();
   }
 
-  /** A profile with nothing but a description, of the older kind. */
+  /** Returns a profile with only a description, in the older format. */
   private static byte[] named(String name) {
     byte[] text = (name + "\0").getBytes(StandardCharsets.ISO_8859_1);
     ByteBuffer profile = ByteBuffer.allocate(156 + text.length);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests manual and automatic exposure. */
 class ExposureTest {
   private static double automatic(double... greys) {
     return Exposure.AUTO.factor(ImageFixture.greys(greys));

@@ -11,9 +11,9 @@ import java.util.zip.Inflater;
 /**
  * A small reader of OpenEXR files, independent of the writer: ZIP compression, float channels.
  *
- * @param attributes the raw values by name
- * @param types their types by name
- * @param channels the rows of each channel by name, one after the other from the top
+ * @param attributes the raw attribute values by name
+ * @param types the attribute types by name
+ * @param channels the rows of each channel by name, consecutively from the top
  */
 record ExrFixture(
     int width,

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files as other programs write them, made of those of {@link ExrWriter}. */
+/** Tests files in the form of other programs, derived from those of {@link ExrWriter}. */
 class ExrReaderTest {
   @TempDir private Path directory;
 
@@ -31,7 +31,7 @@ class ExrReaderTest {
     private final List<byte[]> blocks = new ArrayList<>();
 
     /**
-     * @param lines of each block; the blocks are not compressed
+     * @param lines the lines per block; the blocks are not compressed
      */
     Parts(Image image, int compression, int lines) throws IOException {
       this.image = image;
@@ -79,7 +79,7 @@ class ExrReaderTest {
       return block.array();
     }
 
-    /** Moves the window to another place of the plane. */
+    /** Moves the window to another position in the plane. */
     Parts at(int x, int y) {
       ByteBuffer window = little(header).position(valueOf("dataWindow"));
       window.putInt(x).putInt(y).putInt(x + image.width() - 1).putInt(y + image.height() - 1);
@@ -245,7 +245,7 @@ class ExrReaderTest {
     }
   }
 
-  /** Blocks that deflate much, so that few bytes stand for many pixels. */
+  /** Tests highly compressible blocks, in which few bytes encode many pixels. */
   @Test
   void evenPicturesAreReadHoweverFewTheirBytes() throws IOException {
     Image even = Image.black(3000, 33);
@@ -262,7 +262,9 @@ class ExrReaderTest {
     assertRefused(Arrays.copyOf(eight, 7), "found none of them");
   }
 
-  /** Of 400x48 pixels, three blocks of 8 bytes: more than a thousand of theirs for each. */
+  /**
+   * With 400x48 pixels in three blocks of 8 bytes, each byte claims more than 1000 bytes of pixels.
+   */
   @Test
   void claimsOfManyPixelsOverFewBytesTakeNoMemory() throws IOException {
     Parts parts = new Parts(ImageFixture.random(400, 48, false), 3, 16);

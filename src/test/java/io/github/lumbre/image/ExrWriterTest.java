@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests written OpenEXR files with an independent reader. */
 class ExrWriterTest {
   @TempDir Path directory;
 

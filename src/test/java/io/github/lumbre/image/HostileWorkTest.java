@@ -10,7 +10,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Small files that would make a decoder work for long. Work is counted in scans, not in time. */
+/**
+ * Tests small files that would keep a decoder busy for a long time; work is counted in scans, not
+ * in time.
+ */
 class HostileWorkTest {
   private static void assertRefused(byte[] file, String message) {
     assertThatThrownBy(() -> ImageReader.decode(file))
@@ -37,7 +40,7 @@ class HostileWorkTest {
             + " scans, expected at most 100; save it again as a baseline JPEG or as a PNG");
   }
 
-  /** A decoder passes over these bytes between scans; whoever counts must not stop at them. */
+  /** A decoder skips these bytes between scans, so the counter must not stop at them. */
   @Test
   void scansAreNotHiddenByWhatLiesBetweenThem() {
     byte[] file = ProgressiveJpeg.grey(2, 101);
@@ -60,7 +63,7 @@ class HostileWorkTest {
     int scans = 0;
     for (int i = 0; i < file.length; i++) {
       boolean isScan = file[i] == (byte) 0xff && file[i + 1] == (byte) 0xda;
-      // The first scan is found before; what the header holds is checked elsewhere.
+      // The first scan is found earlier; other tests check the header.
       if (isScan && scans++ > 0) {
         out.writeBytes(inserted);
       }
@@ -69,7 +72,7 @@ class HostileWorkTest {
     return out.toByteArray();
   }
 
-  /** What looks like a scan inside a comment is none. */
+  /** Bytes in a comment that look like a scan are not counted. */
   @Test
   void commentsAreNotCounted() throws IOException {
     byte[] comment = {(byte) 0xff, (byte) 0xfe, 0, 6, (byte) 0xff, (byte) 0xda, 0, 8};
@@ -77,9 +80,7 @@ class HostileWorkTest {
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isEqualTo(128);
   }
 
-  /**
-   * The decoder of the JDK takes its time for each chunk of image data, so it gets a single one.
-   */
+  /** The JDK's decoder is slow for each chunk of image data, so it receives a single chunk. */
   @Test
   void chunksOfImageDataBecomeOne() throws IOException {
     PngFixture fixture = new PngFixture().header(1, 1, 8, PngFixture.RGB, false);

@@ -6,11 +6,11 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.SplittableRandom;
 
-/** Pictures to write, and shortcuts to write them. */
+/** Pictures for tests, and helper functions to write them. */
 final class ImageFixture {
   private ImageFixture() {}
 
-  /** Returns a picture of random values in [0,2), with random alpha if wanted. */
+  /** Returns a picture of random values in [0,2), optionally with random alpha. */
   static Image random(int width, int height, boolean withAlpha) {
     SplittableRandom random = new SplittableRandom(width * 31L + height);
     float[] rgb = new float[3 * width * height];
@@ -24,7 +24,7 @@ final class ImageFixture {
     return new Image(width, height, rgb, alpha);
   }
 
-  /** Returns the picture of one row of greys. */
+  /** Returns a picture of one row of grays. */
   static Image greys(double... values) {
     float[] rgb = new float[3 * values.length];
     for (int i = 0; i < rgb.length; i++) {
@@ -37,7 +37,7 @@ final class ImageFixture {
     return new ImageWriter.Options(Exposure.NONE, curve, bits, Map.of());
   }
 
-  /** Returns the bytes of the file that a picture is written to. */
+  /** Writes a picture to a file and returns the file's bytes. */
   static byte[] written(Image image, Path file, ImageWriter.Options options) throws IOException {
     ImageWriter.write(image, file, options);
     return Files.readAllBytes(file);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
+/** Tests how the file extension selects the picture format. */
 class ImageFormatTest {
   @Test
   void theEndingDecidesInAnyCase() {

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the reading of valid, damaged and malicious PNG and JPEG files. */
 class ImageReaderTest {
   /** 8×8 texels of the inks (0, 128, 255, 64), inverted as Adobe does. */
   private static final String FOUR_INKS =

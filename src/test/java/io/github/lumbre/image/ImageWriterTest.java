@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests properties of all picture writers. */
 class ImageWriterTest {
   @TempDir Path directory;
 
@@ -114,7 +115,7 @@ class ImageWriterTest {
         .hasMessage("pngBits: expected 8 or 16, found " + bits);
   }
 
-  /** A channel on a device with little room. */
+  /** A channel on a device with little free space. */
   private static final class FullChannel implements SeekableByteChannel {
     private final int room;
     private long position;

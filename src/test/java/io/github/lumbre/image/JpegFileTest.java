@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Which colours a JPEG file means, by its markers and the names of its components. */
+/** Tests the color space of JPEG files, given by their markers and component names. */
 class JpegFileTest {
   private static final int WIDTH = 3;
   private static final int HEIGHT = 2;
@@ -25,7 +25,7 @@ class JpegFileTest {
     return start.header(WIDTH, HEIGHT, ids).scan(WIDTH, HEIGHT, ids, VALUES).end();
   }
 
-  /** A colour of the picture, by the values of its components. */
+  /** A color of the picture, computed from the values of its components. */
   private interface Meaning {
     double channel(int channel, double[] values);
   }
@@ -83,7 +83,7 @@ class JpegFileTest {
     assertMeans(finished(new JpegFixture().adobe(0), NUMBERS), 3, (channel, v) -> v[channel]);
   }
 
-  /** Segments that only look like the markers: of another name, or too short. */
+  /** Segments that only resemble the markers, with another name or too short, have no effect. */
   @Test
   void otherApplicationSegmentsMeanNothing() throws IOException {
     for (String text : new String[] {"JFXX\0\20", "JFIF", "", "J", "Adobe\0d\0\0\0\0", "Adobf"}) {
@@ -101,7 +101,7 @@ class JpegFileTest {
     assertMeans(comment, 3, (channel, v) -> v[channel]);
   }
 
-  /** By Adobe's convention 255 is no ink. */
+  /** By Adobe's convention, 255 means no ink. */
   @Test
   void fourComponentsOfAdobeAreInvertedInks() throws IOException {
     assertMeans(
@@ -189,7 +189,7 @@ class JpegFileTest {
         new JpegFixture().segment(0xc1, frame).end(), "JPEG has 12 bits a channel, expected 8");
   }
 
-  /** Neither byte of the end's marker is an end by itself. */
+  /** A single byte of the end marker does not end the data. */
   @Test
   void dataWithoutAnEndAreTruncated() {
     JpegFixture file = new JpegFixture().header(1, 1, NUMBERS).scan(1, 1, NUMBERS, VALUES);

@@ -5,11 +5,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Builds baseline JPEG files of even blocks of 8x8 texels (ITU-T T.81): nothing is lost but the
- * rounding of the transform. Mutable.
+ * Builds baseline JPEG files of constant 8x8 blocks (ITU-T T.81), whose only error is the rounding
+ * of the transform. Mutable.
  */
 final class JpegFixture {
-  /** The component's value of a block. */
+  /** The value of a component in a block. */
   interface Values {
     int at(int component, int blockX, int blockY);
   }
@@ -51,7 +51,9 @@ final class JpegFixture {
     return segment(0xee, content);
   }
 
-  /** Adds quantisation by one, the frame of as many components as there are ids, and tables. */
+  /**
+   * Adds quantization by 1, a frame with one component per character of {@code ids}, and tables.
+   */
   JpegFixture header(int blocksX, int blocksY, String ids) {
     byte[] ones = new byte[65];
     Arrays.fill(ones, 1, 65, (byte) 1);
@@ -63,7 +65,7 @@ final class JpegFixture {
       frame.writeBytes(new byte[] {id, 0x11, 0});
     }
     segment(0xc0, frame.toByteArray());
-    // The sizes of differences 0 to 11 in codes of four bits; an end of the block in one bit.
+    // Four-bit codes for the sizes of differences, 0 to 11; a one-bit code for the end of a block.
     byte[] sizes = new byte[1 + 16 + 12];
     sizes[4] = 12;
     for (int i = 0; i < 12; i++) {

@@ -12,6 +12,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests written JPEG files. */
 class JpegWriterTest {
   @TempDir private Path directory;
 
@@ -23,7 +24,9 @@ class JpegWriterTest {
     return Files.readAllBytes(file);
   }
 
-  /** Red and blue columns in turn: with halved color resolution both would be purple. */
+  /**
+   * Returns alternating red and blue columns; with halved color resolution, both would be purple.
+   */
   private static Image stripes() {
     Image image = Image.black(32, 16);
     for (int i = 0; i < 32 * 16; i++) {

@@ -10,7 +10,7 @@ import java.util.zip.DeflaterOutputStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The largest picture that is read takes the memory of its bytes and little more. */
+/** The largest allowed picture takes little more memory than its bytes. */
 @Tag(Effort.EXHAUSTIVE)
 class LargePictureTest {
   private static final int SIDE = 16_384;

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the reading of pictures as linear RGB. */
 class LinearReaderTest {
   @TempDir private Path directory;
 
@@ -74,7 +75,7 @@ class LinearReaderTest {
     Image image = ImageFixture.greys(0, .001, .2140411, .7, 1, 3);
     float[] read = LinearReader.decode(written(image, "a.png")).rgb();
     assertThat(read[0]).isZero();
-    // Half of a step of 8 bits where the curve is steepest for its values.
+    // Half of an 8-bit step where the curve is steepest for these values.
     assertThat(read[6]).isCloseTo(.214f, within(.003f));
     assertThat(read[12]).isEqualTo(1);
     assertThat(read[15]).isEqualTo(1);
@@ -84,7 +85,7 @@ class LinearReaderTest {
   void floatMapsOfOtherProgramsAreRead() throws IOException {
     ByteBuffer file = ByteBuffer.allocate(12 + 8);
     file.put("Pf 1 2\r\n2.5\n".getBytes(StandardCharsets.US_ASCII)).putFloat(3).putFloat(7);
-    // Big-endian, grey, the bottom row first.
+    // Big-endian, gray, with the bottom row first.
     assertThat(LinearReader.decode(file.array()).rgb()).containsExactly(7, 7, 7, 3, 3, 3);
   }
 
@@ -142,7 +143,7 @@ class LinearReaderTest {
         .hasMessageContaining(message);
   }
 
-  /** Programs disagree about what a scale other than 1 means. */
+  /** Programs disagree about the meaning of a scale other than 1. */
   @Test
   void scaleOfAFloatMapSaysTheOrderOfItsBytesAlone() throws IOException {
     for (String scale : new String[] {"-1", "-2.5", "1", "1e-3"}) {

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests written portable float maps. */
 class PfmWriterTest {
   private static final ImageWriter.Options OPTIONS =
       new ImageWriter.Options(Exposure.of(3), ToneCurve.ACES, 8, Map.of("Seed", "1"));

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests the order and the size of pixel data. */
 class PixelsTest {
   @Test
   void rowsAreCountedFromTheTop() {

@@ -9,7 +9,7 @@ import java.util.function.IntBinaryOperator;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 
-/** Builds PNG files chunk by chunk, sound and unsound ones. */
+/** Builds valid and invalid PNG files chunk by chunk. */
 final class PngFixture {
   static final int GREY = 0;
   static final int RGB = 2;
@@ -19,7 +19,7 @@ final class PngFixture {
 
   private static final int[][] WHOLE = {{0, 0, 1, 1}};
 
-  /** First column, first row, and the steps of the seven passes of Adam7. */
+  /** The first column, first row, column step and row step of the seven Adam7 passes. */
   private static final int[][] ADAM7 = {
     {0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}
   };

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Tests written PNG files and their text chunks. */
 class PngWriterTest {
   @TempDir Path directory;
 
@@ -87,7 +88,7 @@ class PngWriterTest {
 
   @Test
   void tiesAreRoundedUp() throws IOException {
-    // An encoded value of exactly k + 1/2 arises where the curve is a line: 12.92 v · 255.
+    // Encoded values of exactly k + 1/2 occur where the curve is linear: 12.92 v · 255.
     for (int k = 0; k < 10; k++) {
       double tie = (k + .5) / 255 / 12.92;
       float above = Math.nextUp((float) tie);
@@ -229,7 +230,7 @@ class PngWriterTest {
         .allSatisfy(data -> assertThat(ByteBuffer.wrap(data).getInt()).isEqualTo(45455));
   }
 
-  /** The first and last characters of Latin-1 that are printed, and those beside them. */
+  /** Tests the first and last printable Latin-1 characters and their neighbors. */
   @Test
   void printableLatinIsWrittenAsLatin() throws IOException {
     for (String latin : new String[] {"a ~b", "\u00a1\u00ff", "\n"}) {

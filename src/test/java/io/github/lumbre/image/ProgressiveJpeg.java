@@ -3,8 +3,8 @@ package io.github.lumbre.image;
 import java.io.ByteArrayOutputStream;
 
 /**
- * Writes progressive JPEG files of medium grey in any number of scans, all of them allowed by ITU-T
- * T.81, annex G: 64 coefficients, each of them bit by bit.
+ * Writes progressive JPEG files of medium gray with any number of scans, all allowed by ITU-T T.81,
+ * annex G: 64 coefficients, each bit by bit.
  */
 public final class ProgressiveJpeg {
   private static final int LONGEST_RUN_BITS = 14;
@@ -19,8 +19,8 @@ public final class ProgressiveJpeg {
   /**
    * Returns a file.
    *
-   * @param blocks on a side, of 8x8 pixels each
-   * @param scans from 1 to 896
+   * @param blocks the number of 8x8 blocks per side
+   * @param scans the number of scans, 1 to 896
    */
   public static byte[] grey(int blocks, int scans) {
     ProgressiveJpeg file = new ProgressiveJpeg();
@@ -47,9 +47,9 @@ public final class ProgressiveJpeg {
       bytes(1);
     }
     bytes(0xff, 0xc2, 0, 11, 8, side >> 8, side, side >> 8, side, 1, 1, 0x11, 0);
-    // One DC code, of one bit, for a difference of zero.
+    // One DC code of one bit for a difference of zero.
     bytes(0xff, 0xc4, 0, 20, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
-    // Fifteen AC codes, of four bits each, for runs of blocks that end.
+    // Fifteen AC codes of four bits each for end-of-band runs.
     bytes(0xff, 0xc4, 0, 34, 0x10, 0, 0, 0, 15, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
     for (int run = 0; run <= LONGEST_RUN_BITS; run++) {
       bytes(run << 4);

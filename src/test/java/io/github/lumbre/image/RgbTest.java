@@ -5,12 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests the arithmetic of colors. */
 class RgbTest {
   private static final double[] NOT_FINITE = {
     Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY
   };
 
-  /** Returns black, but for one channel. */
+  /** Returns black except for one channel. */
   private static Rgb only(int channel, double value) {
     return new Rgb(channel == 0 ? value : 0, channel == 1 ? value : 0, channel == 2 ? value : 0);
   }

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Compares tone curves with their formulas. */
 class ToneCurveTest {
   private static double grey(ToneCurve curve, double v) {
     return curve.apply(Rgb.grey(v)).g();
@@ -71,7 +72,7 @@ class ToneCurveTest {
     double last = -1;
     for (double v = 1e-6; v < 1e300; v *= 1.1) {
       double shown = grey(curve, v);
-      // Reinhard's grey saturates at 1, reached from below up to rounding.
+      // For gray, Reinhard's curve approaches 1 from below, up to rounding.
       assertThat(shown).isGreaterThanOrEqualTo(last - 1e-15);
       last = shown;
     }

@@ -33,7 +33,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** However wildly a map bends normals, surfaces neither make light nor let it through. */
+/** Surfaces with strongly perturbed normals do not create light or let it pass. */
 class BentNormalsTest {
   private static final Texture<Rgb> WHITE = Texture.constant(Rgb.WHITE);
 

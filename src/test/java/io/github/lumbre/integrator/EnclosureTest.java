@@ -24,21 +24,21 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Paths inside closed spheres, where roulette alone ends them: its mean and its variance. Light is
- * the ambient one mostly, of which every vertex gets the same: then nothing but roulette varies.
+ * Tests the mean and the variance of roulette for paths inside closed spheres, which only roulette
+ * ends. The light is mostly ambient and the same at every vertex, so only roulette varies.
  */
 class EnclosureTest {
   private static final Ray FROM_INSIDE = new Ray(new Vec3(.1, .2, -.3), new Vec3(.6, .64, .48));
 
-  /** Scatterings before the first at which a path may end. */
+  /** The number of scattering events before roulette starts. */
   private static final int SAFE = 4;
 
-  /** A sphere of some reflectance whose every point gets an irradiance of π from nowhere. */
+  /** Returns a sphere of a given reflectance with an ambient irradiance of π. */
   private static Scene furnace(double albedo) {
     return empty().add(sphere(0, 0, 0, 1), matte(albedo)).addAmbient(Rgb.grey(Math.PI)).build();
   }
 
-  /** Returns the moments of single samples, each of a pixel of its own. */
+  /** Returns the moments of single samples, each from its own pixel. */
   private static Moments moments(Scene scene, int depth, Ray ray, int samples, long seed) {
     PathTracer tracer = new PathTracer(scene, depth);
     Sampler sampler = new SobolSampler(Effort.seed(seed));
@@ -51,7 +51,10 @@ class EnclosureTest {
     return moments;
   }
 
-  /** ρ + ρ² + … + ρᴺ: what an enclosure that glows with 1 shows after N bounces, less its glow. */
+  /**
+   * ρ + ρ² + … + ρᴺ: the radiance of an enclosure with emission 1 after N bounces, without the
+   * emission.
+   */
   @ParameterizedTest
   @CsvSource({
     ".2, 0, 1",
@@ -102,10 +105,10 @@ class EnclosureTest {
   }
 
   /**
-   * After four scatterings a path survives with its weight, ρ⁴, from then on with ρ, so that it
-   * counts for 1 whenever it does: the number of its vertices is geometrically distributed. With
-   * probabilities of ρ² or less the variance would be infinite. Of so many samples, the variance
-   * has a standard error of 1 %.
+   * After four scattering events, a path survives with the probability of its throughput, ρ⁴, and
+   * later with ρ. Its throughput is then 1, and the number of its vertices has a geometric
+   * distribution. With probabilities of ρ² or less, the variance would be infinite. With this
+   * number of samples, the variance has a standard error of 1 %.
    */
   @ParameterizedTest
   @CsvSource({".5, 700000", ".8, 200000", ".95, 100000"})
@@ -140,8 +143,8 @@ class EnclosureTest {
   }
 
   /**
-   * Every point of a sphere sees every other under the same factor: with a light of intensity π in
-   * the centre, Bᵢ = ρᵢ / (1 − (ρ₁ + ρ₂) / 2).
+   * All pairs of points on a sphere have the same form factor: with a light of intensity π at the
+   * center, Bᵢ = ρᵢ / (1 − (ρ₁ + ρ₂) / 2).
    */
   @ParameterizedTest
   @CsvSource({".5, .5", ".9, .9", ".2, .8", ".95, .1"})
@@ -160,7 +163,7 @@ class EnclosureTest {
     }
   }
 
-  /** Where everything is white, whatever its form, nothing is seen against a white dome. */
+  /** White shapes of any form are invisible in a white environment. */
   @Test
   void whiteHollowsUnderAWhiteDomeAreWhite() {
     Scene scene =

@@ -9,13 +9,13 @@ import java.util.Arrays;
 
 /**
  * The mean radiance along one ray, from independent replicates. Samples of one pixel are stratified
- * and so not independent; the pixels are, and each is one replicate.
+ * and therefore not independent; pixels are independent, and each is one replicate.
  *
  * @param mean of the red component
  * @param error standard error of the mean
  */
 record Estimate(double mean, double error) {
-  /** Two-sided 1e-6, as for every statistical test. */
+  /** The two-sided critical value at 1e-6, as for all statistical tests. */
   static final double CRITICAL = Statistics.CRITICAL_Z;
 
   static final int REPLICATES = 256;
@@ -45,8 +45,8 @@ record Estimate(double mean, double error) {
   }
 
   /**
-   * Returns the distance to a reference in standard errors; 1e-11 of it, which rounding and events
-   * too rare for any sample explain, counts as none.
+   * Returns the distance to a reference in standard errors. A relative distance of 1e-11 counts as
+   * 0, because rounding and extremely rare events explain it.
    */
   double z(double reference) {
     double distance = Math.abs(mean - reference);

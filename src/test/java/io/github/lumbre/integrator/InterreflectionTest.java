@@ -33,11 +33,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Light that is scattered more than once: enclosures, mirrors and glass, against closed forms. */
+/** Compares multiply scattered light in enclosures, mirrors and glass with closed forms. */
 class InterreflectionTest {
   private static final Ray FROM_THE_CENTRE = new Ray(new Vec3(.1, .2, -.3), new Vec3(.6, .64, .48));
 
-  /** A point light of intensity π in the centre of a unit sphere: L = ρ (1−ρᴺ) / (1−ρ). */
+  /** A point light of intensity π in the center of a unit sphere: L = ρ (1−ρᴺ) / (1−ρ). */
   @ParameterizedTest
   @CsvSource({
     ".2, 1",
@@ -78,7 +78,7 @@ class InterreflectionTest {
     assertThat(estimate.z(expected)).isLessThan(Estimate.CRITICAL);
   }
 
-  /** ρ/π [E + ρΦ / (A(1−ρ))], E from a light half a radius off the centre. */
+  /** L = ρ/π [E + ρΦ / (A(1−ρ))], with E from a light half a radius off the center. */
   @ParameterizedTest
   @CsvSource({"0, 1, 0, 2.5", "0, -1, 0, .7222222222", "1, 0, 0, .8577708764"})
   void integratingSphereSpreadsAnOffCentreLight(double x, double y, double z, double expected) {
@@ -129,7 +129,7 @@ class InterreflectionTest {
 
   @Test
   void thousandPerfectMirrorsLoseNothing() {
-    // A long corridor of two mirrors; a lamp at its far end.
+    // A long corridor of two mirrors, with a light at its far end.
     Mirror mirror = new Mirror(Texture.constant(Rgb.WHITE));
     Scene scene =
         empty()
@@ -146,7 +146,7 @@ class InterreflectionTest {
     assertThat(radianceOnce(scene, 1001, zigzag)).isCloseTo(1, within(1001 * 4 * 0x1p-52));
   }
 
-  /** Near normal incidence .04, .9616, .998464, .99993856 for 1 to 4 surface events. */
+  /** Near normal incidence: 0.04, 0.9616, 0.998464, 0.99993856 for 1 to 4 surface events. */
   @ParameterizedTest
   @CsvSource({"1, .04", "2, .9616", "3, .998464", "4, .99993856"})
   void glassSphereUnderADomeAddsUpItsReflections(int events, double expected) {
@@ -163,8 +163,8 @@ class InterreflectionTest {
   @ParameterizedTest
   @ValueSource(doubles = {.5, 2 / 3.0, 1, 1 + 1e-12, 1.33, 1.5, 2.4})
   void glassUnderAWhiteDomeIsWhiteFromOutsideAndInside(double ior) {
-    // Nested and overlapping spheres. Inside those, total reflection may trap a ray for ever: one
-    // of the 2.4 sphere is, in 4096 samples.
+    // Nested and overlapping spheres. Inside overlapping ones, total internal reflection can trap a
+    // ray forever: in 4096 samples, this happens once, in the sphere of index 2.4.
     Scene scene =
         empty()
             .add(sphere(0, 0, 0, 1), glass(ior))
@@ -181,7 +181,10 @@ class InterreflectionTest {
     }
   }
 
-  /** But for grazing light, 20 in a million parts enter at most; those hardly come out again. */
+  /**
+   * Except for grazing light, at most 20 parts per million enter, and hardly any of them leave
+   * again.
+   */
   @Test
   void densestGlassUnderAWhiteDomeIsAWhiteMirror() {
     Scene scene = empty().add(sphere(0, 0, 0, 1), glass(1e6)).addBackground(Rgb.WHITE).build();
@@ -202,13 +205,16 @@ class InterreflectionTest {
 
     Estimate with = Estimate.of(new PathTracer(builder.build(), 5), ray, 4096, 5);
 
-    // Two glass surfaces before the floor, two after: the lamp is found by scattered rays alone
-    // where glass hides it from light sampling.
+    // Two glass surfaces before the floor and two after: only scattered rays find the light,
+    // because glass occludes it for light sampling.
     assertThat(with.error()).isLessThan(5e-3 * with.mean());
     assertThat(with.z(without)).isLessThan(Estimate.CRITICAL);
   }
 
-  /** Mean radiance .0999124478 and .1000218880 over a cube's faces from one glowing face. */
+  /**
+   * The mean radiance of a cube's faces, lit by one emissive face, is 0.0999124478 and
+   * 0.1000218880.
+   */
   @ParameterizedTest
   @CsvSource({"0, 1, 0, .0999124478", "1, 0, 0, .1000218880"})
   void cubeIsLitByOneOfItsFaces(double nx, double ny, double nz, double expected) {
@@ -221,7 +227,7 @@ class InterreflectionTest {
       new Vec3(-90, 0, 0),
     };
     for (Vec3 turn : turns) {
-      // A wall half a unit from the centre that faces it.
+      // A wall 0.5 units from the center, which faces the center.
       Transform placed =
           Transform.rotationDegrees(turn).times(Transform.translation(new Vec3(0, -.5, 0)));
       builder.add(new Rectangle(placed, 1, 1, false), matte(.5));
@@ -245,7 +251,7 @@ class InterreflectionTest {
       variance += estimate.error() * estimate.error() / Math.pow(n, 4);
     }
 
-    // The midpoint rule over the grid is right to about 1e-3 here.
+    // The midpoint rule over the grid has an error of about 1e-3 here.
     assertThat(Math.sqrt(variance)).isLessThan(5e-4 * expected);
     assertThat(sum).isCloseTo(expected, within(2e-3 * expected));
   }
@@ -289,7 +295,7 @@ class InterreflectionTest {
     Estimate whitted = Estimate.of(new RayTracer(scene, 0, 9), ray, 256, 1);
     Estimate seven = Estimate.of(new RayTracer(scene, 0, 7), ray, 256, 2);
 
-    // Direct light on the floor through glass: what remains after 7 events is below 1e-3 here.
+    // Direct light on the floor through glass: the rest after 7 events is below 1e-3 here.
     assertThat(whitted.mean()).isPositive();
     assertThat(seven.mean()).isCloseTo(whitted.mean(), within(2e-2 * whitted.mean()));
   }

@@ -41,14 +41,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * The direct light of each emitter, against closed forms. Every estimate's standard error is below
- * 0.1 % of the reference, so that at the critical 4.89 a bias of 1 % has a power above .99.
+ * Compares the direct light of each kind of light with closed forms. Every estimate has a standard
+ * error below 0.1 % of the reference. At the critical value of 4.89, the test therefore detects a
+ * bias of 1 % with a probability above 0.99.
  */
 class LightTransportTest {
   private static final double ALBEDO = .5;
   private static final double EPS = 0x1p-52;
 
-  /** Irradiance under the centre of a parallel rectangle (Howell's catalogue of view factors). */
+  /** The irradiance under the center of a parallel rectangle (Howell's catalog of view factors). */
   @ParameterizedTest
   @CsvSource({
     "1, 1, 1, 0.752274688454107",
@@ -70,7 +71,10 @@ class LightTransportTest {
     assertRadiance(scene, lookingDownAt(0, h / 1000), ALBEDO * irradiance / Math.PI);
   }
 
-  /** Over twelve orders of size either way, the low-discrepancy mean has six digits. */
+  /**
+   * Over 12 orders of magnitude in each direction, the low-discrepancy mean is accurate to six
+   * digits.
+   */
   @ParameterizedTest
   @CsvSource({"1e-6, 9.99999999999667e-13", "1, 0.752274688454107", "1e6, 3.14159265357951"})
   void rectanglesOfAnySizeLightByTheirSolidAngle(double side, double irradiance) {
@@ -103,7 +107,7 @@ class LightTransportTest {
     assertRadiance(scene, lookingDownAt(0), ALBEDO * irradiance / Math.PI);
   }
 
-  /** A wall from the floor up, whose foot's corner stands at distance 1. */
+  /** A wall that rises from the floor, with a bottom corner at distance 1. */
   @Test
   void rectangleLightsTheFloorBesideIt() {
     Shape wall = new Rectangle(at(.5, .5, 1).times(turned(-90, 0, 0)), 1, 1, false);
@@ -145,7 +149,7 @@ class LightTransportTest {
             .addAreaLight(sphere(centre.x(), centre.y(), centre.z(), radius), glow(1))
             .build();
 
-    // The view comes from the side away from the lamp, and starts below it.
+    // The view ray comes from the side away from the light, and starts below it.
     double height = Math.min(1e-3, (distance - radius) / 10);
     assertRadiance(scene, lookingDownAt(0, height), ALBEDO * irradiance / Math.PI);
   }
@@ -173,7 +177,7 @@ class LightTransportTest {
     assertRadiance(scene, new Ray(new Vec3(.3, .2, -5), Vec3.Z), ALBEDO);
   }
 
-  /** 1 − R³/(x²+R²)^1.5 of the dome remains beside a black sphere that touches the ground. */
+  /** Next to a black sphere on the ground, 1 − R³/(x²+R²)^1.5 of the environment light remains. */
   @ParameterizedTest
   @CsvSource({
     ".5, .284458247, 1",
@@ -197,7 +201,7 @@ class LightTransportTest {
     assertRadiance(scene, lookingDownAt(x * radius, 1e-3 * radius), ALBEDO * share);
   }
 
-  /** E = 2π / (n+2) under a dome of radiance cosⁿ. */
+  /** E = 2π / (n+2) under an environment light of radiance cosⁿ. */
   @ParameterizedTest
   @CsvSource({"0", "1", "2", "10"})
   void cosinePowerDomeLightsThePlane(int n) {
@@ -229,7 +233,7 @@ class LightTransportTest {
     }
   }
 
-  /** E = I cos θ / d², or I cos θ of lights that do not fall off, to the last digits. */
+  /** E = I cos θ / d², or I cos θ for lights without falloff, to the last digits. */
   @ParameterizedTest
   @EnumSource(Falloff.class)
   void irradianceOfOneLightIsExact(Falloff falloff) {
@@ -261,7 +265,7 @@ class LightTransportTest {
     }
   }
 
-  /** Returns the light of one sample of the floor at the origin, which it meets exactly. */
+  /** Returns the radiance of one sample whose ray hits the floor exactly at the origin. */
   private static double once(Scene scene) {
     Sampler sampler = new SobolSampler(0);
     sampler.startSample(1, 2, 3);
@@ -281,7 +285,7 @@ class LightTransportTest {
     }
   }
 
-  /** Behind a point light stands a wall, behind the floor there is another one. */
+  /** One wall is behind the point light, and another is behind the floor. */
   @Test
   void shadowsAreCastByWhatLiesBetweenOnly() {
     Scene scene =
@@ -295,7 +299,10 @@ class LightTransportTest {
     assertRadiance(scene, lookingDownAt(0), ALBEDO);
   }
 
-  /** Nothing is at the point that a direction's components name, or all is. */
+  /**
+   * A sphere occludes a distant light only if it lies in the light's direction, for any position of
+   * the scene.
+   */
   @Test
   void distantLightComesFromItsDirectionWhereverTheSceneStands() {
     Vec3 down = new Vec3(0, -1, 0);
@@ -361,7 +368,8 @@ class LightTransportTest {
   @ParameterizedTest
   @EnumSource(MisHeuristic.class)
   void everyStrategyHasTheSameMean(MisHeuristic strategy) {
-    // A large near lamp, a small one, a dome and a glowing box; part of each is hidden.
+    // A large near light, a small light, an environment light and an emissive box, each partly
+    // occluded.
     Shape box = new Box(at(-1, .3, .4).times(turned(10, 20, 30)), .3, .2, .4);
     Scene scene =
         empty()

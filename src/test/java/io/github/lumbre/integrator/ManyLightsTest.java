@@ -32,7 +32,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Scenes of many lights: whichever is asked, and however often, the picture is the same. */
+/** In scenes with many lights, all light samplers give the same mean. */
 class ManyLightsTest {
   private static final Texture<Rgb> GREY = Texture.constant(Rgb.grey(.5));
 
@@ -69,7 +69,7 @@ class ManyLightsTest {
     return LightSampler.byPower(new double[scene.emitters().size()]);
   }
 
-  /** Classic ray tracing asks every light, and so knows nothing of choices and probabilities. */
+  /** Whitted ray tracing samples every light, so it is independent of light samplers. */
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 4, 5, 20, 100, 1000, 10_000})
   void choiceAtRandomHasTheMeanOfAllLights(int count) {
@@ -100,7 +100,7 @@ class ManyLightsTest {
     assertThat(chosen.error()).isLessThan(ratio * even.error());
   }
 
-  /** Glossy surfaces meet lamps by scattering about as often as by asking for them. */
+  /** On glossy surfaces, BSDF sampling finds the lights about as often as light sampling. */
   @ParameterizedTest
   @EnumSource(MisHeuristic.class)
   void everyStrategyHasTheMeanOfEvenChoices(MisHeuristic strategy) {

@@ -33,9 +33,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * A recorded path explains its sample completely, and is the path of a render that records none.
- */
+/** A recorded path explains its sample completely and equals the path of a normal render. */
 class PathRecorderTest {
   private static final int SAMPLES = 200;
 
@@ -129,7 +127,7 @@ class PathRecorderTest {
     return Offset.offset(1e-12 * (1 + scale.max()));
   }
 
-  /** The two densities of a light and of the ray that hit it explain its weight. */
+  /** The densities of light sampling and BSDF sampling explain each weight. */
   @ParameterizedTest
   @EnumSource(MisHeuristic.class)
   void recordedWeightsAreThoseOfTheHeuristic(MisHeuristic strategy) {

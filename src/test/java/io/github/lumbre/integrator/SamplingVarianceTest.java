@@ -20,13 +20,13 @@ import io.github.lumbre.testing.Moments;
 import org.junit.jupiter.api.Test;
 
 /**
- * The variance of one sample of direct light is that of the density it should be drawn with:
- * samplers that lose it keep the mean, and no other test would see it.
+ * The variance of one sample of direct light is that of the intended sampling density. A wrong
+ * density keeps the mean, so no other test would detect it.
  */
 class SamplingVarianceTest {
   private static final double ALBEDO = .5;
 
-  /** From irradiance to the radiance of the floor. */
+  /** The factor from irradiance to the radiance of the floor. */
   private static final double SCALE = ALBEDO / Math.PI;
 
   private static Moments moments(Scene scene, MisHeuristic strategy, int samples) {
@@ -35,7 +35,7 @@ class SamplingVarianceTest {
     RenderContext scratch = new RenderContext();
     Moments moments = new Moments();
     for (int i = 0; i < samples; i++) {
-      // Every sample in a pixel of its own: they are independent then.
+      // Every sample has its own pixel, so the samples are independent.
       sampler.startSample(i & 0xffff, i >>> 16, 0);
       moments.add(tracer.radiance(lookingDownAt(0), sampler, scratch).r() / SCALE);
     }
@@ -61,7 +61,7 @@ class SamplingVarianceTest {
     assertVariance(under(1), MisHeuristic.LIGHT, Effort.count(100_000, 1_000_000), .00106004);
   }
 
-  /** By area: E[(cos² / d²)²] − E², integrated over the lamp by midpoints. */
+  /** For sampling by area: E[(cos² / d²)²] − E², integrated over the light by the midpoint rule. */
   @Test
   void farRectangleIsSampledByArea() {
     double height = 2;
@@ -86,7 +86,7 @@ class SamplingVarianceTest {
     assertVariance(under(1), MisHeuristic.BSDF, Effort.count(200_000, 1_000_000), 1.79742);
   }
 
-  /** Where all light comes from a small part of the dome, every sample goes there. */
+  /** If all light comes from a small part of the environment, every sample goes there. */
   @Test
   void smallBrightPartOfADomeIsSampled() {
     EnvironmentLight dome =
@@ -98,8 +98,8 @@ class SamplingVarianceTest {
     Scene scene = empty().add(floor(), matte(ALBEDO)).add(dome).build();
     Moments moments = moments(scene, MisHeuristic.LIGHT, Effort.count(20_000, 500_000));
 
-    // Rows of the table narrow by a tenth towards the zenith, which makes a deviation of a tenth
-    // over √12; even samples would meet the part once in ten thousand.
+    // Rows of the table narrow by 10 % towards the zenith, which gives a standard deviation of
+    // 0.1/√12. Uniform samples would hit the part once in 10,000.
     assertThat(moments.mean()).isPositive();
     assertThat(Math.sqrt(moments.variance())).isLessThan(.04 * moments.mean());
   }

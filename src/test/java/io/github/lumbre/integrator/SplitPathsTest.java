@@ -33,11 +33,10 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Paths that go on in several ways find the same light, with less noise where most of it comes from
- * other surfaces.
+ * Split paths find the same light, with less noise where most of it is indirect.
  *
- * <p>Each mean is known to two percent or better: of two ways, one too many or too few is told
- * apart, and so is light from a lamp that is counted twice.
+ * <p>Each mean is accurate to 2 % or better. The test therefore detects a missing or extra branch,
+ * and light that is counted twice.
  */
 class SplitPathsTest {
   private static final Ray VIEW = lookingDownAt(.3);
@@ -53,7 +52,7 @@ class SplitPathsTest {
   }
 
   private static Scene nearLamps() {
-    // Wide and close: half of their light is found by scattered rays.
+    // Wide and close lights: scattered rays find half of their light.
     return empty()
         .add(floor(), matte(.5))
         .add(new Box(at(1.1, .35, 0), 1, .7, 2), matte(.9))
@@ -107,7 +106,7 @@ class SplitPathsTest {
     Estimate one = estimate(scene, plain, view, samples);
     assertThat(one.error()).isLessThan(.02 * one.mean());
     for (int ways : new int[] {2, 3, 8}) {
-      // Roulette from the first vertex on ends some of the ways and not the others.
+      // Roulette from the first vertex on ends some of the branches.
       for (int firstRoulette : new int[] {0, PathOptions.FIRST_ROULETTE}) {
         PathOptions options = plain.splitInto(ways).rouletteFrom(firstRoulette);
         Estimate split = estimate(scene, options, view, samples);
@@ -123,7 +122,9 @@ class SplitPathsTest {
     return Estimate.of(new PathTracer(scene, options), view, samples, seed);
   }
 
-  /** Where most of the noise is in light from other surfaces, four ways are as four samples. */
+  /**
+   * Where most of the noise comes from indirect light, four branches are as good as four samples.
+   */
   @Test
   void waysTakeNoiseOffAsSamplesDo() {
     Scene scene = corner();
@@ -132,13 +133,14 @@ class SplitPathsTest {
       Estimate one = estimate(scene, plain, VIEW, 16);
       Estimate four = estimate(scene, plain.splitInto(4), VIEW, 16);
       Estimate sixtyFour = estimate(scene, plain, VIEW, 64);
-      // Errors of 256 replicates are known to 4.4 %, so a factor of 1.3 is 4 standard errors.
+      // The standard error of 256 replicates is accurate to 4.4 %, so a factor of 1.3 is 4 standard
+      // errors.
       assertThat(four.error()).isLessThan(one.error() / 1.3);
       assertThat(four.error()).isBetween(sixtyFour.error() / 1.3, sixtyFour.error() * 1.3);
     }
   }
 
-  /** Only the vertex that is lit first is split: a chain of splits would take ages. */
+  /** Only the first vertex is split: repeated splits would take exponential time. */
   @Test
   void pathsAreSplitOnce() {
     Scene scene = corner();

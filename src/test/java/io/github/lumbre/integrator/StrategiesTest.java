@@ -39,12 +39,12 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Light found by asking lamps, by scattering towards them, and by both weighed is the same: every
- * floor under every light.
+ * Light sampling, BSDF sampling and their combination by MIS have the same mean for every floor
+ * under every light.
  *
- * <p>Where one of the ways finds little, its error is large and the test weak; but then the other
- * is good, and each is good somewhere. Light sampling alone meets the narrowest lobe once in a
- * million samples, and the narrow ones through ground glass not often enough to know its own error;
+ * <p>Where one technique finds little light, its error is large and the test is weak, but each
+ * technique is strong in some cases. Light sampling alone hits the narrowest lobe once in a million
+ * samples. For narrow lobes through rough glass, it hits too rarely to estimate its own error, so
  * it is left out there.
  */
 class StrategiesTest {
@@ -79,7 +79,7 @@ class StrategiesTest {
 
   private static List<Named<UnaryOperator<SceneBuilder>>> lights() {
     List<Named<UnaryOperator<SceneBuilder>>> lights = new ArrayList<>();
-    // Where the mirrored view meets it, so that sharp lobes do.
+    // Where the mirrored view ray hits it, so that sharp lobes do too.
     Transform along = at(1.2, 4, .8).times(turned(180, 0, 0));
     lights.add(
         new Named<>(

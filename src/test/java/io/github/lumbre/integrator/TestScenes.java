@@ -18,7 +18,7 @@ import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 
-/** Parts of which the laws of light transport are tested. */
+/** Parts of scenes for light transport tests. */
 final class TestScenes {
   private TestScenes() {}
 
@@ -68,12 +68,12 @@ final class TestScenes {
     return new Sphere(at(x, y, z), radius);
   }
 
-  /** Returns a ray that meets the floor at (x, 0, 0) from below any lamp, steeply. */
+  /** Returns a steep ray that hits the floor at (x, 0, 0) and starts below all lights. */
   static Ray lookingDownAt(double x) {
     return lookingDownAt(x, 1e-3);
   }
 
-  /** Returns such a ray from a given height. */
+  /** Returns a steep ray that hits the floor at (x, 0, 0) and starts at a given height. */
   static Ray lookingDownAt(double x, double height) {
     Vec3 direction = new Vec3(.3, -1, .2).normalized();
     double way = height / -direction.y();

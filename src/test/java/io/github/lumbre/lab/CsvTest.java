@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests the quoting and parsing of CSV lines. */
 class CsvTest {
   @Test
   void valuesThatNeedQuotesGetThem() {

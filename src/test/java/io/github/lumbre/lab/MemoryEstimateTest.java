@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import io.github.lumbre.scene.RenderSettings;
 import org.junit.jupiter.api.Test;
 
+/** Tests the memory estimate that rejects pictures too large for the heap. */
 class MemoryEstimateTest {
   private static final long MEBIBYTE = 1 << 20;
   private static final RenderSettings LARGE =

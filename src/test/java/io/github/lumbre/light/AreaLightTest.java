@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the samples, densities and bounds of area lights. */
 class AreaLightTest {
   private static final Rgb RADIANCE = new Rgb(1, 2, 3);
   private static final double RADIUS = .5;
@@ -25,14 +26,14 @@ class AreaLightTest {
   private static final Shape SPHERE =
       new Sphere(Transform.translation(new Vec3(0, DISTANCE, 0)), RADIUS);
 
-  /** Three by two, facing up. */
+  /** A 3 by 2 rectangle that faces up. */
   private static final Shape RECTANGLE = new Rectangle(Transform.IDENTITY, 3, 2, false);
 
   private static AreaLight light(Shape shape, boolean twoSided) {
     return new AreaLight(shape, new Emission(Texture.constant(RADIANCE), twoSided));
   }
 
-  /** A sphere of radiance L gives a surface that faces it πL (R/d)². */
+  /** A sphere of radiance L gives a surface that faces it the irradiance πL (R/d)². */
   @Test
   void sphereLightsASurfaceThatFacesItByItsSolidAngleInTheDisc() {
     AreaLight light = light(SPHERE, false);
@@ -83,7 +84,7 @@ class AreaLightTest {
     }
   }
 
-  /** A light of radiance L has an intensity of L times its area as seen from afar. */
+  /** Seen from far away, a light of radiance L has an intensity of L times its visible area. */
   @Test
   void boundsHoldTheIntensityInTheStrongestDirection() {
     LightBounds ofSphere = light(SPHERE, false).bounds().orElseThrow();

@@ -9,6 +9,7 @@ import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
 import org.junit.jupiter.api.Test;
 
+/** Tests one-sided, two-sided and textured emission. */
 class EmissionTest {
   private static final Texture<Rgb> COORDINATES = (u, v) -> new Rgb(u, v, 0);
   private static final TexturePoint POINT = new TexturePoint(.25, .75);

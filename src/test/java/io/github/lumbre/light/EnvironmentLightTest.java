@@ -17,13 +17,14 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the orientation, radiance and sampling of environment lights. */
 class EnvironmentLightTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
 
   private final SplittableRandom random = new SplittableRandom(40);
 
-  /** Tells the texture coordinates it was asked for. */
+  /** Returns the texture coordinates as its value. */
   private static final Texture<Rgb> COORDINATES = (u, v) -> new Rgb(u, v, 1);
 
   private Point2 point() {
@@ -37,7 +38,7 @@ class EnvironmentLightTest {
     return new Vec3(s * Math.cos(phi), s * Math.sin(phi), z);
   }
 
-  /** An image without filter, repeated at the borders as all textures are. */
+  /** An unfiltered image that repeats at the borders, as all textures do. */
   private static Texture<Rgb> image(double[][] rows) {
     return (u, v) -> {
       int row = Math.floorMod((int) Math.floor(v * rows.length), rows.length);
@@ -97,13 +98,15 @@ class EnvironmentLightTest {
       assertThat(light.from(new Vec3(x, 1, 0)).g()).isBetween(1 - 1e-15, LAST);
       assertThat(light.from(new Vec3(x, -1, 0)).g()).isBetween(0.0, 1e-15);
     }
-    // The texel above shows at the zenith, and not the one below by repetition.
+    // The zenith shows the top texel and not, by repetition, the bottom one.
     EnvironmentLight sky = dome(Frame.WORLD, new double[][] {{1}, {2}});
     assertThat(sky.from(Vec3.Y)).isEqualTo(Rgb.grey(2));
     assertThat(sky.from(Vec3.Y.negated())).isEqualTo(Rgb.grey(1));
   }
 
-  /** In cells of longitude and latitude, four a texel, over which the density times cos is even. */
+  /**
+   * In cells of longitude and latitude, four per texel, in which the density times cos is constant.
+   */
   @Test
   void sampledDirectionsFollowPdf() {
     int rows = 24;
@@ -174,14 +177,15 @@ class EnvironmentLightTest {
     for (int i = 0; i < 300_000; i++) {
       moments.add(4 * Math.PI * light.pdf(direction()));
     }
-    // The deviation is about 1: a bias of 1.4 % is found.
+    // The standard deviation is about 1: the test detects a bias of 1.4 %.
     assertThat(moments.variance()).isLessThan(1.2);
     assertThat(Statistics.deviation(moments.z(1))).isLessThan(Statistics.CRITICAL_Z);
   }
 
   @Test
   void horizontalPlaneUnderAUniformDomeReceivesPi() {
-    // Two ways of the same light; the deviation of 4π cos⁺ is 4.1, of a bias of .05 is found.
+    // Two forms of the same light; the standard deviation of 4π cos⁺ is 4.1: the test detects a
+    // bias of 0.05.
     double[][] white = {{1, 1}, {1, 1}, {1, 1}};
     for (EnvironmentLight light :
         new EnvironmentLight[] {EnvironmentLight.uniform(Rgb.WHITE), dome(turned(), white)}) {
@@ -204,8 +208,8 @@ class EnvironmentLightTest {
       Texture<Rgb> sky = (u, v) -> Rgb.grey(Math.pow(Math.max(0, Math.sin(Math.PI * (v - .5))), n));
       EnvironmentLight light = EnvironmentLight.image(Frame.WORLD, sky, 4, 256);
       double exact = 2 * Math.PI / (n + 2);
-      // Samples in proportion to the light differ by the cosine alone: at n = 1 by .354 E, and
-      // a little more as the table is coarser than the sky.
+      // Samples in proportion to the light vary by the cosine alone: for n = 1 by 0.354 E, and
+      // slightly more because the table is coarser than the sky.
       int samples = Statistics.samplesToDetect(.005, .37);
       Moments moments = Statistics.moments(samples, () -> estimate(light));
       assertThat(Math.sqrt(moments.variance()) / exact).isLessThan(.37);
@@ -247,7 +251,7 @@ class EnvironmentLightTest {
     return sum;
   }
 
-  /** Four by two texels, each bright only in the outermost hundredth of a side. */
+  /** 4 by 2 texels, each bright only in the outermost hundredth of a side. */
   @Test
   void lightAtTheSidesOfTexelsIsFound() {
     for (double from : new double[] {0, .99}) {

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the spatial and directional bounds of lights. */
 class LightBoundsTest {
   private static final Bounds3 BOX = Bounds3.of(new Vec3(-1, -2, -2), new Vec3(1, 2, 2));
   private static final double RADIUS = 3;
@@ -26,7 +27,7 @@ class LightBoundsTest {
 
   /**
    * The measure of a cone is the integral of its brightness over the sphere: 1 inside the spread,
-   * and from there on the cosine of the angle beyond it, as far as the light falls.
+   * then the cosine of the angle beyond it, up to the falloff angle.
    */
   @ParameterizedTest
   @CsvSource({

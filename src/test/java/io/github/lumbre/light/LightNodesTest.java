@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Compares the importance of light tree nodes with irradiance. */
 class LightNodesTest {
   private static final Vec3 PLACE = new Vec3(1, 2, 3);
   private static final double INTENSITY = 7;
@@ -24,7 +25,7 @@ class LightNodesTest {
     return new Vec3(0, StrictMath.sin(angle), StrictMath.cos(angle));
   }
 
-  /** E = I cos θ / d² from a point, whichever way the surface is turned. */
+  /** For a point light, E = I cos θ / d² at any angle of the surface. */
   @ParameterizedTest
   @ValueSource(doubles = {0, .3, 1, 1.5})
   void importanceOfAPointIsItsIrradiance(double angle) {
@@ -40,7 +41,10 @@ class LightNodesTest {
     assertThat(importance(bulb, point, normal.negated())).isZero();
   }
 
-  /** Inside the spread all of the intensity, beyond it the cosine of the angle to its edge. */
+  /**
+   * Inside the spread, the importance is the full intensity; beyond it, the cosine of the angle to
+   * its edge applies.
+   */
   @ParameterizedTest
   @ValueSource(doubles = {0, .4, 1, 2})
   void importanceFallsWithTheCosineOfTheAngleBeyondTheSpread(double spread) {
@@ -55,7 +59,10 @@ class LightNodesTest {
     }
   }
 
-  /** In the sphere around what shines the way to it is unknown: the radius is its distance. */
+  /**
+   * Inside the bounding sphere of lights, their direction is unknown, and the radius serves as the
+   * distance.
+   */
   @Test
   void importanceInTheSphereDependsOnItsRadiusAlone() {
     Vec3 half = new Vec3(3, 0, 4);

@@ -17,6 +17,7 @@ import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
 import org.junit.jupiter.api.Test;
 
+/** Tests light samples and their shadow rays. */
 class LightSampleTest {
   private static final Point2 U = new Point2(.25, .75);
   private static final Rgb RADIANCE = new Rgb(1, 2, 4);

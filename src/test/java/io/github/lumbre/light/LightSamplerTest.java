@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the selection probabilities of light samplers. */
 class LightSamplerTest {
   private static final Rgb TWO = new Rgb(1, 2, .5);
 
@@ -57,7 +58,8 @@ class LightSamplerTest {
     powers[1234] = 1;
     LightSampler selector = LightSampler.byPower(powers);
 
-    // The variance of one sample is 1/p − 1 times its square: 1, where even choice has 9999.
+    // The variance of one sample is 1/p − 1 times its square: 1, compared with 9999 for a uniform
+    // choice.
     assertThat(1 / probability(selector, Vec3.ZERO, Vec3.Z, 1234) - 1).isCloseTo(1, within(2e-4));
   }
 
@@ -122,12 +124,12 @@ class LightSamplerTest {
   void lightsInOnePlaceAreChosenByIntensity() {
     LightSampler selector = LightSampler.over(bulbs(1, 8));
 
-    // An eighth of the choices is even.
+    // One eighth of the choices is uniform.
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 1))
         .isCloseTo(.0625 + .875 * 8 / 9, within(1e-12));
   }
 
-  /** The grid over a texture may see nothing, or infinitely bright points. */
+  /** The grid over a texture may contain only black points, or infinitely bright ones. */
   @Test
   void lightsOfUnknownIntensityAreChosenByPlace() {
     for (double intensity : new double[] {0, Double.POSITIVE_INFINITY}) {
@@ -143,7 +145,8 @@ class LightSamplerTest {
     lights.add(new DirectionalLight(Vec3.Y.negated(), Rgb.grey(15)));
     LightSampler selector = LightSampler.over(lights);
 
-    // At least a quarter for the near lights and an eighth for the sun, the rest by irradiance.
+    // The near lights get at least a quarter and the sun an eighth; the rest depends on the
+    // irradiance.
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 9))
         .isCloseTo(.125 + .625 * 15 / (15 + 45), within(1e-12));
   }
@@ -201,7 +204,7 @@ class LightSamplerTest {
     }
   }
 
-  /** Pairs of panels, back to back: below them, those that face up are dark. */
+  /** Pairs of panels are back to back: seen from below, those that face up are dark. */
   @Test
   void panelsThatFaceAwayAreNeverChosenAmongMany() {
     Emission glow = new Emission(Texture.constant(Rgb.WHITE), false);

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the construction of light trees. */
 class LightTreeBuilderTest {
   private static LightTreeBuilder.Item item(int emitter, Vec3 position, double size) {
     Vec3 half = new Vec3(size, size, size);
@@ -55,7 +56,7 @@ class LightTreeBuilderTest {
     for (int few = 1; few < 10; few++) {
       List<LightTreeBuilder.Item> items = new ArrayList<>();
       for (int i = 0; i < 10; i++) {
-        // Multiples of 7 modulo 10, so that neighbours in the list are often of two groups.
+        // Multiples of 7 modulo 10, so that neighbors in the list are often from both groups.
         boolean isFar = i * 7 % 10 < few;
         Vec3 near =
             new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
@@ -84,7 +85,7 @@ class LightTreeBuilderTest {
     }
   }
 
-  /** Cheapest would be to take the farthest away, one by one. */
+  /** The cheapest splits would remove the farthest light, one by one. */
   @ParameterizedTest
   @ValueSource(doubles = {-1, 1})
   void noPathIsLong(double side) {

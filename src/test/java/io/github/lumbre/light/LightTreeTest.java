@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the selection probabilities of the light tree. */
 class LightTreeTest {
   private static final double SCENE = 5;
 
@@ -35,7 +36,7 @@ class LightTreeTest {
     return point(random, 1).normalized();
   }
 
-  /** Returns lights of all kinds, a few of them without a limit to their reach. */
+  /** Returns lights of all kinds, a few of them with unlimited range. */
   private static List<Light> lights(int count, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     List<Light> lights = new ArrayList<>();
@@ -108,7 +109,7 @@ class LightTreeTest {
       for (int index = 0; index < expected.length; index++) {
         expected[index] = samples * probability(selector, from, normal, index);
       }
-      // At some points one of few lights has all choices.
+      // At some points, one of few lights has the probability 1.
       if (Arrays.stream(expected).filter(e -> e > 10).count() > 1) {
         assertThat(ChiSquare.of(counts, expected).passes()).isTrue();
         compared++;
@@ -117,7 +118,7 @@ class LightTreeTest {
     assertThat(compared).isGreaterThan(10);
   }
 
-  /** What the cones and spheres leave out is dark indeed. */
+  /** Every light that can light a point has a positive probability. */
   @Test
   void whatCanLightAPointCanBeChosen() {
     List<Light> lights = lights(500, 5);
@@ -143,7 +144,10 @@ class LightTreeTest {
     assertThat(left).isGreaterThan(100_000);
   }
 
-  /** Spots of all widths, seen from just inside their edges: the hardest cones to bound. */
+  /**
+   * Spot lights of all widths, seen from just inside their edges, which are the hardest cones to
+   * bound.
+   */
   @Test
   void edgesOfConesCanBeChosen() {
     SplittableRandom random = new SplittableRandom(7);
@@ -183,7 +187,10 @@ class LightTreeTest {
     assertThat(probability(selector, Vec3.ZERO, Vec3.ZERO, 0)).isCloseTo(.5, within(1e-12));
   }
 
-  /** Far from two lights of one power, each is chosen by the light that it sends. */
+  /**
+   * Far from two lights of the same power, their probabilities are proportional to their
+   * irradiance.
+   */
   @Test
   void choicesFollowTheInverseSquare() {
     List<Light> lights =
@@ -192,12 +199,12 @@ class LightTreeTest {
             new PointLight(new Vec3(0, 3, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE));
     LightSampler selector = LightSampler.over(lights);
 
-    // An eighth of the choices is even.
+    // One eighth of the choices is uniform.
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
         .isCloseTo(.0625 + .875 * .9, within(1e-12));
   }
 
-  /** Two bulbs against a sun: at least a quarter for the bulbs, an eighth for the sun. */
+  /** Two near lights get at least a quarter, and a sun at least an eighth. */
   @Test
   void nearAndFarLightsAreChosenByIrradiance() {
     List<Light> lights =
@@ -214,7 +221,9 @@ class LightTreeTest {
     assertThat(probability(selector, new Vec3(0, 2, 0), Vec3.Y, 0)).isEqualTo(1);
   }
 
-  /** The only lamp is chosen where it is near: with a mean of ½, an image counts 2π. */
+  /**
+   * The only local light is chosen where it is near; an environment image with mean ½ counts as 2π.
+   */
   @Test
   void oneLampIsChosenByPlaceAgainstASky() {
     EnvironmentLight sky =
@@ -228,7 +237,9 @@ class LightTreeTest {
         .isCloseTo(.25 + .625 / 101, within(1e-12));
   }
 
-  /** Scattered rays find an even dome: in a lamp's light it need hardly be asked. */
+  /**
+   * Scattered rays find a uniform environment light, so near a local light it is rarely sampled.
+   */
   @Test
   void evenDomesAreChosenSeldomByALamp() {
     Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(Math.PI), Falloff.INVERSE_SQUARE);

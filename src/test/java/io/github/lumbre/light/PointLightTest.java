@@ -8,6 +8,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;
 
+/** Tests the irradiance and falloff of point lights. */
 class PointLightTest {
   private static final double EPS = 0x1p-52;
   private static final Point2 U = new Point2(.5, .5);
@@ -35,7 +36,7 @@ class PointLightTest {
       Vec3 wi = new Vec3(.48, .6, .64);
       LightSample sample = sample(light, position.plus(-distance, wi));
       double expected = 3 / (distance * distance);
-      // The reference is rounded to an ulp of the position, at most 4 of them at .1.
+      // The reference point is rounded to an ulp of the position, at most 4 ulp at 0.1.
       double error = expected * EPS * (16 + 32 / distance);
       assertThat(sample.radiance().b()).isCloseTo(expected, within(error));
       assertThat(sample.wi().minus(wi).length()).isLessThan(EPS * (4 + 8 / distance));

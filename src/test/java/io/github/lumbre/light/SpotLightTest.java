@@ -9,6 +9,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;
 
+/** Tests the cone and the penumbra of spot lights. */
 class SpotLightTest {
   private static final double EPS = 0x1p-52;
   private static final Point2 U = new Point2(.5, .5);
@@ -29,7 +30,7 @@ class SpotLightTest {
   void coneEndsSharplyAtItsAngle() {
     for (double degrees : new double[] {1e-3, 1, 30, 60, 89, 90}) {
       double edge = Math.toRadians(degrees);
-      // 1e-12 radians, which cosines of narrow cones cannot tell.
+      // 1e-12 radians, which the cosines of narrow cones cannot resolve.
       assertThat(share(spot(degrees, 0), edge - 1e-12)).isCloseTo(1, within(4 * EPS));
       assertThat(share(spot(degrees, 0), edge + 1e-12)).isZero();
       assertThat(share(spot(degrees, 0), 0)).isEqualTo(1);

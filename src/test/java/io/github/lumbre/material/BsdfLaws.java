@@ -8,7 +8,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.SplittableRandom;
 
-/** Laws that every Bsdf without delta lobes obeys, and what their tests need. */
+/** Checks of invariants of every BSDF without delta lobes, and helper functions for them. */
 final class BsdfLaws {
   static final double EPS = 0x1p-52;
   static final double LAST = 1 - 0x1p-53;
@@ -23,7 +23,7 @@ final class BsdfLaws {
 
   private BsdfLaws() {}
 
-  /** Returns the direction of a given z, in a plane that is none of the axes'. */
+  /** Returns a unit direction with a given z, in a plane not aligned with the axes. */
   static Vec3 direction(double z) {
     double sin = Math.sqrt((1 - z) * (1 + z));
     return new Vec3(.8 * sin, -.6 * sin, z);
@@ -44,7 +44,7 @@ final class BsdfLaws {
     return found == expected ? 0 : Math.abs(found / expected - 1);
   }
 
-  /** Checks that sample, eval and pdf tell the same, but for a relative tolerance. */
+  /** Checks that sample, eval and pdf agree, to within a relative tolerance. */
   static void assertWeightIsEvalOverPdf(
       Bsdf bsdf, Vec3 wo, int samples, SplittableRandom random, double tolerance) {
     for (int i = 0; i < samples; i++) {
@@ -64,7 +64,7 @@ final class BsdfLaws {
     }
   }
 
-  /** Checks that value and density are bit-identical in a result that was used before. */
+  /** Checks that a reused result receives a bit-identical value and density. */
   private static void assertEvaluatesAlike(Bsdf bsdf, Vec3 wo, Vec3 wi) {
     BsdfValue value = new BsdfValue();
     value.set(Rgb.WHITE, 7);
@@ -73,7 +73,7 @@ final class BsdfLaws {
     assertThat(value.pdf()).isEqualTo(bsdf.pdf(wo, wi));
   }
 
-  /** Checks that a sample that was used before takes the same result as a new one. */
+  /** Checks that a reused sample receives the same result as a new one. */
   static void assertSamplesAlike(Bsdf bsdf, Vec3 wo, double uLobe, Point2 u) {
     BsdfSample sample = bsdf.sample(wo, uLobe, u);
     BsdfSample used = new BsdfSample();
@@ -95,7 +95,10 @@ final class BsdfLaws {
     assertThat(Math.min(colour.r(), Math.min(colour.g(), colour.b()))).isNotNegative();
   }
 
-  /** Checks that horizontal, opposite and equal directions and extreme numbers do no harm. */
+  /**
+   * Checks that horizontal, opposite and equal directions and extreme random numbers give valid
+   * results.
+   */
   static void assertExtremesAreHarmless(Bsdf bsdf) {
     for (double cosO : EXTREME_COSINES) {
       for (double sign : new double[] {-1, 1}) {

@@ -6,6 +6,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;
 
+/** Tests the accessors of BSDF samples. */
 class BsdfSampleTest {
   private static final Rgb WEIGHT = new Rgb(.1, .2, .3);
   private static final Vec3 WI = new Vec3(.36, .48, .8);

@@ -9,6 +9,7 @@ import io.github.lumbre.math.Vec3;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the directions and weights of smooth glass. */
 class DielectricTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
@@ -25,7 +26,7 @@ class DielectricTest {
     return new Dielectric(Rgb.WHITE, Rgb.WHITE, ior);
   }
 
-  /** Returns how large a share of the uniform numbers chooses reflection, to the last bit. */
+  /** Returns the exact fraction of the uniform numbers that select reflection. */
   private static double reflectionProbability(Dielectric glass, Vec3 wo) {
     long low = 0;
     long high = 1L << 53;
@@ -148,7 +149,7 @@ class DielectricTest {
     }
   }
 
-  /** The tints are such that as much is reflected as passes. */
+  /** The tints make the reflected and the transmitted light equal. */
   @Test
   void glassThatReflectsAsMuchAsPassesLosesNothing() {
     double fresnel = Fresnel.dielectric(1, 1.5);

@@ -10,22 +10,23 @@ import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Facets as points (s, v) of the unit square: 1 − s² of their area is less steep, and v turns
- * around the normal. Seen or not, unlike the facets that the distributions themselves draw.
- * Integrals and histograms of rough surfaces in these coordinates are smooth however small the
- * roughness is, and at the steep end, s = 0, too.
+ * Maps the unit square (s, v) to facets: the fraction 1 − s² of their area is less steep, and v is
+ * the azimuth. Unlike sampled facets, they include hidden ones. In these coordinates, integrals and
+ * histograms of rough surfaces are smooth for any roughness, also at the steep end, s = 0.
  */
 record FacetMap(Kind kind, double alpha) {
   private static final int CELLS = Effort.count(16, 64);
   private static final int POINTS = Effort.count(24, 10);
 
-  /** Of cells in which a million samples tell where the density ends. */
+  /**
+   * The number of points per side in cells where a million samples resolve the edge of the density.
+   */
   private static final int FINE_POINTS = Effort.count(24, 80);
 
-  /** How far inside a cell its corners are looked at. */
+  /** The distance from a cell's corners at which they are evaluated. */
   private static final double CORNER = 1e-3;
 
-  /** By how much the sum of the cells may be wrong. */
+  /** The maximum error of the sum over the cells. */
   private static final double ERROR = 1e-3;
 
   MicrofacetDistribution distribution() {
@@ -53,13 +54,13 @@ record FacetMap(Kind kind, double alpha) {
     return kind == Kind.BECKMANN ? Math.exp(-.5 * squared) : 1 / Math.sqrt(1 + squared);
   }
 
-  /** A direction that a facet mirrors or refracts wo into, and its density in this map. */
+  /** The direction into which a facet reflects or refracts wo, and its density in this map. */
   private record Scattered(Vec3 wi, double density) {
     static final Scattered NOTHING = new Scattered(Vec3.Z, 0);
   }
 
   /**
-   * @param eta 0 to reflect, else to refract: index behind the facets over the one before
+   * @param eta 0 to reflect; otherwise the index behind the facets divided by the index in front
    */
   private Scattered scatter(Vec3 wo, Vec3 m, double eta) {
     double cos = wo.dot(m);
@@ -80,8 +81,8 @@ record FacetMap(Kind kind, double alpha) {
   }
 
   /**
-   * Returns the integral of a function of wi over all directions that facets mirror (eta = 0) or
-   * refract wo into.
+   * Returns the integral of a function of wi over all directions into which facets reflect (eta =
+   * 0) or refract wo.
    *
    * @param wo above the surface
    */
@@ -96,7 +97,10 @@ record FacetMap(Kind kind, double alpha) {
     return sum / (n * n);
   }
 
-  /** Checks that samples follow their density and are refused as often as it lacks to 1. */
+  /**
+   * Checks that samples follow their density, and that the fraction of rejected samples is 1 minus
+   * its integral.
+   */
   void assertSamplesFollowPdf(
       Bsdf bsdf, Vec3 wo, double eta, int samples, SplittableRandom random) {
     int sheets = eta == 0 ? 1 : 2;
@@ -114,7 +118,7 @@ record FacetMap(Kind kind, double alpha) {
     }
     double[] expected = expected(bsdf, wo, eta, samples, absorbed);
     if (expected[absorbed] < ERROR * samples) {
-      // So few that the error of the quadrature counts.
+      // So few that the quadrature error matters.
       assertThat(counts[absorbed]).isLessThan((long) (2 * ERROR * samples));
       expected[absorbed] = counts[absorbed];
     }
@@ -147,7 +151,7 @@ record FacetMap(Kind kind, double alpha) {
     return expected;
   }
 
-  /** Mirrors z; on an isotropic surface that is as good as turning it over. */
+  /** Negates z, which is equivalent to turning an isotropic surface over. */
   private static Vec3 turned(Vec3 w, double side) {
     return new Vec3(w.x(), w.y(), side * w.z());
   }
@@ -162,7 +166,7 @@ record FacetMap(Kind kind, double alpha) {
     return (passes ? CELLS * CELLS : 0) + row * CELLS + column;
   }
 
-  /** Integrates over a cell, and more finely where f ends inside it, be it at a corner. */
+  /** Integrates over a cell, and more finely where f becomes 0 inside it, even only at a corner. */
   private double cellIntegral(int cell, ToDoubleFunction<Vec3> f) {
     int positive = 0;
     for (int corner = 0; corner < 4; corner++) {
@@ -183,7 +187,7 @@ record FacetMap(Kind kind, double alpha) {
     return sum / (points * points * CELLS * CELLS);
   }
 
-  /** Returns the facet at a place within a cell. */
+  /** Returns the facet at a position in a cell. */
   private Vec3 facet(int cell, double s, double v) {
     return facet((cell / CELLS + s) / CELLS, (cell % CELLS + v) / CELLS);
   }

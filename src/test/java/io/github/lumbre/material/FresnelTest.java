@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
+/** Compares Fresnel reflectances with tables and closed forms. */
 class FresnelTest {
   private static final double EPS = 0x1p-52;
 
@@ -23,7 +24,7 @@ class FresnelTest {
     assertTable(1e6, .999996000008, .999995000017, .999988135295);
   }
 
-  /** Half a unit of the table's last digit, and 1e-13 at normal incidence. */
+  /** Checks values to half a unit of the table's last digit, and to 1e-13 at normal incidence. */
   private static void assertTable(double eta, double at0, double at60, double at80) {
     assertThat(Fresnel.dielectric(1, eta)).isCloseTo(at0, within(eta < 1e6 ? 1e-13 : 6e-13));
     double sine = (eta - 1) / (eta + 1);
@@ -49,7 +50,7 @@ class FresnelTest {
 
   @Test
   void averageFromInsideFollowsFromTheOneFromOutside() {
-    // Integrated over the cosine of the refracted angle, in which there is no kink.
+    // Integrated over the cosine of the refracted angle, which is smooth.
     double n = 1.5;
     double belowCritical =
         integral(
@@ -62,7 +63,7 @@ class FresnelTest {
     assertThat(beyond + belowCritical).isCloseTo(1 - (1 - .0917779593424) / 2.25, within(2e-12));
   }
 
-  /** Simpson's rule over [0,1]. */
+  /** Returns the integral over [0,1] by Simpson's rule. */
   private static double integral(DoubleUnaryOperator f) {
     int n = 100_000;
     double sum = f.applyAsDouble(0) + f.applyAsDouble(1);
@@ -76,7 +77,9 @@ class FresnelTest {
     return Fresnel.cosTransmitted(cosI, (1 - cosI) * (1 + cosI), eta);
   }
 
-  /** What passes is computed from amplitudes of its own: 2 cosI/(…) (PBRT 4e, sec. 9.3.5). */
+  /**
+   * The transmitted light is computed from its own amplitudes: 2 cosI/(…) (PBRT 4e, sec. 9.3.5).
+   */
   @Test
   void reflectedAndTransmittedSumToOne() {
     for (int i = 0; i < 1_000_000; i++) {
@@ -142,7 +145,7 @@ class FresnelTest {
   @Test
   void parallelLightPassesAtBrewstersAngle() {
     double c = StrictMath.cos(Math.toRadians(56.30993247402));
-    // All that is reflected is perpendicular: ((n² - 1)/(n² + 1))²/2.
+    // All reflected light is perpendicularly polarized: ((n² - 1)/(n² + 1))²/2.
     double perpendicular = 1.25 / 3.25;
     assertThat(Fresnel.dielectric(c, 1.5))
         .isCloseTo(perpendicular * perpendicular / 2, within(1e-12));
@@ -163,7 +166,8 @@ class FresnelTest {
       double cosI = random.nextDouble(.05, 1);
       double cosT = cosTransmitted(cosI, eta);
       double outside = Fresnel.dielectric(cosI, eta);
-      // The rounding of cosT stands for one of cosI that is 1/cosI times as large, and more.
+      // A rounding error of cosT corresponds to an error of cosI that is at least 1/cosI times as
+      // large.
       double error = 64 * EPS / cosI;
       assertThat(Fresnel.dielectric(cosT, 1 / eta)).isCloseTo(outside, within(error));
     }

@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the invariants of the Lambertian BSDF. */
 class LambertianTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
@@ -37,7 +38,7 @@ class LambertianTest {
       Vec3 wo = direction();
       BsdfSample sample = bsdf.sample(wo, .5, point());
       assertThat(sample.weight()).isEqualTo(ALBEDO);
-      // The weight is what eval and pdf say, and the density the one that pdf says.
+      // The weight agrees with eval and pdf, and the density with pdf.
       Rgb value = bsdf.evaluate(wo, sample.wi()).f();
       double pdf = bsdf.pdf(wo, sample.wi());
       assertThat(sample.pdf()).isEqualTo(pdf);
@@ -73,7 +74,8 @@ class LambertianTest {
 
   @Test
   void whiteFurnaceKeepsTheAlbedo() {
-    // f cos over a uniform sphere density: E = albedo, deviation .65.
+    // f cos divided by a uniform sphere density: the mean is the albedo, the standard deviation
+    // 0.65.
     int n = Statistics.samplesToDetect(.01, .65);
     Moments moments = new Moments();
     for (int i = 0; i < n; i++) {

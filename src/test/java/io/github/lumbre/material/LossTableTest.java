@@ -13,12 +13,12 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The albedos that the manual tells are those of the program. */
+/** The albedos in the manual are those of the program. */
 class LossTableTest {
   private static final Path MANUAL = Path.of("docs", "materials.md");
   private static final double[] DEGREES = {0, 30, 60, 75, 85};
 
-  /** Points a side of the quadrature; with 500, no entry differs by more than .001. */
+  /** The quadrature points per side; with 500, no entry differs by more than 0.001. */
   private static final int POINTS = 200;
 
   @ParameterizedTest

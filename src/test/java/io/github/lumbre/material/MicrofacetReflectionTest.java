@@ -17,8 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Tests microfacet reflection against tables and BSDF invariants. */
 class MicrofacetReflectionTest {
-  /** Facets of this index reflect everything. */
+  /** An index of refraction with which facets reflect all light. */
   static final double PERFECT = 1e150;
 
   private static final double[] ROUGHNESSES = {1e-3, .01, .05, .1, .3, .5, 1};
@@ -134,7 +135,7 @@ class MicrofacetReflectionTest {
     assertThat(bsdf.pdf(new Vec3(.6, 0, -.8), Vec3.Z)).isZero();
   }
 
-  /** At normal incidence and exitance: F D / 4, with F = .04 and D = 1 / πα². */
+  /** At normal incidence and exitance, the value is F D / 4, with F = 0.04 and D = 1 / πα². */
   @ParameterizedTest
   @EnumSource(Kind.class)
   void highlightIsAsHighAsTheDistribution(Kind kind) {
@@ -142,7 +143,7 @@ class MicrofacetReflectionTest {
     assertThat(value).isCloseTo(.04 / (4 * Math.PI * .04), within(1e-13));
   }
 
-  /** What the narrowest lobe scatters is what the mirror does that takes its place. */
+  /** The narrowest lobe scatters as much light as the mirror that replaces it. */
   @ParameterizedTest
   @EnumSource(Kind.class)
   void albedoIsContinuousWhereTheMirrorTakesOver(Kind kind) {
@@ -167,7 +168,7 @@ class MicrofacetReflectionTest {
     }
   }
 
-  /** Of either distribution, the projected area of all facets is that of the surface. */
+  /** For both distributions, the projected area of all facets is that of the surface. */
   @ParameterizedTest
   @EnumSource(Kind.class)
   void facetsCoverTheSurface(Kind kind) {
@@ -186,7 +187,7 @@ class MicrofacetReflectionTest {
     }
   }
 
-  /** From every side, the projected area of the facets seen is that of the surface. */
+  /** From every direction, the projected area of the visible facets is that of the surface. */
   @ParameterizedTest
   @EnumSource(Kind.class)
   void visibleFacetsCoverTheSurface(Kind kind) {

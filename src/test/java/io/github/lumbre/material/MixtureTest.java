@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests mixtures of BSDFs. */
 class MixtureTest {
   private static final Lambertian DIFFUSE = new Lambertian(new Rgb(.2, .5, .1));
   private static final Rgb SPECULAR = new Rgb(.8, .4, .9);
@@ -124,7 +125,9 @@ class MixtureTest {
     }
   }
 
-  /** A direction that one part draws, but does not scatter into, counts for the other. */
+  /**
+   * A direction that one part samples but does not scatter into still counts for the other part.
+   */
   @Test
   void partThatScattersNothingTakesNoLightFromTheOther() {
     Lobe dark =

@@ -31,7 +31,7 @@ import java.util.SplittableRandom;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 
-/** A bump in the map looks like a bump on every shape, however it is placed and mapped. */
+/** A bump in a normal map looks like a bump on every shape, with any transform and mapping. */
 class NormalMappedTest {
   private static final double STEP = 1e-6;
   private static final double[] TRIANGLE = {-1, 0, 0, 1, 0, .2, -.3, .1, 1};
@@ -61,7 +61,7 @@ class NormalMappedTest {
     return bent;
   }
 
-  /** Returns by how much u and v grow on a small step along a tangential direction. */
+  /** Returns the changes of u and v over a small step along a tangential direction. */
   private static double[] growth(Scene scene, SurfaceHit hit, Vec3 direction) {
     Vec3 along = direction.plus(-direction.dot(hit.geometricNormal()), hit.geometricNormal());
     Vec3 eye = hit.position().plus(STEP, along.normalized()).plus(1e-3, hit.geometricNormal());

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the Phong lobe against tables and BSDF invariants. */
 class PhongLobeTest {
   private static final double[] EXPONENTS = {0, 1, 10, 52, 1e3, 1e6, 1e9};
   private static final int CELLS = Effort.count(16, 64);
@@ -34,7 +35,7 @@ class PhongLobeTest {
     return new Vec3(-wo.x(), -wo.y(), wo.z());
   }
 
-  /** Returns the direction around the mirrored one whose cosine to the power n + 1 is t. */
+  /** Returns a direction around the mirror direction whose cosine to the power n + 1 is t. */
   private static Vec3 around(Vec3 wo, double exponent, double t, double v) {
     double log = Math.log(t) / (exponent + 1);
     double sin = Math.sqrt(-Math.expm1(2 * log));
@@ -44,8 +45,9 @@ class PhongLobeTest {
   }
 
   /**
-   * Returns the integral of eval over wi, to some ten digits: over the angle from the mirrored
-   * direction, apart where all around it is above the surface and where a part is not.
+   * Returns the integral of eval over wi, to about ten digits. It integrates over the angle from
+   * the mirror direction, separately where the full ring is above the surface and where only a part
+   * is.
    */
   static double albedo(PhongLobe lobe, Vec3 wo) {
     double clipped = Math.pow(Math.hypot(wo.x(), wo.y()), lobe.exponent() + 1);
@@ -53,7 +55,7 @@ class PhongLobeTest {
         + Quadrature.between(clipped, 1, t -> ring(lobe, wo, t));
   }
 
-  /** Returns the integral of eval around the mirrored direction, over the density of t. */
+  /** Returns the integral of eval around the mirror direction, divided by the density of t. */
   private static double ring(PhongLobe lobe, Vec3 wo, double t) {
     double n = lobe.exponent();
     double log = Math.log(Math.min(1, t)) / (n + 1);
@@ -157,7 +159,7 @@ class PhongLobeTest {
     assertThat(test.passes()).as("%s, wo %s: %s", lobe, wo, test).isTrue();
   }
 
-  /** Integrates over a cell, and more finely where the horizon cuts it, be it at a corner. */
+  /** Integrates over a cell, and more finely where the horizon cuts it, even only at a corner. */
   private static double cellIntegral(PhongLobe lobe, Vec3 wo, int cell) {
     int above = 0;
     for (int corner = 0; corner < 4; corner++) {
@@ -212,11 +214,11 @@ class PhongLobeTest {
             .isCloseTo(Math.abs(wi.z()) / Math.PI, within(EPS));
       }
     }
-    // At right angles to the mirrored direction, too.
+    // Also at right angles to the mirror direction.
     assertThat(lobe(0).pdf(new Vec3(.6, 0, .8), new Vec3(.8, 0, .6))).isPositive();
   }
 
-  /** Half of a sharp lobe lies within √(2 ln 2 / n) of the mirrored direction. */
+  /** Half of a sharp lobe lies within √(2 ln 2 / n) of the mirror direction. */
   @Test
   void medianOfASharpLobeKeepsItsDigits() {
     double n = 1e9;
@@ -225,7 +227,7 @@ class PhongLobeTest {
     assertThat(relative(Math.asin(sin), Math.sqrt(2 * Math.log(2) / n))).isLessThan(1e-9);
   }
 
-  /** However sharp, the lobe loses nothing to rounding: it becomes a mirror times the cosine. */
+  /** A lobe of any sharpness loses no energy to rounding: it becomes a mirror times the cosine. */
   @Test
   void sharpestLobeKeepsItsEnergy() {
     for (double cos : COSINES) {

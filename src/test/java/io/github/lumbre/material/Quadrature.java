@@ -3,8 +3,8 @@ package io.github.lumbre.material;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Integrals by the double exponential rule (Takahasi &amp; Mori 1974), which is as good where a
- * function is infinitely steep at the ends of its interval.
+ * Integrates by the double exponential rule (Takahasi &amp; Mori 1974), which stays accurate for
+ * functions with infinite slopes at the ends of the interval.
  */
 final class Quadrature {
   private static final double STEP = 1.0 / 16;
@@ -12,7 +12,10 @@ final class Quadrature {
 
   private Quadrature() {}
 
-  /** Returns the integral of a bounded function that is smooth between the ends; 0 if they meet. */
+  /**
+   * Returns the integral of a bounded function that is smooth between the ends; 0 if they are
+   * equal.
+   */
   static double between(double from, double to, DoubleUnaryOperator f) {
     if (from == to) {
       return 0;
@@ -22,7 +25,7 @@ final class Quadrature {
       double s = .5 * Math.PI * Math.sinh(i * STEP);
       double cosh = Math.cosh(s);
       double weight = .5 * Math.PI * Math.cosh(i * STEP) / (cosh * cosh);
-      // The shares of the two ends, each without cancellation.
+      // The weights of the two ends, each computed without cancellation.
       double share = 1 / (1 + Math.exp(-2 * s));
       double other = 1 / (1 + Math.exp(2 * s));
       sum += weight * f.applyAsDouble(from * other + to * share);

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What materials make of their colours and numbers at a hit. */
+/** Tests how materials evaluate their colors and numbers at a hit. */
 class ReflectancesTest {
   private static final TexturePoint HIT = new TexturePoint(0, 0);
   private static final double JUST_BELOW = Math.nextDown(CookTorrance.SMOOTH);

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests rough glass against quadratures and BSDF invariants. */
 class RoughDielectricTest {
   private static final double[] ROUGHNESSES = {1e-3, .01, .05, .1, .3, .5, 1};
   private static final double[] BOTH_SIDES = {1, -1};
@@ -27,12 +28,12 @@ class RoughDielectricTest {
     return new RoughDielectric(Rgb.WHITE, Rgb.WHITE, ior, new Ggx(alpha));
   }
 
-  /** Returns the index behind the surface over the one on the side of a direction. */
+  /** Returns the index behind the surface divided by the index on the side of a direction. */
   private static double eta(RoughDielectric glass, Vec3 wo) {
     return wo.z() > 0 ? glass.ior() : 1 / glass.ior();
   }
 
-  /** Returns what is reflected, or else what passes, by quadrature. */
+  /** Returns the reflected or the transmitted fraction, by quadrature. */
   static double albedo(RoughDielectric glass, Vec3 wo, boolean passes, int n) {
     FacetMap map = new FacetMap(Kind.GGX, ((Ggx) glass.facets()).alpha());
     double side = Math.signum(wo.z());
@@ -77,7 +78,7 @@ class RoughDielectricTest {
     }
   }
 
-  /** What is carried is radiance over squared index, so eval / (|cos θi| ηi²) is symmetric. */
+  /** Radiance divided by the squared index is invariant, so eval / (|cos θi| ηi²) is symmetric. */
   @ParameterizedTest
   @ValueSource(doubles = {.5, 1.5, 3})
   void scatteringIsReciprocalButForTheIndices(double ior) {
@@ -161,7 +162,7 @@ class RoughDielectricTest {
     Vec3 straight = new Dielectric(Rgb.WHITE, Rgb.WHITE, 1.5).refract(wo);
     for (int i = 0; i < 1000; i++) {
       Vec3 wi = glass.sample(wo, .999, BsdfLaws.point(random)).wi();
-      // One facet in ten thousand is turned by more than a hundred times the roughness.
+      // One facet in 10,000 is tilted by more than 100 times the roughness.
       assertThat(wi.minus(straight).length()).isLessThan(.1);
     }
   }

@@ -13,6 +13,7 @@ import io.github.lumbre.texture.UvMapping;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests that simplified materials scatter as the original ones do. */
 class SimplifiedMaterialTest {
   private static final Texture<Rgb> HALF = Texture.constant(Rgb.grey(.5));
   private static final Texture<Rgb> VARYING = (u, v) -> new Rgb(u, v, .1);
@@ -48,7 +49,7 @@ class SimplifiedMaterialTest {
     }
   }
 
-  /** Each colour and number of a material in turn varies, and all others are constant. */
+  /** Each color and number of a material varies in turn, while all others are constant. */
   @Test
   void oneTextureThatVariesMakesAMaterialVary() {
     ScalarTexture number = (u, v) -> u;

@@ -7,6 +7,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;
 
+/** Tests the mirror and the unlit surface. */
 class SpecularReflectionTest {
   private static final Rgb TINT = new Rgb(.25, .5, 1);
   private static final Point2 U = new Point2(.3, .7);

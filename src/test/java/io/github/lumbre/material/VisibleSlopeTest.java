@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the sampling of visible slopes against their distribution. */
 class VisibleSlopeTest {
   private static final int DRAWS = 20_000;
 
@@ -19,7 +20,7 @@ class VisibleSlopeTest {
     return VisibleSlope.cumulative(cos, sin, slope, Elementary.exp(-slope * slope));
   }
 
-  /** Relative to the nearer end, so that the tails are drawn as they should be. */
+  /** Errors are relative to the nearer end, so that the test covers the tails. */
   @ParameterizedTest
   @ValueSource(doubles = {1, 1 - 1e-12, .999, .9, .5, .1, 1e-3, 1e-6, 1e-12})
   void theShareOfSlopesBelowTheOneDrawnIsTheNumberDrawn(double cos) {

@@ -17,17 +17,18 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Under light of 1 from everywhere, independent samples of every lobe average to its albedo, which
- * a quadrature tells, and nothing scatters more than arrives; every build tells the same by points
- * of a lattice, more coarsely. Of a million weights that deviate by .3, a bias of .3 % of the light
- * is found with a probability above .99.
+ * In a uniform environment of radiance 1, the mean of independent samples of every lobe is its
+ * albedo, known from quadrature. No lobe scatters more light than it receives.
+ *
+ * <p>Quick builds check this more coarsely with lattice points. With a million weights of standard
+ * deviation 0.3, a bias of 0.3 % is detected with a probability above 0.99.
  */
 @Tag(Effort.EXHAUSTIVE)
 class WhiteFurnaceTest {
   private static final int SAMPLES = 1_000_000;
   private static final int POINTS = 200;
 
-  /** What a sample weighs at most: that of Phong's lobe of exponent 0. */
+  /** The maximum weight of a sample, which the Phong lobe with exponent 0 has. */
   private static final double HEAVIEST = 2;
 
   private static final double[] COSINES = {.01, .03, .1, .2, .3, .5, .7, .9, .97, 1};
@@ -36,17 +37,17 @@ class WhiteFurnaceTest {
 
   private final SplittableRandom random = new SplittableRandom(Effort.seed(48));
 
-  /** An integral, and how far it may be wrong. */
+  /** An integral and its error bound. */
   private record Albedo(double value, double error) {
-    /** By quadratures of which the second has twice as many points a side. */
+    /** Returns the albedo from two quadratures; the second has twice as many points per side. */
     static Albedo of(double coarse, double fine) {
       return new Albedo(fine, 2 * Math.abs(fine - coarse) + 1e-9);
     }
   }
 
   /**
-   * The mean lies so near the albedo but for one case in a million, however rare the samples are
-   * that weigh much or nothing (Maurer &amp; Pontil 2009, theorem 4).
+   * Checks that the mean is close to the albedo, with an error probability of 1e-6, even if samples
+   * with large or zero weights are rare (Maurer &amp; Pontil 2009, theorem 4).
    */
   private void assertAverage(Bsdf bsdf, Vec3 wo, Albedo albedo) {
     Moments moments =

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests bounding boxes. */
 class Bounds3Test {
   private static final Vec3 LOW = new Vec3(-1, -2, -3);
   private static final Vec3 HIGH = new Vec3(4, 5, 6);

@@ -8,10 +8,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the accuracy of elementary functions in ulp. */
 class ElementaryTest {
   private static final double EPS = 0x1p-52;
 
-  /** What 2π exceeds its double by. */
+  /** The difference between 2π and its nearest double. */
   private static final double TWO_PI_REST = 2.4492935982947064e-16;
 
   private final SplittableRandom random = new SplittableRandom(3);
@@ -32,7 +33,10 @@ class ElementaryTest {
     }
   }
 
-  /** The reference takes the angle with twice the digits, for 2π and the product are rounded. */
+  /**
+   * The reference computes the angle with twice the precision, because 2π and the product are
+   * rounded.
+   */
   @Test
   void turnsAreRightToTwoUlp() {
     for (int i = 0; i < 100_000; i++) {

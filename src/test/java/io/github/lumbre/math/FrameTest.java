@@ -7,6 +7,7 @@ import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests that frames are orthonormal and keep their handedness. */
 class FrameTest {
   private static final double EPS = 0x1p-52;
 

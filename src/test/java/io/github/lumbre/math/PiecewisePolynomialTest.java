@@ -6,8 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
+/** Tests the accuracy of piecewise polynomials. */
 class PiecewisePolynomialTest {
-  /** Points in every interval and on their ends, from 0 to 1. */
+  /** The number of points from 0 to 1, inside every interval and on its ends. */
   private static final int POINTS = 6400;
 
   private static double largestError(DoubleUnaryOperator function) {
@@ -34,7 +35,7 @@ class PiecewisePolynomialTest {
     }
   }
 
-  /** An interval of 1/64 leaves nothing of what the series of these functions add beyond it. */
+  /** In an interval of 1/64, the higher terms of these functions' series are negligible. */
   @Test
   void smoothFunctionsAreKnownToRounding() {
     assertThat(largestError(t -> StrictMath.exp(t))).isLessThan(2e-15);
@@ -42,7 +43,7 @@ class PiecewisePolynomialTest {
     assertThat(largestError(t -> 1 / (2 + t))).isLessThan(1e-15);
   }
 
-  /** Each interval has a polynomial of its own: functions that change there are followed. */
+  /** Each interval has its own polynomial, so functions may change at the ends. */
   @Test
   void intervalsDoNotKnowOfEachOther() {
     PiecewisePolynomial stairs = new PiecewisePolynomial(t -> Math.floor(64 * t));

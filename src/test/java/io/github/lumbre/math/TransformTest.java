@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests transforms, their inverses and their error bounds. */
 class TransformTest {
   private static final double EPS = 0x1p-52;
 
@@ -74,7 +75,7 @@ class TransformTest {
     }
   }
 
-  /** What rays rely on: the two directions agree however many levels the object hangs down. */
+  /** Rays rely on a transform and its inverse to agree in hierarchies of any depth. */
   @Test
   void deepHierarchiesHaveMatchingInverses() {
     Transform t = Transform.IDENTITY;
@@ -105,7 +106,7 @@ class TransformTest {
   void rotationTurnsAboutZThenXThenY() {
     // About z: x goes to y. About x: y goes to z. About y: z goes to x.
     assertThat(exact(rotation(90, 90, 90).vector(Vec3.X))).isEqualTo(Vec3.X);
-    // In the other order, x would go to -z about y first and end elsewhere.
+    // In the other order, the rotation about y would first take x to -z.
     assertThat(exact(rotation(90, 90, 90).vector(Vec3.Y))).isEqualTo(new Vec3(0, 0, 1));
     for (int i = 0; i < 1000; i++) {
       Vec3 a = vector(360);
@@ -157,7 +158,7 @@ class TransformTest {
     }
   }
 
-  /** Quarter turns are exact, so a chain of them is, however deep. */
+  /** Quarter turns are exact, and so is a chain of any number of them. */
   @ParameterizedTest
   @ValueSource(ints = {1, 10, 1000, 10_000})
   void chainsOfQuarterTurnsAreExact(int depth) {
@@ -174,7 +175,10 @@ class TransformTest {
     }
   }
 
-  /** A turn cut into a thousand levels or ten thousand is that turn, to a few ulp a level. */
+  /**
+   * A rotation divided into 1,000 or 10,000 levels equals the whole rotation, to a few ulp per
+   * level.
+   */
   @ParameterizedTest
   @ValueSource(ints = {10, 1000, 10_000})
   void chainsOfSmallTurnsAreTheWholeTurn(int depth) {
@@ -228,7 +232,7 @@ class TransformTest {
     return Math.sqrt(norm * inverseNorm);
   }
 
-  /** Matrices in fifty digits. */
+  /** Matrices with 50 digits of precision. */
   private static final class Exactly {
     private static final MathContext DIGITS = new MathContext(50);
     private static final BigDecimal PI =
@@ -240,7 +244,7 @@ class TransformTest {
       return product(product(diagonal(outer), turned), diagonal(inner));
     }
 
-    /** Returns the turn about an axis that takes the next axis to the one after it. */
+    /** Returns the rotation about an axis that takes the next axis to the one after it. */
     private static BigDecimal[][] turn(int axis, double degrees) {
       BigDecimal angle =
           new BigDecimal(degrees).multiply(PI).divide(BigDecimal.valueOf(180), DIGITS);
@@ -256,7 +260,7 @@ class TransformTest {
       return m;
     }
 
-    /** Sums (-1)^k x^(2k+first) / (2k+first)!, the cosine or the sine. */
+    /** Returns the sum of (-1)^k x^(2k+first) / (2k+first)!, which is the cosine or the sine. */
     private static BigDecimal series(BigDecimal x, int first) {
       BigDecimal term = first == 0 ? BigDecimal.ONE : x;
       BigDecimal sum = BigDecimal.ZERO;
@@ -287,7 +291,7 @@ class TransformTest {
       return m;
     }
 
-    /** Cofactors over the determinant. */
+    /** Returns the cofactors divided by the determinant. */
     static BigDecimal[][] inverse(BigDecimal[][] a) {
       BigDecimal[][] m = new BigDecimal[3][3];
       for (int i = 0; i < 9; i++) {
@@ -329,7 +333,7 @@ class TransformTest {
       Vec3 normal = t.normal(frame.normal());
       Vec3 tangent = t.vector(frame.tangent());
       assertThat(normal.length()).isCloseTo(1, within(4 * EPS));
-      // What the two sum up to is the tangent's length times the error of each factor.
+      // Their sum is the tangent's length times the error of each factor.
       double error = 64 * EPS * scale.maxAbs();
       assertThat(normal.dot(tangent)).isCloseTo(0, within(error));
     }
@@ -413,7 +417,10 @@ class TransformTest {
     }
   }
 
-  /** A map whose nine numbers and translation differ by decades, so that each matters somewhere. */
+  /**
+   * A transform whose nine numbers and translation differ by orders of magnitude, so that each
+   * matters at some points.
+   */
   private Transform uneven() {
     Transform turned = rigid().times(Transform.scale(new Vec3(decades(3), decades(3), decades(3))));
     return Transform.translation(vector(decades(4))).times(turned).times(rigid());
@@ -453,7 +460,7 @@ class TransformTest {
     }
   }
 
-  /** The sum of the absolute terms of which a point's coordinate along a normal is made. */
+  /** Returns the sum of the absolute terms of a point's coordinate along a normal. */
   private static double termsOfPoint(Transform t, Vec3 p, Vec3 normal) {
     Vec3 translation = t.point(Vec3.ZERO);
     double sum = 0;
@@ -468,7 +475,7 @@ class TransformTest {
     return sum;
   }
 
-  /** The bound is a few ulp of the terms: enough for their rounding, and not much more. */
+  /** The bound is a few ulp of the terms, which covers their rounding with a small margin. */
   @Test
   void pointErrorIsAFewUlpOfItsTerms() {
     for (int i = 0; i < 2000; i++) {
@@ -480,7 +487,7 @@ class TransformTest {
     }
   }
 
-  /** The same for the way into local space and back, of whose products it is the sum. */
+  /** The bound of mapping to local space and back is a few ulp of its terms. */
   @Test
   void mappingErrorIsAFewUlpOfItsTerms() {
     Vec3[] axes = {Vec3.X, Vec3.Y, Vec3.Z};
@@ -514,7 +521,7 @@ class TransformTest {
     }
   }
 
-  /** Skew is a matter of angles: long and short axes count alike. */
+  /** Skew depends on angles only, not on the lengths of the axes. */
   @Test
   void skewOfShortAndLongAxesIsSeen() {
     for (double size : new double[] {1e-6, 1, 1e6}) {
@@ -525,7 +532,7 @@ class TransformTest {
     }
   }
 
-  /** One number that is not finite, wherever it stands, and the map cannot be undone. */
+  /** A transform with any number that is not finite is not invertible. */
   @Test
   void everyNumberMustBeFinite() {
     for (int axis = 0; axis < 3; axis++) {

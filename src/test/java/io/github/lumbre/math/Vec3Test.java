@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests vector operations over the full range of doubles. */
 class Vec3Test {
   private static final double EPS = 0x1p-52;
 

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the reading of cameras. */
 class CameraReaderTest {
   @TempDir private Path folder;
   private SceneFixture fixture;

@@ -14,6 +14,7 @@ import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
+/** Tests the warning about an ignored color space. */
 class ColorSpaceWarningTest {
   private static final int AFTER_HEADER = 33;
 

@@ -28,11 +28,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** An interrupt of the thread that reads a scene ends each stage of reading it. */
+/** An interrupt of the reading thread ends each stage of reading a scene. */
 class InterruptedReadingTest {
   private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-  /** Processor time within which reading is to end. */
+  /** The maximum processor time, in nanoseconds, until reading ends. */
   private static final long MAX_NANOS = 300_000_000;
 
   @TempDir private Path directory;
@@ -95,8 +95,8 @@ class InterruptedReadingTest {
   }
 
   /**
-   * A scene that takes a while, read again and again in a thread that is interrupted at five
-   * moments. Processor time is measured, since others may use the machine as well.
+   * Reads a large scene repeatedly, with interrupts at five different times. Processor time is
+   * measured, because the machine may be shared.
    */
   @Test
   void readingEndsSoonAfterTheInterrupt() throws IOException, InterruptedException {

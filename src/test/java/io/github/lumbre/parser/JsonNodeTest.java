@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests typed access to JSON values and its error messages. */
 class JsonNodeTest {
   private final Problems problems = new Problems("s.json");
 

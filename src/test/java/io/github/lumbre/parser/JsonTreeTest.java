@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the parsing of JSON and its limits. */
 class JsonTreeTest {
   private final Problems problems = new Problems("s.json");
 

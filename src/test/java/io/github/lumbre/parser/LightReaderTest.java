@@ -28,6 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the reading of lights. */
 class LightReaderTest {
   private static final String GLASS =
       json("{'id': 4, 'assetType': 'Material', 'materialType': 'Refractive'}");
@@ -175,7 +176,7 @@ class LightReaderTest {
                 + " 'localScale': {'x': -1}, 'localRotation': {'y': 90}}");
     byte[] image = png(0xff0000, 0x00ff00, 0x0000ff, 0xffffff);
     Scene scene = fixture.parse(scene(dome, texture(5, image, ""))).scene();
-    // Unturned: -z left of it red, -x green, +x blue, and +x beyond 90° white.
+    // Without rotation, the four columns from longitude -180° on are red, green, blue and white.
     Vec3 littleLeft = new Vec3(-.1, 0, 1).normalized();
     Vec3 turned = new Vec3(littleLeft.z(), 0, -littleLeft.x());
     assertNear(scene.background(turned), new Rgb(0, 2, 0));

@@ -37,6 +37,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests the reading of materials and textures. */
 class MaterialReaderTest {
   private static final TexturePoint LEFT = new TexturePoint(.25, .5);
   private static final TexturePoint RIGHT = new TexturePoint(.75, .5);
@@ -82,7 +83,7 @@ class MaterialReaderTest {
     String text = withMaterial("'materialType': 'Color', 'colorTextureId': 3");
     Emission emission = only(fixture.parse(parser, text)).emission().orElseThrow();
     long before = lookUps.sum();
-    // Halfway between two texels, the picture's own filter would take one of them.
+    // Halfway between two texels, the picture's own filter would return one of them.
     assertNear(emission.radiance().at(new TexturePoint(.5, .5)), .5, .21586050011389926, .5);
     assertThat(lookUps.sum()).isEqualTo(before + 1);
     assertThat(fixture.parse(text).scene().primitives()).hasSize(1);
@@ -112,7 +113,7 @@ class MaterialReaderTest {
         only(parse("'materialType': 'Color', 'color': {'r': 2}, 'colorTextureId': 3"))
             .emission()
             .orElseThrow();
-    // sRGB 128 is .2158605 of linear light.
+    // sRGB 128 is 0.2158605 in linear RGB.
     assertNear(emission.radiance().at(LEFT), 2, .21586050011389926, 0);
     assertNear(emission.radiance().at(RIGHT), 0, .21586050011389926, 1);
   }

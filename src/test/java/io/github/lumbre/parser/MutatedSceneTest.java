@@ -18,6 +18,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Every mutated scene text is read, or rejected with a reason. */
 class MutatedSceneTest {
   private static final int COUNT = 2000;
   private static final Pattern VALUE = Pattern.compile("(?<=: )(-?\\d+|\"[A-Za-z0-9+/=]*\"|true)");
@@ -117,7 +118,7 @@ class MutatedSceneTest {
     for (int i = 0; i < COUNT; i++) {
       Random random = new Random(i);
       String text = i == 0 ? seed : mutated(seed, random);
-      // A new file each time: to empty an old one is slow on some file systems.
+      // A new file each time, because truncating an old one is slow on some file systems.
       Path file = Files.writeString(folder.resolve(i + ".json"), text);
       try {
         new SceneParser().parse(file);

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the transforms of nested objects. */
 class ObjectTreeTest {
   private static List<Placed> objects(String text) {
     Problems problems = new Problems("s.json");
@@ -68,7 +69,7 @@ class ObjectTreeTest {
         .containsExactly(1, 2, 3, 4, 5);
   }
 
-  /** Pairs of a shift and a quarter turn that undo each other are exact however many there are. */
+  /** Pairs of translations and quarter turns that cancel are exact at any depth. */
   @ParameterizedTest
   @ValueSource(ints = {2, 10, 1000, 2000})
   void chainsThatUndoThemselvesLeaveTheirChildInPlace(int depth) {
@@ -81,7 +82,7 @@ class ObjectTreeTest {
     assertThat(chain.get(depth - 1).toWorld().inversePoint(point)).isEqualTo(point);
   }
 
-  /** A camera hung below many small turns looks where one turn would let it look. */
+  /** A camera below many small rotations has the direction of a single large rotation. */
   @ParameterizedTest
   @ValueSource(ints = {1, 10, 1000, 2000})
   void chainsOfSmallTurnsAreTheWholeTurn(int depth) {
@@ -96,7 +97,7 @@ class ObjectTreeTest {
     }
   }
 
-  /** Returns objects within each other, each given without its end. */
+  /** Returns nested objects; each object's text comes without its end. */
   private static String nested(int depth, IntFunction<String> object) {
     return IntStream.range(0, depth).mapToObj(object).collect(joining(", 'children': ["))
         + "}"

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the reading of procedural textures. */
 class ProceduralReaderTest {
   private static final String SPHERE =
       json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 2}");
@@ -159,7 +160,7 @@ class ProceduralReaderTest {
     EnvironmentLight light =
         (EnvironmentLight) fixture.parse(scene(dome, texture(3, size))).scene().lights().get(0);
     Texture<Rgb> sky = glow(3, size);
-    // Straight ahead is the middle.
+    // Straight ahead is the center of the texture.
     assertThat(light.from(new Vec3(0, 0, 1))).isEqualTo(sky.at(new TexturePoint(.5, .5)).times(2));
     assertThat(light.pdf(new Vec3(0, .6, .8))).isPositive();
   }

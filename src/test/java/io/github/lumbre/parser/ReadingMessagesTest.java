@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is said of values and files that cannot be used. */
+/** Tests the error messages for invalid values and unusable files. */
 class ReadingMessagesTest {
   @TempDir private Path folder;
   private SceneFixture fixture;

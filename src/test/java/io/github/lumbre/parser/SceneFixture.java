@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.util.Base64;
 import javax.imageio.ImageIO;
 
-/** Small scenes in a folder, and what becomes of them. */
+/** Small scenes in a folder, and the results of reading them. */
 final class SceneFixture {
   static final String CAMERA = "{\"type\": \"Camera\", \"id\": 1}";
   static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -23,7 +23,7 @@ final class SceneFixture {
     this.folder = folder;
   }
 
-  /** Returns a scene of a camera and what is given, as elements of the arrays. */
+  /** Returns a scene with a camera and the given array elements. */
   static String scene(String objects, String assets) {
     return "{\"mainCameraId\": 1, \"objects\": ["
         + CAMERA
@@ -34,7 +34,7 @@ final class SceneFixture {
         + "]}";
   }
 
-  /** Returns the text of an object with apostrophes for quotes. */
+  /** Returns the JSON text of an object that is written with apostrophes instead of quotes. */
   static String json(String text) {
     return text.replace('\'', '"');
   }

@@ -30,6 +30,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the reading of whole scenes, their files and their errors. */
 class SceneParserTest {
   private static final String SPHERE = json("{'type': 'Shape', 'shapeType': 'Sphere'}");
 

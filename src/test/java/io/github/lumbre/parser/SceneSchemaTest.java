@@ -32,7 +32,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The schema, which editors read, says what the parser does. */
+/** The JSON schema, which editors use, agrees with the parser. */
 class SceneSchemaTest {
   private static final String SCHEMA = text(Path.of("docs", "scene.schema.json"));
   private static final JsonObject DEFINITIONS =
@@ -40,7 +40,7 @@ class SceneSchemaTest {
   private static final JsonSchema VALIDATOR =
       JsonSchemaFactory.getInstance(VersionFlag.V202012).getSchema(SCHEMA);
 
-  /** Takes the place of a value that is probed; no scene contains it. */
+  /** The placeholder of a tested value; no scene contains it. */
   private static final String HOLE = "@hole@";
 
   private static final List<String> PROBES =
@@ -94,7 +94,7 @@ class SceneSchemaTest {
           "1.1e150",
           "1e308");
 
-  /** Complaints about what a schema cannot know: other places, files, and products of numbers. */
+  /** Errors that a schema cannot express: references, files, and products of numbers. */
   private static final Pattern BEYOND_SCHEMAS =
       Pattern.compile(
           ": expected the id of a \\w+, found -?\\d|each id once|main camera's id once"
@@ -122,11 +122,11 @@ class SceneSchemaTest {
     return VALIDATOR.validate(scene, InputFormat.JSON).isEmpty();
   }
 
-  /** What the parser says of a scene, as far as a schema can say it too. */
+  /** The parser's verdict on a scene, as far as a schema can express it. */
   private enum Verdict {
     SOUND,
     WRONG,
-    /** Complaints beyond schemas have kept the parser from telling what else there is. */
+    /** Errors beyond schemas have prevented the parser from reporting others. */
     UNKNOWN
   }
 
@@ -151,8 +151,8 @@ class SceneSchemaTest {
   }
 
   /**
-   * Each value of scenes with everything in them, but only one of those that are alike, is
-   * exchanged for others: in a quick build for a few, which differ from place to place.
+   * Replaces each distinct value of scenes that cover all features by other values: in a quick
+   * build by a few, which differ between places.
    */
   @Test
   void schemaAndParserAgreeOnEveryValue() throws IOException {

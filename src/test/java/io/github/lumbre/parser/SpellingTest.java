@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the suggestions for misspelled names. */
 class SpellingTest {
   @ParameterizedTest
   @CsvSource({

@@ -22,22 +22,26 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
+/** Tests which pixels the adaptive schedule selects, and that the picture is unbiased. */
 class AdaptiveScheduleTest {
   private static final int WIDTH = 24;
   private static final int HEIGHT = 16;
   private static final double RARE = 1 / 64.0;
 
-  /** Never met: the integrators below do not look at it. */
+  /** A placeholder that the integrators below do not use. */
   private static final Scene SCENE =
       Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 1)).build();
 
-  /** The left half shines evenly, the right one in one sample of 64, as bright in the mean. */
+  /**
+   * The left half has constant radiance; the right half has light in one of 64 samples, with the
+   * same mean.
+   */
   private static final Integrator HALF_RARE =
       (ray, sampler, scratch) -> {
         if (ray.direction().x() < 0) {
           return Rgb.WHITE;
         }
-        // Digits so low that the samples of a pixel are as good as independent.
+        // These low digits are effectively independent between the samples of a pixel.
         double digits = sampler.get1d(7) * 0x1p16 % 1;
         return digits < RARE ? Rgb.WHITE.times(1 / RARE) : Rgb.BLACK;
       };
@@ -82,8 +86,8 @@ class AdaptiveScheduleTest {
   }
 
   /**
-   * Of two halves as noisy, the one whose samples take 16 times the rays gets a quarter of the
-   * samples, to a factor of two since numbers are powers of two.
+   * Of two equally noisy halves, the one with 16 times the rays per sample gets a quarter of the
+   * samples. Counts are powers of two, so the tolerance is a factor of two.
    */
   @Test
   void dearSamplesAreFewer() {
@@ -149,7 +153,7 @@ class AdaptiveScheduleTest {
     }
   }
 
-  /** Cancels a pass whenever there were so many samples, so that another one goes on with it. */
+  /** Cancels a pass after each given number of samples, so that another pass continues it. */
   private static Progress pausingAfter(long samples) {
     AtomicLong left = new AtomicLong(samples);
     return new Progress() {
@@ -166,9 +170,9 @@ class AdaptiveScheduleTest {
   }
 
   /**
-   * The mean of many pictures is the truth, though rare bright samples steer where the next go: a
-   * pixel whose own samples had a say in their number, like one of 25, would be 2.7 % too dark
-   * here, 7 standard errors. Fails by chance once in 16,000 seeds.
+   * The mean of many pictures is unbiased, although rare bright samples direct later samples. If a
+   * pixel's own samples counted like one of 25, the mean would be 2.7 % too dark, which is 7
+   * standard errors. The test fails by chance once in 16,000 seeds.
    */
   @Test
   void rareBrightSamplesLoseNothing() throws InterruptedException {
@@ -194,7 +198,10 @@ class AdaptiveScheduleTest {
     assertThat(sum).isCloseTo(1, within(4 * error));
   }
 
-  /** Gives a pixel black samples and then as many white ones if it is noisy, else grey ones. */
+  /**
+   * Gives a pixel black samples and then equally many white ones if it is noisy, otherwise gray
+   * ones.
+   */
   private static void fill(Film film, int pixel, int count, boolean noisy) {
     for (int i = 0; i < count; i++) {
       double white = 2.0 * i < count ? 0 : 1;
@@ -206,7 +213,7 @@ class AdaptiveScheduleTest {
     return new AdaptiveSchedule(goal).next(film).orElseThrow();
   }
 
-  /** Returns the pixels that are to have more samples, x + width * y. */
+  /** Returns the pixels selected for more samples, as x + width * y. */
   private static Set<Integer> chosen(Film film, int goal) {
     SampleTarget target = next(film, goal);
     Crop window = film.window();
@@ -231,7 +238,10 @@ class AdaptiveScheduleTest {
     return film;
   }
 
-  /** With work for 24 pixels, those are the ones in the square of 5x5 around a noisy pixel. */
+  /**
+   * With work for 24 pixels, the schedule selects the 5x5 square around a noisy pixel, without that
+   * pixel.
+   */
   @Test
   void noiseOfAPixelGivesSamplesToThoseAroundAndNotToItself() {
     for (int[] at : new int[][] {{7, 7}, {4, 4}, {11, 11}, {4, 11}, {11, 4}}) {
@@ -244,7 +254,7 @@ class AdaptiveScheduleTest {
     }
   }
 
-  /** At a border a pixel has fewer others around, of which a noisy one is more. */
+  /** At a border, a pixel has fewer neighbors, so one noisy neighbor weighs more. */
   @Test
   void noiseInACornerWeighsMostWhereTheFewestPixelsAreAround() {
     for (int corner = 0; corner < 4; corner++) {
@@ -258,7 +268,7 @@ class AdaptiveScheduleTest {
     }
   }
 
-  /** Of 32 pixels, one without noise has fewer samples than the eighth of the mean. */
+  /** Of 32 pixels, one without noise has fewer samples than an eighth of the mean. */
   @Test
   void pixelsFarBelowTheMeanComeFirst() {
     Film film = new Film(new Crop(0, 0, 8, 4), false, 0);
@@ -269,7 +279,7 @@ class AdaptiveScheduleTest {
     assertThat(chosen(film, 485)).containsExactly(0);
   }
 
-  /** Gives a pixel equal samples, more than could be added one by one. */
+  /** Gives a pixel many equal samples at once. */
   private static void fillAtOnce(Film film, int pixel, int count) {
     ByteBuffer bytes = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
     for (int rest = count; rest != 0; rest >>>= 7) {
@@ -295,7 +305,7 @@ class AdaptiveScheduleTest {
     assertThat(chosen(film, RenderSettings.MAX_SAMPLES)).hasSize(Passes.LONGEST * 256 / 4096);
   }
 
-  /** A pass does not add more than a quarter of the samples that there are. */
+  /** A pass adds at most a quarter of the current number of samples. */
   @Test
   void noiseIsLookedAtFourTimesWhileTheSamplesDouble() {
     assertThat(chosen(black(16, 16, 32), 1_000)).hasSize(64);

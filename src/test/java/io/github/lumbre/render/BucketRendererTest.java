@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests whole renders: pixels, crops, threads, cancellation and failures. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class BucketRendererTest {
   private static final Scene SCENE = sceneSeenBy(pinhole());
@@ -143,7 +144,7 @@ class BucketRendererTest {
     assertThat(result.image().pixel(29, 19)).isEqualTo(Rgb.BLACK);
   }
 
-  /** Samples are told of after 1024, and whether to stop is asked after each 16. */
+  /** Progress is reported every 1024 samples, and cancellation is checked every 16 samples. */
   @Test
   void cancelledRenderStopsInTheMiddleOfABucket() throws InterruptedException {
     AtomicLong told = new AtomicLong();
@@ -199,7 +200,7 @@ class BucketRendererTest {
             });
     caller.start();
     while (liveWorkers().isEmpty()) {
-      // Between two passes there are none.
+      // Between two passes, there are no worker threads.
       Thread.sleep(1);
     }
     caller.interrupt();
@@ -229,7 +230,7 @@ class BucketRendererTest {
         new BucketRenderer(small().samples(8).threads(1).build())
             .render(SCENE, faulty, Progress.NONE);
 
-    // The first pass takes one sample of each pixel, in rows from the left.
+    // The first pass takes one sample of each pixel, row by row from the left.
     for (int x = 0; x < 4; x++) {
       assertThat(result.image().pixel(x, 0)).isEqualTo(Rgb.grey(7 / 8.0));
     }
@@ -326,7 +327,7 @@ class BucketRendererTest {
     assertThat(bad.firstRejected().get(7)).isEqualTo(new RenderStatistics.RejectedSample(7, 0, 0));
   }
 
-  /** Each sample waits until as many threads as there should be have begun one. */
+  /** Each sample waits until the expected number of threads have started one. */
   @ParameterizedTest
   @CsvSource({"0, 8", "1, 8", "3, 8", "5, 20"})
   void asManyThreadsRenderAsAreAskedFor(int threads, int bucketSize) throws InterruptedException {
@@ -360,7 +361,7 @@ class BucketRendererTest {
     }
   }
 
-  /** The render is interrupted, and once more while it waits for its threads. */
+  /** The render is interrupted, and again while it waits for its threads. */
   @Test
   void secondInterruptionIsKeptForLater() {
     Thread caller = Thread.currentThread();
@@ -392,7 +393,7 @@ class BucketRendererTest {
     }
   }
 
-  /** Listeners hear of samples while a bucket is rendered, not of all at its end. */
+  /** Progress is reported during a bucket, and not only at its end. */
   @Test
   void longBucketsAreHeardOfMeanwhile() throws InterruptedException {
     List<Long> heard = new ArrayList<>();

@@ -11,8 +11,9 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests the listener that adds a cancellation condition. */
 class CancellingProgressTest {
-  /** Whatever a listener may hear, now or in a later version, it hears through another too. */
+  /** The wrapper forwards every event of the interface, including events that are added later. */
   @Test
   void everythingIsPassedOn() throws IllegalAccessException, InvocationTargetException {
     List<String> heard = new ArrayList<>();

@@ -19,8 +19,9 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.Texture;
 import org.junit.jupiter.api.Test;
 
+/** Compares the energy lost to the path length limit with closed forms. */
 class DepthCutTest {
-  /** Inside a sphere each bounce keeps half of the light, so that depth n leaves 2^-n. */
+  /** Inside a sphere, each bounce keeps half of the light, so depth n loses 2^-n of it. */
   @Test
   void closedSphereCutsAPowerOfItsReflectance() throws InterruptedException {
     Scene room =
@@ -69,7 +70,7 @@ class DepthCutTest {
     assertThat(cut.share()).isCloseTo(.25, within(.005 + 4 * cut.standardError()));
   }
 
-  /** Whether one seed or another: the shares vary about as much as the error says. */
+  /** Over different seeds, the shares vary about as much as the standard error. */
   @Test
   void standardErrorIsTheSpreadOverSeeds() throws InterruptedException {
     Scene room = room(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60), .7);

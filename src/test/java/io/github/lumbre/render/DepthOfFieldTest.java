@@ -22,19 +22,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a lens makes of a small bright ball off the plane of focus, in rendered pictures. */
+/** Tests rendered pictures of a small bright sphere off the plane of focus. */
 class DepthOfFieldTest {
   private static final int SIZE = 128;
   private static final double FOV_DEGREES = 10;
   private static final double FOCUS = 8;
   private static final double BALL = .06;
 
-  /** Where the light of a picture lies, in pixels from its centre, x right and y up. */
+  /** The distribution of light in a picture, in pixels from its center, with x right and y up. */
   private record Spot(double x, double y, double meanSquare, double farthest) {}
 
   /**
-   * The disc's radius at depth z is a|z − f|/f; uniform, its mean square is half that squared. So
-   * many samples meet the ball that the mean square has a standard error below 1 %.
+   * At depth z, the blur disk has the radius a|z − f|/f, and its mean square is half of the squared
+   * radius. Enough samples hit the sphere for a standard error of the mean square below 1 %.
    */
   @ParameterizedTest
   @CsvSource({".4, 16", ".2, 16", ".1, 16", ".4, 6", ".2, 6", ".1, 6"})
@@ -44,7 +44,7 @@ class DepthOfFieldTest {
     double disc = pixels(aperture * Math.abs(depth - FOCUS) / FOCUS, depth);
     double ball = pixels(BALL, depth);
 
-    // The ball's own disc and the square of a pixel add their mean squares.
+    // The sphere's own disk and the square of a pixel add their mean squares.
     double expected = (disc * disc + ball * ball) / 2 + 1 / 6.0;
     assertThat(spot.meanSquare()).isCloseTo(expected, within(.04 * expected));
     assertThat(spot.farthest()).isLessThan((disc + ball) * 1.01 + 1);
@@ -54,7 +54,8 @@ class DepthOfFieldTest {
 
   @Test
   void maskIsUprightBehindTheFocusAndTurnedBeforeIt() throws InterruptedException {
-    // White is the right quarter of the lens' upper half: a mean of (3/8, 1/4) of its width.
+    // The white part is the right quarter of the upper half of the lens, whose mean is (3/8, 1/4)
+    // of its width.
     boolean[][] white = {{false, false, false, false}, {false, false, false, true}};
     Aperture mask = new BokehCache(white);
 

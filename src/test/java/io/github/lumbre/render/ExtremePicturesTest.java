@@ -46,7 +46,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Pictures of scenes and by cameras at the ends of their ranges. */
+/** Tests pictures of scenes and cameras with extreme parameters. */
 class ExtremePicturesTest {
   private static final Rgb RED = new Rgb(1, 0, 0);
   private static final Rgb GREEN = new Rgb(0, 1, 0);
@@ -88,7 +88,7 @@ class ExtremePicturesTest {
     return cameras;
   }
 
-  /** Where all that shines is white, a pixel that is not has lost its ray. */
+  /** In a uniform white environment, a pixel that is not white has lost its ray. */
   @ParameterizedTest
   @CsvSource({"1, 1", "1, 16384", "16384, 1", "3, 2"})
   void everyCameraHasARayForEveryPixelOfEverySize(int width, int height)
@@ -139,7 +139,7 @@ class ExtremePicturesTest {
             glow(Rgb.grey(4)));
   }
 
-  /** A ball fills its share of a frame of one and a half radii from however far it is seen. */
+  /** A sphere fills the same fraction of a frame of 1.5 radii from any distance. */
   @ParameterizedTest
   @ValueSource(doubles = {1e2, 1e4, 1e6, 1e8})
   void distantBallKeepsItsSize(double distance) throws InterruptedException {
@@ -162,13 +162,13 @@ class ExtremePicturesTest {
       share.add(sum / (32 * 32));
     }
     double apparent = 1 / (1 - 1 / (distance * distance));
-    // So a share that is wrong by .003 is found.
+    // The test therefore detects an error of 0.003.
     assertThat(Math.sqrt(share.variance() / replicates)).isLessThan(4e-4);
     assertThat(Statistics.deviation(share.z(Math.PI / 9 * apparent)))
         .isLessThan(Statistics.CRITICAL_Z);
   }
 
-  /** Of surfaces in one plane the first is seen, everywhere: no speckle. */
+  /** Of coplanar surfaces, the first one is visible everywhere, without speckles. */
   @Test
   void coincidingSurfacesShowTheFirst() throws InterruptedException {
     for (int i = 0; i < 20; i++) {
@@ -194,7 +194,7 @@ class ExtremePicturesTest {
     }
   }
 
-  /** Between two planes it is dark, however narrow the gap that one looks into. */
+  /** The gap between two planes is dark at any width. */
   @ParameterizedTest
   @CsvSource({"1e-9, 1", "1e-9, 1e3", "1e-6, 1e3", "1e-3, 10", "1, 10"})
   void noLightComesBetweenTwoPlanes(double gap, double distance) throws InterruptedException {
@@ -203,8 +203,8 @@ class ExtremePicturesTest {
     Frame axes = new Frame(tilt.vector(Vec3.X), tilt.vector(Vec3.Y), tilt.vector(Vec3.Z));
     Vec3 eye = tilt.point(new Vec3(0, .5 * gap, 0));
     Transform above = tilt.times(at(0, gap, 0));
-    // Without an end the gap would be seen where it is narrower than rounding. It is black, since
-    // points of it that are less than an ulp from a corner may lie behind that.
+    // Without an end surface, rays would see through the gap where it is narrower than rounding.
+    // The end is black, because points within an ulp of a corner may be behind the corner.
     Transform end =
         tilt.times(at(0, 0, distance)).times(Transform.rotationDegrees(Vec3.X.times(90)));
     Scene scene =
@@ -228,7 +228,7 @@ class ExtremePicturesTest {
     return new PointLight(position, Rgb.WHITE, Falloff.NONE);
   }
 
-  /** The mean over a textured wall is that of its texels; their deviation is below .3. */
+  /** The mean over a textured wall is that of its texels, whose standard deviation is below 0.3. */
   @ParameterizedTest
   @CsvSource({"1, 1", "3, 5", "64, 48", "16384, 2"})
   void texturedWallHasTheMeanOfItsTexels(int width, int height) throws InterruptedException {
@@ -243,7 +243,7 @@ class ExtremePicturesTest {
     for (int i = 0; i < values.length; i += 3) {
       expected += (values[i] & 255) / 255.0 / (width * height);
     }
-    // Facing the camera, and just as large as the frame at distance 1.
+    // Facing the camera, and exactly as large as the frame at distance 1.
     Transform place = at(0, 0, 1).times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
     Scene scene =
         Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90))
@@ -281,7 +281,7 @@ class ExtremePicturesTest {
       RenderSettings settings =
           settings(side, side, 2).maxTraceDepth(3).seed(Effort.seed(i)).build();
       Image one = new BucketRenderer(settings).render(scene);
-      // Other random numbers, so that the two are independent.
+      // Different random numbers, so that the two pictures are independent.
       Image other =
           new BucketRenderer(settings.toBuilder().seed(Effort.seed(i) + 1_000_000).build())
               .render(image);
@@ -323,7 +323,9 @@ class ExtremePicturesTest {
     return TriangleMesh.of(p, n, new double[0], new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
   }
 
-  /** A thousand places of one mesh look like a thousand meshes, but for some borders. */
+  /**
+   * A thousand instances of one mesh look like a thousand meshes, except for a few border pixels.
+   */
   @Test
   void instancesLookLikeCopies() throws InterruptedException {
     TriangleMesh mesh = tetrahedron();

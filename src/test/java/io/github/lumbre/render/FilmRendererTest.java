@@ -28,11 +28,12 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+/** Tests that passes, cancellation and crops do not change the samples. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class FilmRendererTest {
   private static final int SAMPLES = 100;
 
-  /** Its pictures have noise everywhere, and transparent corners. */
+  /** A scene whose pictures have noise everywhere and transparent corners. */
   private static final Scene SCENE =
       Scene.seenBy(new FishEyeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 100))
           .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
@@ -77,7 +78,7 @@ class FilmRendererTest {
     }
   }
 
-  /** Cancels after a random number of samples, again and again, until nothing is left to do. */
+  /** Cancels passes after random numbers of samples until the film is complete. */
   @Test
   void cancelledPassesNeitherLoseNorDoubleSamples() throws InterruptedException {
     Image expected = picture(SAMPLES);
@@ -96,7 +97,9 @@ class FilmRendererTest {
     }
   }
 
-  /** Passes that are cancelled at random tell all rays too: of the corners none, of others some. */
+  /**
+   * Randomly cancelled passes also report all rays: none for the corners, some for other pixels.
+   */
   @Test
   void aTargetHearsOfEachPixelsRays() throws InterruptedException {
     Random random = new Random(43);
@@ -162,7 +165,7 @@ class FilmRendererTest {
     Film late = renderer().newFilm(6);
     renderer().addSamples(late, 2, Progress.NONE);
 
-    // Eight samples are six and two: means of dyadic fractions of few bits add exactly.
+    // Eight samples are six plus two: means of dyadic fractions with few bits add exactly.
     double six = 6 * picture(6).alpha(4, 2);
     double two = 2 * late.develop().alpha(4, 2);
     assertThat(8 * picture(8).alpha(4, 2)).isEqualTo((float) (six + two));

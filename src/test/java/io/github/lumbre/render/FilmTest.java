@@ -20,6 +20,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+/** Tests the exact sums, the encoding and the merging of films. */
 class FilmTest {
   private static final double GRID = 0x1p-64;
 
@@ -87,8 +88,8 @@ class FilmTest {
   }
 
   /**
-   * Samples whose exact mean lies half way between two floats: an error of the last bit of the sum,
-   * upward or downward, develops to the wrong one.
+   * Uses samples whose exact mean is halfway between two floats, so an error in the last bit of the
+   * sum gives the wrong float.
    */
   @Test
   void sumIsExactInAnyOrder() {
@@ -111,8 +112,8 @@ class FilmTest {
   }
 
   /**
-   * Pairs of full-length doubles whose means lie half way between floats, as above; running sums of
-   * doubles are off by 2e-10.
+   * Uses pairs of full-precision doubles whose means are halfway between floats; running sums of
+   * doubles have an error of 2e-10.
    */
   @Test
   void tenMillionAdditionsLoseNothing() {
@@ -124,7 +125,7 @@ class FilmTest {
       part[i] = ties[i] * Math.sqrt(1.5);
     }
     Rgb one = new Rgb(part[0], part[1], part[2]);
-    // Exact: the parts are within a factor of 2 of what they are subtracted from (Sterbenz 1974).
+    // Exact, because the operands differ by at most a factor of 2 (Sterbenz 1974).
     Rgb other = new Rgb(2 * ties[0] - part[0], 2 * ties[1] - part[1], 2 * ties[2] - part[2]);
     Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (int i = 0; i < 10_000_000; i++) {
@@ -134,14 +135,17 @@ class FilmTest {
         .containsExactly((float) ties[0], (float) ties[1], (float) ties[2]);
   }
 
-  /** Running sums of doubles are off by 1e-11 after so many, those of floats by nearly all. */
+  /**
+   * After this many samples, running sums of doubles have an error of 1e-11, and those of floats
+   * lose nearly everything.
+   */
   @Test
   @Tag(Effort.EXHAUSTIVE)
   void aBillionSamplesOfOnePixelLoseNothing() {
     SplittableRandom random = new SplittableRandom(Effort.seed(34));
     Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     int n = 1_000_000_000;
-    // The sum in units of 2^-53, apart in two so that neither overflows.
+    // The sum in units of 2^-53, in two parts so that neither overflows.
     long high = 0;
     long low = 0;
     for (int i = 0; i < n; i++) {
@@ -165,7 +169,7 @@ class FilmTest {
     assertThat(film.develop().rgb()[0]).isCloseTo(mean * 0x1p-53f, within(0x1p-24f));
   }
 
-  /** Reads seven bits a byte, the lowest first. */
+  /** Reads seven bits per byte, the lowest first. */
   private static long number(ByteBuffer bytes) {
     long number = 0;
     int shift = 0;
@@ -183,7 +187,7 @@ class FilmTest {
     Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     int n = 1 << 20;
     for (int i = 0; i < n; i++) {
-      // 2^-44 - 2^-64 and 2^-64 in turn: 2^-44 a pair.
+      // 2^-44 - 2^-64 and 2^-64 alternately: 2^-44 per pair.
       film.add(0, Rgb.grey(i % 2 == 0 ? 0x1p-44 - GRID : GRID), true);
     }
     assertThat(film.develop().rgb()[0]).isEqualTo(0x1p-45f);
@@ -339,7 +343,7 @@ class FilmTest {
     }
   }
 
-  /** Returns a film of one row, whose pixels have so many equal samples. */
+  /** Returns a film of one row whose pixels have the given numbers of equal samples. */
   private static Film row(Rgb value, int... counts) {
     Film film = new Film(new Crop(2, 3, counts.length, 1), false, 0);
     for (int pixel = 0; pixel < counts.length; pixel++) {

@@ -22,11 +22,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Tests pixel filters in rendered pictures. */
 class FilteredPictureTest {
   private static final int SAMPLES = 4096;
   private static final Matte BLACK = new Matte(Texture.constant(Rgb.BLACK));
 
-  /** A black half space before white, whose edge is upright in the middle of the picture. */
+  /** A black half plane in front of white, with a vertical edge in the center of the picture. */
   private static Scene edge(Camera camera) {
     Transform right = Transform.translation(new Vec3(500, 0, 5));
     return Scene.seenBy(camera)
@@ -47,7 +48,7 @@ class FilteredPictureTest {
     return new BucketRenderer(settings).render(scene);
   }
 
-  /** The profile across an edge is the filter's integral: what lies left of the edge is white. */
+  /** The profile across an edge is the filter's integral over its left side, which is white. */
   @ParameterizedTest
   @EnumSource
   void edgesHaveTheProfileOfTheFilter(PixelFilter filter) throws InterruptedException {
@@ -60,7 +61,10 @@ class FilteredPictureTest {
     }
   }
 
-  /** Returns the share of a pixel's samples left of a line, given from the pixel's left edge. */
+  /**
+   * Returns the fraction of a pixel's samples left of a line, whose position is relative to the
+   * pixel's left edge.
+   */
   private static double shareBelow(PixelFilter filter, double line) {
     int count = 0;
     int all = 1 << 16;
@@ -70,14 +74,15 @@ class FilteredPictureTest {
     return (double) count / all;
   }
 
-  /** Behind the viewer of a panorama the picture's left and right sides meet. */
+  /** Behind the viewer of a panorama, the left and right edges of the picture join. */
   @ParameterizedTest
   @EnumSource
   void panoramasAreFilteredAcrossTheirSeam(PixelFilter filter) throws InterruptedException {
     Frame back = new Frame(new Vec3(-1, 0, 0), Vec3.Y, new Vec3(0, 0, -1));
     Image ahead = render(edge(new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2)), filter, 32, 16);
     Image behind = render(edge(new SphericalCamera(Vec3.ZERO, back, 2)), filter, 32, 16);
-    // Turned by half a turn, column x shows what column x + 16 showed, and 0 follows on 31.
+    // After half a turn, column x shows the content of column x + 16, and column 0 follows column
+    // 31.
     for (int x = 12; x < 20; x++) {
       assertThat(behind.pixel((x + 16) % 32, 8).g())
           .as("column %d", x)
@@ -85,7 +90,10 @@ class FilteredPictureTest {
     }
   }
 
-  /** Over a pole the panorama goes on down the other side, so a uniform world stays uniform. */
+  /**
+   * Across a pole, the panorama continues on the other side, so a uniform environment stays
+   * uniform.
+   */
   @ParameterizedTest
   @EnumSource
   void polesAreNeitherDarkNorBlank(PixelFilter filter) throws InterruptedException {
@@ -100,7 +108,7 @@ class FilteredPictureTest {
     }
   }
 
-  /** At the rim of a fisheye the alpha is the share of the filter that lies in the circle. */
+  /** At the rim of a fisheye image, alpha is the fraction of the filter inside the circle. */
   @Test
   void rimOfAFisheyeIsAsSoftAsTheFilterIsWide() throws InterruptedException {
     Scene scene =
@@ -111,7 +119,8 @@ class FilteredPictureTest {
     for (PixelFilter filter : new PixelFilter[] {PixelFilter.BOX, PixelFilter.GAUSSIAN}) {
       Image image = render(scene, filter, 16, 16);
       double rim = image.alpha(0, 8);
-      // Of the box nearly all is inside the circle; of the Gaussian a sixth is beyond its side.
+      // Nearly all of the box filter is inside the circle; a sixth of the Gaussian extends beyond
+      // it.
       assertThat(rim).isLessThan(before);
       before = rim;
       assertThat(image.alpha(8, 8)).isEqualTo(1);

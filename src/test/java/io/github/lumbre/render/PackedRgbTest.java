@@ -7,6 +7,7 @@ import io.github.lumbre.image.Rgb;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests the precision of packed colors. */
 class PackedRgbTest {
   @Test
   void componentsAreKeptToAShareOfTheLargest() {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests the lengths of passes. */
 class PassesTest {
   private static List<Integer> ends(int done, int goal) {
     List<Integer> ends = new ArrayList<>();

@@ -33,7 +33,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What becomes of a picture when its scene is changed in ways whose effect is known. */
+/** Tests changes of scenes whose effect on the picture is known. */
 class PictureLawsTest {
   private static final int WIDTH = 24;
   private static final int HEIGHT = 16;
@@ -42,7 +42,7 @@ class PictureLawsTest {
     return Scene.seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1.5, 50));
   }
 
-  /** Returns a scene of strong colours, each changed, with light that is bounced often. */
+  /** Returns a scene with many bounces and saturated colors, modified by the given functions. */
   private static Scene colourful(UnaryOperator<Rgb> surfaces, UnaryOperator<Rgb> lights) {
     Texture<Rgb> red = Texture.constant(surfaces.apply(new Rgb(.95, .3, .1)));
     Texture<Rgb> blue = Texture.constant(surfaces.apply(new Rgb(.02, .2, .6)));
@@ -123,7 +123,9 @@ class PictureLawsTest {
     }
   }
 
-  /** The relative error from the last rough picture to the first smooth one is below 1 %. */
+  /**
+   * The relative difference between the last rough picture and the first smooth one is below 1 %.
+   */
   @ParameterizedTest
   @EnumSource(Kind.class)
   void mirrorTakesOverFromFacetsWithoutAStep(Kind kind) throws InterruptedException {

@@ -11,14 +11,12 @@ import java.util.HexFormat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Checks that a change of pictures comes with a new revision. */
 class PictureRevisionTest {
   private static final Path HASHES = Path.of("scenes", "table-hashes.csv");
   private static final Path REVISIONS = Path.of("src/test/resources/picture-revisions.csv");
 
-  /**
-   * Whoever stores new hashes of pictures says here whether films of the versions before can still
-   * be gone on with.
-   */
+  /** New picture hashes require a decision here: can films of earlier versions still be resumed? */
   @Test
   void otherPicturesHaveAnotherRevision() throws IOException, NoSuchAlgorithmException {
     List<String> lines = Files.readAllLines(REVISIONS);

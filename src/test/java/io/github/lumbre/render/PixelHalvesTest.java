@@ -7,8 +7,11 @@ import io.github.lumbre.image.Rgb;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the error estimate from two halves of a pixel's samples. */
 class PixelHalvesTest {
-  /** With halves of n1 and n2, (m1 - m2)^2 n1 n2 / (n1 + n2)^2 over m1 m2 and a floor. */
+  /**
+   * For halves of n1 and n2 samples: (m1 - m2)² n1 n2 / (n1 + n2)², divided by m1 m2 plus a floor.
+   */
   @Test
   void errorOfOneChannelIsAThirdOfThatOfAll() {
     PixelHalves red = new PixelHalves(4, new Rgb(3, 0, 0), 2, new Rgb(1, 0, 0));
@@ -36,7 +39,7 @@ class PixelHalvesTest {
     assertThat(halves.relativeSquaredError()).isCloseTo(expected, within(1e-9 * expected));
   }
 
-  /** Uniform numbers around 100 have the variance 1/12, and their mean of n 1/12n. */
+  /** Uniform numbers around 100 have the variance 1/12, and the mean of n of them has 1/(12 n). */
   @Test
   void errorIsUnbiasedForIndependentSamples() {
     SplittableRandom random = new SplittableRandom(9);
@@ -54,7 +57,7 @@ class PixelHalvesTest {
       sum += new PixelHalves(8, first, 5, second).relativeSquaredError() / runs;
     }
     double expected = 1 / 12.0 / 13 / 1e4;
-    // The mean of 12000 squares of normal numbers is known to 1.3 %.
+    // The mean of 12,000 squares of normal numbers has a standard error of 1.3 %.
     assertThat(sum).isCloseTo(expected, within(.06 * expected));
   }
 

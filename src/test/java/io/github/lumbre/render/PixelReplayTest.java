@@ -32,6 +32,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests that replayed samples are bit-identical to those of a render. */
 class PixelReplayTest {
   private static final int WIDTH = 24;
   private static final int HEIGHT = 16;
@@ -51,7 +52,7 @@ class PixelReplayTest {
     assertThat(replay.pixel(9, 9, 0).mean()).isEqualTo(replay.pixel(9, 9, 1).mean());
   }
 
-  /** Whoever watches a path does not change it: all bits are those of a render. */
+  /** Recording a path does not change it: the result is bit-identical to that of a render. */
   @ParameterizedTest
   @CsvSource({
     "cornell-box, PATH, 1",
@@ -103,7 +104,7 @@ class PixelReplayTest {
     assertThat(sum).isEqualTo(sample.radiance());
   }
 
-  /** A contribution is the throughput times the weighted light of its lights. */
+  /** A contribution is the throughput times the weighted light. */
   private static void assertExplained(PathVertex vertex, Contribution contribution) {
     double light = contribution.lights().stream().mapToDouble(l -> l.weighted().g()).sum();
     double expected = vertex.throughput().g() * light;
@@ -133,7 +134,7 @@ class PixelReplayTest {
     }
   }
 
-  /** The film receives what the render adds to it: clamped and rejected samples included. */
+  /** The film value equals that of a render, also for clamped and rejected samples. */
   @Test
   void clampedSamplesAreReplayedAsTheFilmReceivesThem() throws Exception {
     SceneFile file = scene("glass-and-mirror", Mode.PATH);
@@ -170,7 +171,7 @@ class PixelReplayTest {
         .isGreaterThanOrEqualTo(pixel.brightest().get(1).film().max());
   }
 
-  /** Before a background that is no radiance in one channel, all samples are rejected. */
+  /** With a background that is invalid in one channel, all samples are rejected. */
   @Test
   void rejectedSamplesAreCountedAndTheFirstShown() {
     for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, -1}) {

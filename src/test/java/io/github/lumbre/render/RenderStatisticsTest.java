@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sums of render statistics. */
 class RenderStatisticsTest {
   private static final RenderStatistics ONE =
       new RenderStatistics(1, 2, 3, 4, List.of(new RejectedSample(5, 1, 0)), 5, 6, 7, 8);
@@ -41,7 +42,7 @@ class RenderStatisticsTest {
     assertThat(RenderStatistics.ofFaults(4, ONE.firstRejected(), 5)).isEqualTo(ONE.faults());
   }
 
-  /** However the samples were shared out, the ten first ones in reading order are named. */
+  /** For any division of the work, the first ten rejected samples in reading order are reported. */
   @Test
   void firstRejectedSamplesDoNotDependOnTheWorkers() {
     List<RejectedSample> all = new ArrayList<>();

@@ -17,7 +17,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The same scene, seed and samples give the same bits, however the work is divided. */
+/**
+ * For the same scene, seed and samples, pictures are bit-identical for any division of the work.
+ */
 class ReproducibilityTest {
   private static final int[] THREADS = {1, 2, 3, 8, 64};
   private static final int[] BUCKETS = {1, 7, 32, 10_000};

@@ -12,10 +12,11 @@ import java.math.MathContext;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the numerical stability of the variance of colors. */
 class RgbMomentsTest {
   private static final int COUNT = 20_000;
 
-  /** The sum of squares less the square of the sum would have no digit left at 1e8. */
+  /** The sum of squares minus the squared sum would lose all precision at 1e8. */
   @Test
   void varianceKeepsItsDigitsFarFromZero() {
     SplittableRandom random = new SplittableRandom(Effort.seed(50));
@@ -37,7 +38,7 @@ class RgbMomentsTest {
     assertThat(found.variance().b()).isCloseTo(variance(values[2]), within(1e-12));
   }
 
-  /** Returns the variance by two passes of fifty digits. */
+  /** Returns the variance, computed in two passes with 50 digits. */
   private static double variance(double[] values) {
     MathContext digits = new MathContext(50);
     BigDecimal sum = BigDecimal.ZERO;

@@ -22,6 +22,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+/** Tests the reports of stalled buckets. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class WatchdogTest {
   private static final Scene SCENE =
@@ -50,7 +51,7 @@ class WatchdogTest {
     Thread thread = new Thread(worker);
     thread.start();
     blocked.await();
-    // The first look finds samples that are new to it.
+    // The first check finds new samples.
     for (double now : new double[] {10, 69, 70, 71, 129, 130, 131, 249, 250, 251}) {
       watchdog.look(now);
     }

@@ -16,8 +16,8 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
 /**
- * The report's statement that the concentric map spreads points over a disc more evenly than the
- * polar one. Running {@link #main} draws the two.
+ * Checks the report's statement that the concentric map distributes points over a disk more evenly
+ * than the polar map. {@link #main} draws both.
  */
 class DiskEvennessTest {
   private static final int SIDE = 16;
@@ -27,7 +27,7 @@ class DiskEvennessTest {
     return new Point2(r * Elementary.cosTurns(u.y()), r * Elementary.sinTurns(u.y()));
   }
 
-  /** Returns one jittered point for each cell of a square grid, mapped to the disc. */
+  /** Returns one jittered point for each cell of a square grid, mapped to the disk. */
   private static List<Point2> points(UnaryOperator<Point2> map, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     List<Point2> points = new ArrayList<>();
@@ -41,7 +41,10 @@ class DiskEvennessTest {
     return points;
   }
 
-  /** Returns how far the share of points in random small discs is from their share of the area. */
+  /**
+   * Returns the deviation between the fraction of points in small random disks and the disks'
+   * fraction of the area.
+   */
   private static double discrepancy(UnaryOperator<Point2> map) {
     SplittableRandom random = new SplittableRandom(7);
     double squares = 0;
@@ -68,12 +71,12 @@ class DiskEvennessTest {
     double concentric = discrepancy(Warp::concentricDisk);
     double polar = discrepancy(DiskEvennessTest::polar);
 
-    // Standard errors are about 2 %; 256 independent points would give about .013.
+    // Standard errors are about 2 %; 256 independent points would give about 0.013.
     assertThat(concentric).isLessThan(.95 * polar);
     assertThat(polar).isLessThan(.013);
   }
 
-  /** Returns the smallest distance between the images of two cells' centres. */
+  /** Returns the smallest distance between the images of two cell centers. */
   private static double closest(UnaryOperator<Point2> map) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < SIDE * SIDE; i++) {
@@ -92,7 +95,7 @@ class DiskEvennessTest {
   }
 
   /**
-   * Draws the two point sets side by side, concentric to the left.
+   * Draws both point sets side by side, with the concentric one on the left.
    *
    * @param arguments the PNG file to write
    * @throws IOException if it cannot be written

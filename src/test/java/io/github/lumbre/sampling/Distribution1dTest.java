@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sampling of discrete distributions. */
 class Distribution1dTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
@@ -58,7 +59,7 @@ class Distribution1dTest {
     assertThat(distribution.probability(3)).isZero();
   }
 
-  /** Weights that are whole numbers and a power of two together have exact cumulative ones. */
+  /** Integer weights whose sum is a power of two have exact cumulative weights. */
   @Test
   void everyItemIsDrawnFromItsOwnIntervalToTheBit() {
     int total = 1 << 12;

@@ -8,6 +8,7 @@ import io.github.lumbre.testing.ChiSquare;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the sampling of piecewise constant densities on the unit square. */
 class Distribution2dTest {
   private static final double LAST = 1 - 0x1p-53;
 
@@ -34,7 +35,7 @@ class Distribution2dTest {
     double[][] weights = weights(rows, columns);
     Distribution2d distribution = new Distribution2d(weights);
     int n = 200_000;
-    // Each cell in quarters, to see that points are spread inside.
+    // Count in quarters of each cell, to check the distribution inside cells.
     long[] counts = new long[4 * rows * columns];
     double[] expected = new double[counts.length];
     double total = 0;
@@ -68,7 +69,9 @@ class Distribution2dTest {
     assertThat(integral / (49 * 98)).isCloseTo(1, within(1e-13));
   }
 
-  /** Where 7/49·49 rounds below 7, or 6.99…/49 up to 7/49, the point's own cell is another. */
+  /**
+   * The point's own cell differs where 7/49·49 rounds below 7, or where 6.99…/49 rounds up to 7/49.
+   */
   @Test
   void singleCellIsFoundFromAnyNumbersWithItsDensity() {
     for (int columns : new int[] {1, 3, 49, 1000, 16383}) {

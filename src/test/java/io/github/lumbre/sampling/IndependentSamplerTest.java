@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.math.Point2;
 import org.junit.jupiter.api.Test;
 
+/** Tests the independence of the sampler's numbers. */
 class IndependentSamplerTest {
   private static final int COUNT = 1 << 16;
 
@@ -26,7 +27,7 @@ class IndependentSamplerTest {
     assertThat(ofAnotherSeed.get1d(8)).isNotEqualTo(one.get1d(8));
   }
 
-  /** Means and products, within five standard errors of those of uniform independent numbers. */
+  /** Means and products are within five standard errors of those of independent uniform numbers. */
   @Test
   void valuesAreUniformAndDoNotKnowOfEachOther() {
     IndependentSampler sampler = new IndependentSampler(1);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests the weights of multiple importance sampling. */
 class MisTest {
   private static final double[] DENSITIES = {
     0,

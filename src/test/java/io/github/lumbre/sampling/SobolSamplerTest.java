@@ -16,6 +16,7 @@ import java.util.function.LongFunction;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
+/** Tests the low-discrepancy points of the Sobol sampler and their scrambling. */
 class SobolSamplerTest {
   private final SplittableRandom random = new SplittableRandom(6);
 
@@ -26,7 +27,7 @@ class SobolSamplerTest {
 
   @Test
   void mixIsSplitMix64() {
-    // The published outputs for seed 0: the state grows by the golden ratio before each.
+    // The published outputs for seed 0: the state increases by the golden ratio before each output.
     long golden = 0x9e3779b97f4a7c15L;
     assertThat(Hash.mix(golden)).isEqualTo(0xe220a8397b1dcdafL);
     assertThat(Hash.mix(2 * golden)).isEqualTo(0x6e789e6aa1b965f4L);
@@ -143,7 +144,10 @@ class SobolSamplerTest {
     }
   }
 
-  /** With the 200 000 pairs of every build, correlations from .016 on are found at .99. */
+  /**
+   * With the 200,000 pairs of a quick build, the test detects correlations of 0.016 or more with a
+   * probability of 0.99.
+   */
   @Test
   void neighbouringAddressesAreUncorrelated() {
     assertUncorrelated(7, 1, 0, 0);
@@ -240,7 +244,7 @@ class SobolSamplerTest {
 
   @Test
   void errorsFallFasterThanThoseOfRandomNumbers() {
-    // Independent numbers have the order -.5; stratified ones -1 and -.75.
+    // Independent numbers have order -0.5; stratified ones have orders -1 and -0.75.
     assertThat(order(p -> p.x() * p.x() * (1 + p.y()), .5)).isLessThan(-1.2);
     assertThat(order(p -> p.x() * p.x() + p.y() * p.y() < 1 ? 1 : 0, Math.PI / 4)).isLessThan(-.65);
   }
@@ -269,7 +273,8 @@ class SobolSamplerTest {
 
   @Test
   void meansOverManyPixelsAreUnbiased() {
-    // The deviation of x²(1 + y) at one sample is below .5: a bias of .004 is found.
+    // The standard deviation of x²(1 + y) for one sample is below 0.5: the test detects a bias of
+    // 0.004.
     SobolSampler sampler = new SobolSampler(9);
     int n = Statistics.samplesToDetect(.004, .5);
     int[] pixel = {0};

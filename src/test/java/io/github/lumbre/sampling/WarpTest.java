@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the maps from the unit square to disks, spheres, cones and triangles. */
 class WarpTest {
   private static final double EPS = 0x1p-52;
   private static final double LAST = 1 - 0x1p-53;
@@ -26,7 +27,10 @@ class WarpTest {
     return new Point2(random.nextDouble(), random.nextDouble());
   }
 
-  /** The corners of the square, the middles of its sides, its centre, and neighbours of these. */
+  /**
+   * Returns the corners of the square, the midpoints of its sides, its center, and neighbors of
+   * these.
+   */
   private static List<Point2> extremes() {
     double[] values = {0, 0x1p-60, 0x1p-53, .5 - 0x1p-54, .5, .5 + 0x1p-53, 1 - 0x1p-32, LAST};
     List<Point2> points = new ArrayList<>();
@@ -57,7 +61,7 @@ class WarpTest {
 
   @Test
   void diskHasTheMomentsOfADisk() {
-    // Deviations: of r² .289, of |x| .264.
+    // Standard deviations: 0.289 of r², 0.264 of |x|.
     int n = Statistics.samplesToDetect(.003, .289);
     Moments square = new Moments();
     Moments side = new Moments();
@@ -157,7 +161,7 @@ class WarpTest {
     long[] cells = new long[256];
     for (int i = 0; i < SAMPLES; i++) {
       Vec3 w = Warp.uniformCone(point(), edge);
-      // From the sine, for the cosine has lost the digits: 1 - cos = sin²/(1 + cos).
+      // From the sine, because the cosine has lost precision: 1 - cos = sin²/(1 + cos).
       double ring = (w.x() * w.x() + w.y() * w.y()) / (1 + w.z()) / edge;
       assertThat(ring).isLessThanOrEqualTo(1 + 8 * EPS);
       double sector = Math.atan2(w.y(), w.x()) / (2 * Math.PI) + .5;
@@ -183,7 +187,7 @@ class WarpTest {
     long[] cells = new long[256];
     for (int i = 0; i < SAMPLES; i++) {
       Point2 b = Warp.uniformTriangle(point());
-      // Strips of equal area parallel to one side, each cut evenly.
+      // Strips of equal area parallel to one side, each divided evenly.
       double strip = (1 - b.x()) * (1 - b.x());
       double along = b.y() / (1 - b.x());
       cells[16 * (int) (16 * Math.min(strip, LAST)) + (int) (16 * Math.min(along, LAST))]++;
@@ -191,7 +195,7 @@ class WarpTest {
     assertThat(ChiSquare.uniform(cells).passes()).isTrue();
   }
 
-  /** What was drawn tells the numbers that it was drawn from: no two of them meet. */
+  /** The maps are injective: a sampled point determines its random numbers. */
   @Test
   void mapsCanBeUndone() {
     for (int i = 0; i < Effort.count(20_000, 1_000_000); i++) {
@@ -204,7 +208,7 @@ class WarpTest {
       for (double edge : new double[] {1e-300, 1e-12, .5, 2}) {
         Vec3 cone = Warp.uniformCone(u, edge);
         double sine = cone.x() * cone.x() + cone.y() * cone.y();
-        // 1 - cos, by the sine where the cosine has lost its digits.
+        // 1 - cos, from the sine where the cosine has lost precision.
         double h = cone.z() > 0 ? sine / (1 + cone.z()) : 1 - cone.z();
         assertSame(new Point2(h / edge, turns(cone)), u);
       }

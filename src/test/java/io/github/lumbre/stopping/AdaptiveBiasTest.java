@@ -15,11 +15,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Adaptive pictures of many seeds have the mean of even ones: in the whole picture, and in each of
- * twelve regions.
+ * The mean of adaptive pictures over many seeds equals that of non-adaptive ones, in the whole
+ * picture and in each of twelve regions.
  *
- * <p>A z-score of 4.2 or more in any of 13 places happens by chance once in 2900 runs. The figures
- * are printed and published in docs/trade.md.
+ * <p>A z-score of 4.2 or more in any of the 13 tests occurs by chance once in 2900 runs. The
+ * results are printed, and published in docs/trade.md.
  */
 @Tag(Effort.EXHAUSTIVE)
 class AdaptiveBiasTest {
@@ -31,7 +31,7 @@ class AdaptiveBiasTest {
   private static final int RENDERS = 600;
   private static final double LARGEST_SCORE = 4.2;
 
-  /** Sums of a region's light over renders. */
+  /** The sums of a region's light over several renders. */
   private static final class Sums {
     private double sum;
     private double squares;
@@ -73,7 +73,7 @@ class AdaptiveBiasTest {
     return (b.mean() - a.mean()) / Math.sqrt(a.squaredError() + b.squaredError());
   }
 
-  /** Returns the sums of each region, and of the whole picture at last. */
+  /** Returns the sums of each region, followed by those of the whole picture. */
   private static Sums[] sums(SceneFile file, RenderSettings settings, int firstSeed)
       throws InterruptedException {
     Sums[] sums = new Sums[ROWS * COLUMNS + 1];

@@ -24,13 +24,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Renders that say they have reached an error have reached it, as often as they claim: renders of
- * independent seeds are stopped by their own estimate and judged by a reference of 64 times as many
- * samples or more.
+ * Renders that stop at an error have reached it, with the stated confidence: renders with
+ * independent seeds stop by their own estimate, and are compared with a reference of at least 64
+ * times as many samples.
  *
- * <p>With 200 seeds and a true coverage of 95 %, 25 failures or more have a probability of 2e-5; a
- * coverage of 80 % is found out with one of 0.998. The quick form, of 12 seeds, finds gross faults
- * only: with a coverage of 30 % it passes with a probability of 2e-3.
+ * <p>With 200 seeds and a true coverage of 95 %, 25 or more failures have a probability of 2e-5. A
+ * coverage of 80 % is detected with a probability of 0.998. The quick form with 12 seeds finds
+ * gross errors only: with a coverage of 30 %, it passes with a probability of 2e-3.
  */
 class NoiseCoverageTest {
   private static final int SIDE = 16;
@@ -98,10 +98,11 @@ class NoiseCoverageTest {
   }
 
   /**
-   * Bounds of 4, 8 and 16 samples hold, each at the usual confidence: also in a room lit mostly by
-   * rare bright paths, and where glass encloses one of two lights. With 100 seeds and a true
-   * coverage of 95 %, 14 failures or more have a probability of 4e-4, a coverage of 75 % is found
-   * out with one of 0.998; the quick form finds a coverage of 30 % with one of 0.998.
+   * Bounds from 4, 8 and 16 samples hold at the usual confidence. The scenes include a room lit
+   * mostly by rare bright paths, and one where glass encloses one of two lights. With 100 seeds and
+   * a true coverage of 95 %, 14 or more failures have a probability of 4e-4. A coverage of 75 % is
+   * detected with a probability of 0.998. The quick form detects a coverage of 30 % with a
+   * probability of 0.998.
    */
   @ParameterizedTest
   @ValueSource(
@@ -144,9 +145,9 @@ class NoiseCoverageTest {
   }
 
   /**
-   * Bounds of 32 and 64 samples hold where rare bright paths light every pixel; the bound of the
-   * usual estimate alone is exceeded by 36 and 19 of 40. With a true coverage of 95 %, 3 failures
-   * or more of 12 have a probability of 0.02 each, which these seeds do not have.
+   * Bounds from 32 and 64 samples hold where rare bright paths light every pixel. The bound of the
+   * usual estimate alone fails in 36 and 19 of 40 cases. With a true coverage of 95 %, 3 or more
+   * failures of 12 have a probability of 0.02; these seeds do not have them.
    */
   @Test
   void boundsHoldWhereRareBrightPathsLightEveryPixel() throws Exception {
@@ -177,7 +178,9 @@ class NoiseCoverageTest {
     return new SceneParser().parse(Path.of("scenes", name + ".json"));
   }
 
-  /** Returns a room with two lights, one of them small and inside a ball of glass: caustics. */
+  /**
+   * Returns a room with two lights. One is small and inside a glass sphere, which causes caustics.
+   */
   private SceneFile lightInGlass() throws Exception {
     String scene = Files.readString(Path.of("scenes", "cornell-box-sphere-light.json"));
     String glass =

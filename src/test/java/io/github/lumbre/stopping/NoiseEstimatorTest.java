@@ -9,6 +9,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
+/** Tests the noise estimate and its confidence bound. */
 class NoiseEstimatorTest {
   private static NoiseEstimate estimate(double confidence, double... errors) {
     NoiseEstimator estimator = new NoiseEstimator();
@@ -18,7 +19,7 @@ class NoiseEstimatorTest {
     return estimator.estimate(confidence);
   }
 
-  /** Means of normal samples: the expected squared error of the mean of all is σ²/n. */
+  /** For normal samples, the expected squared error of the mean is σ²/n. */
   @Test
   void independentSamplesAreEstimatedWithoutBias() {
     Random random = new Random(7);
@@ -32,12 +33,12 @@ class NoiseEstimatorTest {
         sum += new PixelHalves(n[0], a, n[1], b).relativeSquaredError();
       }
       double expected = 1.0 / (n[0] + n[1]) / 100.01;
-      // Standard error .3 %; at one sample of a tenth, 1/r² is another 3 % off.
+      // The standard error is 0.3 %; at one tenth of a sample, 1/r² differs by another 3 %.
       assertThat(sum / pixels).isCloseTo(expected, within(.05 * expected));
     }
   }
 
-  /** A spot met by one sample of 2 n with a value V: error V² p / (n .01), however bright it is. */
+  /** For a spot of value V that one of 2 n samples hits, the error is V² p / (n 0.01) for any V. */
   @Test
   void brightSpotsDoNotHideInTheirOwnBrightness() {
     Rgb bright = Rgb.grey(1000);
@@ -72,7 +73,7 @@ class NoiseEstimatorTest {
       }
       misses += own > estimate(.95, errors).upperRelativeMse() ? 1 : 0;
     }
-    // At most 5 %: 200, and 3.1 standard deviations of 14.
+    // At most 5 %: 200, plus 3.1 standard deviations of 14.
     assertThat(misses).isBetween(40, 243);
   }
 
@@ -114,7 +115,10 @@ class NoiseEstimatorTest {
         .containsExactly(4, 8, 16, 32, 48, 64, 96, 128, 192);
   }
 
-  /** 256 samples in the part of the picture, a share ε², that could hide an error of ε. */
+  /**
+   * The part of the picture that could hide an error of ε is its fraction ε², which needs 256
+   * samples.
+   */
   @Test
   void earlyLooksNeedEnoughSamplesToFindWhatMatters() {
     assertThat(StoppingSchedule.isEarlyEnough(4, 640 * 480, .2)).isTrue();

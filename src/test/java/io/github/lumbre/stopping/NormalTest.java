@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the quantiles of the normal distribution. */
 class NormalTest {
   /** Abramowitz and Stegun 1964, table 26.5. */
   @ParameterizedTest

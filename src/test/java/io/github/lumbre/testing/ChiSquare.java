@@ -20,7 +20,7 @@ public record ChiSquare(double statistic, int degrees, long impossible) {
 
   private static final double SMALLEST_CELL = 5;
 
-  /** How far the expected numbers may sum to something else than the counts. */
+  /** The maximum relative difference between the sums of the expected numbers and of the counts. */
   private static final double NORMALIZATION = 2e-3;
 
   /** The grid of {@link #ofDirections}: odd rows, so that the horizon splits a cell. */
@@ -28,11 +28,11 @@ public record ChiSquare(double statistic, int degrees, long impossible) {
 
   private static final int COLUMNS = 80;
 
-  /** Tells whether the counts follow the expectation, at {@link Statistics#ALPHA}. */
+  /** Returns whether the counts follow the expectation, at {@link Statistics#ALPHA}. */
   public boolean passes() {
     boolean passes = impossible == 0 && statistic <= critical(degrees);
     if (passes) {
-      // Planted defects do not pass, and are no figure of the run.
+      // Planted defects fail here, and must not enter the figures of the run.
       Figures.worst("chi-square as z", deviate());
     }
     return passes;
@@ -46,7 +46,7 @@ public record ChiSquare(double statistic, int degrees, long impossible) {
 
   /**
    * Returns the value that the statistic exceeds with a probability of {@link Statistics#ALPHA}
-   * (Wilson &amp; Hilferty 1931: right to 0.1 % from 100 degrees on, too high for few).
+   * (Wilson &amp; Hilferty 1931: accurate to 0.1 % from 100 degrees on, too high for few degrees).
    */
   public static double critical(int degrees) {
     double v = 2.0 / (9.0 * degrees);
@@ -108,9 +108,9 @@ public record ChiSquare(double statistic, int degrees, long impossible) {
    * Tests directions against their density per solid angle, in 41 × 80 cells of equal solid angle.
    * A direction of density 0 is impossible.
    *
-   * @param directions unit directions, or empty where nothing was drawn; empty ones count as
-   *     samples, so the density has to sum to 1 less their share
-   * @param pdf smooth enough for {@code points}² midpoints a cell
+   * @param directions unit directions, or empty if nothing was sampled; empty ones count as
+   *     samples, so the density has to sum to 1 minus their fraction
+   * @param pdf smooth enough for {@code points}² midpoints per cell
    */
   public static ChiSquare ofDirections(
       int samples, Supplier<Optional<Vec3>> directions, ToDoubleFunction<Vec3> pdf, int points) {

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
+/** Tests the χ² test itself. */
 class ChiSquareTest {
   private static final int SAMPLES = 400_000;
 
@@ -33,7 +34,7 @@ class ChiSquareTest {
   @Test
   void smallCellsArePooled() {
     ChiSquare test = ChiSquare.of(new long[] {1, 3, 4, 92}, new double[] {2, 2, 2, 94});
-    // 2 + 2 + 2 make a cell of 6 in which 8 were counted.
+    // 2 + 2 + 2 form a cell of 6 with a count of 8.
     assertThat(test.degrees()).isEqualTo(1);
     assertThat(test.statistic()).isCloseTo(4 / 6.0 + 4 / 94.0, within(1e-12));
   }
@@ -56,8 +57,8 @@ class ChiSquareTest {
   @Test
   void uniformNumbersPassAndPlantedBiasFails() {
     assertThat(ChiSquare.uniform(histogram(0)).passes()).isTrue();
-    // A density of 1 ± 3 %: non-centrality n·.03²/3 = 120 beyond 255 degrees, 5.3 sigma of 22.6;
-    // 1 ± 5 % makes 333, and fails in practice always.
+    // A density of 1 ± 3 % has the non-centrality n·0.03²/3 = 120 for 255 degrees, 5.3 sigma of
+    // 22.6; 1 ± 5 % has 333, and practically always fails.
     assertThat(ChiSquare.uniform(histogram(.05)).passes()).isFalse();
   }
 

@@ -3,10 +3,9 @@ package io.github.lumbre.testing;
 import java.security.SecureRandom;
 
 /**
- * How hard tests try. In every build they are quick, and their seeds fixed; under {@code ./mvnw
- * verify -Pexhaustive} they draw as much as the law is to be trusted with, from a seed that is new
- * each time and printed, and {@code -Dlumbre.seed} repeats it. Tests that have no quick form carry
- * the tag {@link #EXHAUSTIVE}.
+ * The effort of tests. Normal builds are quick and have fixed seeds. {@code ./mvnw verify
+ * -Pexhaustive} uses many more samples and a new seed, which it prints; {@code -Dlumbre.seed}
+ * repeats that seed. Tests without a quick form have the tag {@link #EXHAUSTIVE}.
  */
 public final class Effort {
   /** The JUnit tag of tests that only run under the profile of this name. */
@@ -28,17 +27,17 @@ public final class Effort {
     return run;
   }
 
-  /** Tells whether tests are to take their time. */
+  /** Returns whether this is an exhaustive run. */
   public static boolean isExhaustive() {
     return IS_EXHAUSTIVE;
   }
 
-  /** Returns how many rays, samples or cases a test is to draw. */
+  /** Returns the number of rays, samples or cases of a test. */
   public static int count(int quick, int exhaustive) {
     return IS_EXHAUSTIVE ? exhaustive : quick;
   }
 
-  /** Returns the seed that a test is to draw from: the given one in a quick build. */
+  /** Returns the seed of a test: the given one in a quick build. */
   public static long seed(long fixed) {
     return RUN ^ fixed;
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+/** Tests the seeds and the effort of quick builds. */
 class EffortTest {
   @Test
   void quickBuildsRepeatThemselves() {

@@ -10,9 +10,9 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * What exhaustive tests measured: of each figure how often, and the largest. At the end of the run
- * they are written to {@code target/exhaustive-figures.txt}; quick builds write nothing. Safe for
- * use by any thread.
+ * Collects the measurements of exhaustive tests: the number and the largest value of each figure.
+ * The end of the run writes them to {@code target/exhaustive-figures.txt}; quick builds write
+ * nothing. Thread-safe.
  */
 public final class Figures {
   private static final Path FILE = Path.of("target", "exhaustive-figures.txt");
@@ -36,17 +36,17 @@ public final class Figures {
 
   private Figures() {}
 
-  /** Notes one measurement, of which the largest counts. */
+  /** Records one measurement of a figure whose largest value is reported. */
   public static void worst(String what, double figure) {
     worst(what, 1, figure);
   }
 
-  /** Notes the largest of so many measurements. */
+  /** Records the largest of the given number of measurements. */
   public static synchronized void worst(String what, long tries, double figure) {
     FIGURES.merge(what + ": worst", new Figure(tries, figure), Figure::plus);
   }
 
-  /** Notes how many of so many tries failed; all that is noted adds up. */
+  /** Adds a number of tries and of failures to the totals. */
   public static synchronized void failures(String what, long tries, long failures) {
     FIGURES.merge(what + ": failures", new Figure(tries, failures), Figure::sum);
   }

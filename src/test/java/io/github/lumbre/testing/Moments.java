@@ -1,14 +1,14 @@
 package io.github.lumbre.testing;
 
 /**
- * Number, mean and variance of samples, updated one by one (Welford 1962). Mutable.
+ * The number, mean and variance of samples, updated one by one (Welford 1962). Mutable.
  *
- * <p>The z-tests assume that the mean is nearly normally distributed, so they refuse few samples;
- * they know nothing of samples that depend on each other, and low-discrepancy points do: give those
- * tests means of whole, independently scrambled sets.
+ * <p>The z-tests assume that the mean is nearly normally distributed, so they reject small numbers
+ * of samples. They also assume independent samples. Low-discrepancy points are not independent: use
+ * the means of whole, independently scrambled sets.
  */
 public final class Moments {
-  /** The fewest samples that a z-test takes. */
+  /** The minimum number of samples of a z-test. */
   public static final int FEWEST = 100;
 
   private long count;
@@ -19,7 +19,7 @@ public final class Moments {
   public void add(double value) {
     first = count == 0 ? value : first;
     count++;
-    // Far from zero the rounding of the mean would be the variance's error.
+    // Far from zero, the rounding of the mean would dominate the error of the variance.
     double shifted = value - first;
     double difference = shifted - mean;
     mean += difference / count;
@@ -40,8 +40,8 @@ public final class Moments {
   }
 
   /**
-   * Returns by how many standard errors the mean lies above a reference. Samples that are all equal
-   * have a standard error of 0: then the result is 0 or infinite.
+   * Returns the difference between the mean and a reference in standard errors. If all samples are
+   * equal, the standard error is 0, and the result is 0 or infinite.
    *
    * @throws IllegalArgumentException if there are fewer than {@link #FEWEST} samples
    */
@@ -51,8 +51,8 @@ public final class Moments {
   }
 
   /**
-   * Returns by how many standard errors of the difference the mean lies above that of other,
-   * independent samples.
+   * Returns the difference between the mean and that of other, independent samples, in standard
+   * errors of the difference.
    *
    * @throws IllegalArgumentException if either has fewer than {@link #FEWEST} samples
    */

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A sampler that gives the values it was told, the same for every pixel and sample, and remembers
- * which dimensions it was asked for. Dimensions it was not told are an error. Mutable.
+ * A sampler that returns given values, the same for every pixel and sample, and records the
+ * requested dimensions. Other dimensions are an error. Mutable.
  */
 public final class ScriptedSampler implements Sampler {
   private final Map<Integer, Double> values = new HashMap<>();
@@ -23,7 +23,7 @@ public final class ScriptedSampler implements Sampler {
     return this;
   }
 
-  /** Returns the dimensions asked for so far. */
+  /** Returns the dimensions requested so far. */
   public Set<Integer> asked() {
     return Set.copyOf(asked);
   }

@@ -16,8 +16,8 @@ public final class Statistics {
   private Statistics() {}
 
   /**
-   * Returns the size of a z that a test is going to compare with {@link #CRITICAL_Z}, and notes it
-   * as one of the run's.
+   * Returns the absolute value of z, for comparison with {@link #CRITICAL_Z}, and records it in the
+   * figures of the run.
    */
   public static double deviation(double z) {
     Figures.worst("z", Math.abs(z));
@@ -34,10 +34,10 @@ public final class Statistics {
   }
 
   /**
-   * Returns how many samples a z-test needs to find a bias with a probability of .99: that many
-   * times (z_α + z_power)²(σ/δ)².
+   * Returns the number of samples with which a z-test detects a bias with a probability of 0.99:
+   * (z_α + z_power)²(σ/δ)².
    *
-   * @param bias the smallest difference to be found, in the unit of the deviation
+   * @param bias the smallest difference to detect, in the unit of the deviation
    * @param deviation the standard deviation of one sample
    */
   public static int samplesToDetect(double bias, double deviation) {

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the significance tests and their power. */
 class StatisticsTest {
   private static final double UNIFORM_DEVIATION = Math.sqrt(1 / 12.0);
 
@@ -38,7 +39,7 @@ class StatisticsTest {
       Moments moments = Statistics.moments(needed, () -> random.nextDouble() + bias);
       found += moments.z(.5) > Statistics.CRITICAL_Z ? 1 : 0;
     }
-    // Of 500 runs 495 ± 2.2 find it; 482 is 6 sigma below.
+    // Of 500 runs, 495 ± 2.2 detect it; 482 is 6 sigma below.
     assertThat(found).isGreaterThanOrEqualTo(482);
   }
 
@@ -81,7 +82,7 @@ class StatisticsTest {
 
   @Test
   void plantedCorrelationIsFound() {
-    // z = r√n = 10, so that all but 2e-7 of the runs find it.
+    // z = r√n = 10, so all but 2e-7 of the runs detect it.
     int n = 100_000;
     double[] a = random.doubles(n).toArray();
     double[] b = random.doubles(n).toArray();

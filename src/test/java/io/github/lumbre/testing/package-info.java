@@ -1,14 +1,14 @@
 /**
- * What the tests share: significance tests, and a sampler that says what it is told.
+ * Shared test helpers: significance tests and a sampler with given values.
  *
- * <p>How long a test tries, and from which seed, {@link io.github.lumbre.testing.Effort} says:
- * every build is quick and repeats itself, {@code ./mvnw verify -Pexhaustive} takes its time and
+ * <p>{@link io.github.lumbre.testing.Effort} sets the number of samples and the seed of a test.
+ * Normal builds are quick and repeatable; {@code ./mvnw verify -Pexhaustive} uses more samples and
  * new seeds.
  *
- * <p>A law about an average is checked by {@link io.github.lumbre.testing.Moments#z}, a law about a
- * density by {@link io.github.lumbre.testing.ChiSquare}; both at {@link
- * io.github.lumbre.testing.Statistics#ALPHA}. In a quick build seeds are fixed, so a test passes or
- * fails forever; how small a defect it finds is {@link
- * io.github.lumbre.testing.Statistics#samplesToDetect}'s to say, and belongs into the test.
+ * <p>Use {@link io.github.lumbre.testing.Moments#z} to test means and {@link
+ * io.github.lumbre.testing.ChiSquare} to test densities, both at {@link
+ * io.github.lumbre.testing.Statistics#ALPHA}. In a quick build, seeds are fixed, so a test always
+ * passes or always fails. State in each test the smallest error that it detects; {@link
+ * io.github.lumbre.testing.Statistics#samplesToDetect} computes the number of samples for it.
  */
 package io.github.lumbre.testing;

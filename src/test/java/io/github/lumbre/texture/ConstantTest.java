@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Rgb;
 import org.junit.jupiter.api.Test;
 
+/** Tests constant textures. */
 class ConstantTest {
   private static final Rgb COLOUR = new Rgb(.1, .2, .3);
 

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the lookup, filtering and decoding of image textures. */
 class ImageTextureTest {
   private static final double EPS = Math.ulp(1.0);
 
@@ -27,7 +28,7 @@ class ImageTextureTest {
     return Pixels.of(width, height, channels, values);
   }
 
-  /** Returns the texture whose red says the column and green the row from the bottom, exactly. */
+  /** Returns a texture whose red is exactly the column and green the row from the bottom. */
   private static ImageTexture indices(int width, int height) {
     short[] values = new short[3 * width * height];
     for (int i = 0; i < width * height; i++) {
@@ -120,7 +121,7 @@ class ImageTextureTest {
     assertThat(column(texture, -1e9 - .25)).isEqualTo(750);
   }
 
-  /** Among a billion tiles a place is right to an ulp of them, a ten millionth of a tile. */
+  /** In a billion tiles, positions are exact to an ulp, which is 1e-7 of a tile. */
   @Test
   void aBillionTilesAreReadAtTheirFraction() {
     Texture<Rgb> tiled = new UvMapping(0, 0, 1e9, 1e9).over(indices(1000, 1));

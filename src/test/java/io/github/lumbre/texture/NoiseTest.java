@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the mean, the continuity and the tiling of noise. */
 class NoiseTest {
   @ParameterizedTest
   @CsvSource({
@@ -39,8 +40,8 @@ class NoiseTest {
   }
 
   /**
-   * A cell's value differs from the next by less than 1, so an octave's from one texel to the next
-   * by less than its cells a texel.
+   * Returns a bound of the step between texels. Neighboring cells differ by less than 1, so an
+   * octave changes per texel by less than its number of cells per texel.
    */
   private static double largestStep(int size, double coarsest) {
     double step = 0;

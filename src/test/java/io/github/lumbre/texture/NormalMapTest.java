@@ -16,6 +16,7 @@ import io.github.lumbre.texture.ImageTexture.Role;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
+/** Tests the normals that a normal map perturbs. */
 class NormalMapTest {
   private static final double EPS = 0x1p-52;
   private static final TexturePoint POINT = new TexturePoint(.3, .6);
@@ -32,7 +33,7 @@ class NormalMapTest {
     return bent(map, Frame.WORLD, Vec3.Z).normal();
   }
 
-  /** Returns what a map makes of a surface's shading frame. */
+  /** Returns the shading frame of a surface after a normal map is applied. */
   private static Frame bent(NormalMap map, Frame shading, Vec3 geometricNormal) {
     SurfaceHit hit =
         new SurfaceHit().set(Vec3.ZERO, geometricNormal, shading, POINT, geometricNormal, 0);
@@ -59,7 +60,7 @@ class NormalMapTest {
   void componentsFollowTangentBitangentAndNormal() {
     Vec3 normal = bent(new Rgb(.48, -.36, .8), UvMapping.IDENTITY, 1);
     assertThat(normal.minus(new Vec3(.48, -.36, .8)).length()).isLessThan(4 * EPS);
-    // Components need not make a unit vector.
+    // The components need not form a unit vector.
     assertThat(bent(new Rgb(.12, -.09, .2), UvMapping.IDENTITY, 1).minus(normal).length())
         .isLessThan(4 * EPS);
   }
@@ -110,7 +111,7 @@ class NormalMapTest {
     Vec3 normal = bent(new Rgb(.8, 0, -.6), UvMapping.IDENTITY, 1);
     assertThat(normal.z()).isBetween(5e-4, 2e-3);
     assertThat(normal.x()).isGreaterThan(.99);
-    // Straight down no side is nearer than the other.
+    // Straight down, no side is nearer than another.
     assertThat(bent(new Rgb(0, 0, -1), UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
     assertThat(bent(Rgb.BLACK, UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
   }

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the values and the tiling of procedural textures. */
 class ProceduralTexturesTest {
   private static final double SMALL = 1e-12;
 
@@ -60,7 +61,7 @@ class ProceduralTexturesTest {
     return c.r() >= 0 && c.r() <= 1 && c.g() >= 0 && c.g() <= 1 && c.b() >= 0 && c.b() <= 1;
   }
 
-  /** Looks at the corners and at texels at random. */
+  /** Checks the corners and random texels. */
   private static void assertInUnitRange(TexelTexture texture) {
     SplittableRandom random = new SplittableRandom(1);
     int right = texture.width() - 1;
@@ -248,7 +249,9 @@ class ProceduralTexturesTest {
     assertThat(colours).hasSize(samples);
   }
 
-  /** With a sample for each texel of a line, most are nearest to their own texel's centre. */
+  /**
+   * With one sample per texel of a line, most samples are nearest to the center of their own texel.
+   */
   @Test
   void cellsLieAroundTheirSamples() {
     int own = 0;

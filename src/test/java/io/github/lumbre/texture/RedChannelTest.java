@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.lumbre.image.Rgb;
 import org.junit.jupiter.api.Test;
 
+/** Tests the scalar texture of a red channel. */
 class RedChannelTest {
   private static double value(double red, double factor, double min, double max) {
     return new RedChannel(Texture.constant(new Rgb(red, 7, 7)), factor, min, max)

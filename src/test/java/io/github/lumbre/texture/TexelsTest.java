@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the tile cache of computed texels. */
 class TexelsTest {
   @ParameterizedTest
   @CsvSource({"1, 1", "32, 32", "33, 31", "100, 70", "1, 999"})

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+/** Tests tinted textures. */
 class TintedTextureTest {
   private static final Rgb TINT = new Rgb(.5, .25, 2);
   private static final TexturePoint ANYWHERE = new TexturePoint(.3, .8);

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Compares nearest sites with a brute-force search. */
 class ToroidalSitesTest {
   private static double around(double a, double b, double size) {
     double d = Math.abs(a - b);
@@ -83,7 +84,8 @@ class ToroidalSitesTest {
   @CsvSource({"10, 8, 8", "100, 8, 8", "500, 20, 7", "64, 1, 1"})
   void tiesGoToTheLowestIndex(int count, int width, int height) {
     SplittableRandom random = new SplittableRandom(count);
-    // On whole numbers nearly every distance occurs more than once, and many sites coincide.
+    // With integer coordinates, nearly every distance occurs more than once, and many sites
+    // coincide.
     double[] xs = random.ints(count, 0, width + 1).asDoubleStream().toArray();
     double[] ys = random.ints(count, 0, height + 1).asDoubleStream().toArray();
     assertLikeBruteForce(xs, ys, width, height, 1000);
@@ -98,7 +100,7 @@ class ToroidalSitesTest {
     assertLikeBruteForce(xs, ys, width, height, 1000);
   }
 
-  /** Both are half a unit from the point, one of them just beyond the side of the point's cell. */
+  /** Both sites are 0.5 units from the point; one of them is just outside the point's cell. */
   @Test
   void tiesAcrossTheSideOfACellGoToTheLowestIndex() {
     ToroidalSites sites = new ToroidalSites(new double[] {2, 1}, new double[] {.5, .5}, 4, 1);

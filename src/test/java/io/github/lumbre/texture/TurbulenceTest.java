@@ -10,9 +10,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 /**
- * The report's statement that turbulence looks like something, clouds or veins, where raw noise is
- * grain: its texels are related to near ones, the more the nearer, at all scales up to the
- * coarsest. Running {@link #main} draws the two.
+ * Checks the report's statement that turbulence has structure and raw noise has none: texels
+ * correlate with near ones at all scales up to the coarsest. {@link #main} draws both.
  */
 class TurbulenceTest {
   private static final int SIDE = 512;
@@ -23,7 +22,7 @@ class TurbulenceTest {
 
   private static final Noise TURBULENCE = new Noise(1, SIDE, SIDE, COARSEST);
 
-  /** Returns how alike texels at a distance along a row are: 1 if equal, 0 if unrelated. */
+  /** Returns the correlation of texels at a distance along a row: 1 if equal, 0 if uncorrelated. */
   private static double correlation(Noise noise, int distance) {
     double mean = 0;
     double square = 0;
@@ -40,7 +39,7 @@ class TurbulenceTest {
     return (product - mean * mean) / (square - mean * mean);
   }
 
-  /** Over so many unrelated pairs a correlation has the standard deviation 1/512. */
+  /** For this number of uncorrelated pairs, the correlation has the standard deviation 1/512. */
   @Test
   void rawNoiseIsUnrelatedAtAllDistances() {
     for (int distance = 1; distance <= COARSEST; distance *= 2) {
@@ -61,7 +60,7 @@ class TurbulenceTest {
   }
 
   /**
-   * Draws the two side by side, raw noise to the left.
+   * Draws both side by side, with raw noise on the left.
    *
    * @param arguments the PNG file to write
    * @throws IOException if it cannot be written

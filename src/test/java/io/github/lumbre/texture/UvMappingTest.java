@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
+/** Tests the mapping of texture coordinates. */
 class UvMappingTest {
   @Test
   void scaleComesBeforeOffset() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
+/** Tests the text of the progress bar. */
 class BarStatusTest {
   private static final OptionalDouble NONE = OptionalDouble.empty();
 

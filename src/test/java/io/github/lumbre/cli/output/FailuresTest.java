@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
+/** Tests the messages and exit codes of program errors and exhausted memory. */
 class FailuresTest {
   private final StringWriter err = new StringWriter();
   private final CommandLine command =

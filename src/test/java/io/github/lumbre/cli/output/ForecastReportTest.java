@@ -6,6 +6,7 @@ import io.github.lumbre.stopping.Forecast;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
+/** Tests the text of forecasts. */
 class ForecastReportTest {
   private static final Forecast FORECAST = new Forecast(100, 400);
 

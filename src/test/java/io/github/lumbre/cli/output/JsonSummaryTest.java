@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Tests the JSON output of renders and failures. */
 class JsonSummaryTest {
   @TempDir private Path directory;
 

@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Tests the escaping of unprintable characters in messages. */
 class MessagesTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 7, '\n', '\r', 0x1b, 0x7f, 0x9b, 0x202e, 0x2028, 0xd800, 0xfeff})

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the default name of a picture. */
 class PictureOutputTest {
   @ParameterizedTest
   @CsvSource({

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
+/** Tests the summary of a render. */
 class SummaryTest {
   private static final RenderSettings SETTINGS =
       new RenderSettings.Builder().size(4, 2).samples(10).seed(5).build();

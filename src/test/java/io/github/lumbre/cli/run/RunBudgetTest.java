@@ -31,19 +31,22 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A render's time, by a clock that its samples turn: no test here depends on the machine. */
+/**
+ * Tests the time limit of a render with a simulated clock that samples advance, so no test depends
+ * on the machine.
+ */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RunBudgetTest {
   private static final int PIXELS = 64 * 48;
 
-  /** More samples per pixel than any of these times allows. */
+  /** More samples per pixel than any of these time limits allows. */
   private static final int MANY = 1000;
 
   @TempDir private Path directory;
 
   private final StringWriter told = new StringWriter();
 
-  /** Turns a clock by what samples cost. */
+  /** Advances a clock by the cost of samples. */
   private record SampleClock(AtomicLong nanos, AtomicLong samples, LongUnaryOperator cost)
       implements ProgressDisplay {
     SampleClock(LongUnaryOperator cost) {
@@ -67,16 +70,16 @@ class RunBudgetTest {
     public void close() {}
   }
 
-  /** Returns the samples per pixel of a render in a time. */
+  /** Returns the samples per pixel of a render with a time limit. */
   private double samples(Duration time, LongUnaryOperator cost)
       throws IOException, SceneFormatException, TaskException {
     return samples(time, Optional.empty(), cost);
   }
 
   /**
-   * Returns the samples per pixel of a render in a time.
+   * Returns the samples per pixel of a render with a time limit.
    *
-   * @param timeout that stops it as Ctrl-C does; empty for none
+   * @param timeout stops the render as Ctrl-C does; empty for none
    */
   private double samples(Duration time, Optional<Duration> timeout, LongUnaryOperator cost)
       throws IOException, SceneFormatException, TaskException {
@@ -110,8 +113,8 @@ class RunBudgetTest {
   }
 
   /**
-   * The first 1000 samples, while the virtual machine compiles, cost 1 ms each and take 1 s; all
-   * others cost 20 µs. A report of up to 1024 samples may come after the time.
+   * The first 1000 samples, while the JIT compiles, cost 1 ms each and take 1 s; all others cost 20
+   * µs. A report of up to 1024 samples may come after the time limit.
    */
   @Test
   void samplesGrowInProportionToTheTimeAfterWarmUp() throws Exception {
@@ -123,7 +126,10 @@ class RunBudgetTest {
     assertThat(told.toString()).doesNotContain("warning");
   }
 
-  /** Warm-up takes 3 s of the 2 s: the first pass is completed, nothing more, and this is told. */
+  /**
+   * Warm-up takes 3 s, more than the limit of 2 s: only the first pass is completed, with a
+   * warning.
+   */
   @Test
   void warmUpLongerThanTheTimeLeavesOneSampleAndAWarning() throws Exception {
     assertThat(samples(Duration.ofSeconds(2), i -> i < 3000 ? 1_000_000 : 20_000)).isEqualTo(1);
@@ -139,7 +145,7 @@ class RunBudgetTest {
         .contains("warning: %.0f %% of the pixels have no sample".formatted(100 - 100 * share));
   }
 
-  /** Of each further second of --time, rendering gets all but a fiftieth. */
+  /** Of each additional second of --time, rendering gets all but 1/50. */
   @Test
   void whatIsKeptForTheEndIsNearlyConstant() {
     RenderSettings settings = new RenderSettings.Builder().size(512, 512).build();
@@ -153,7 +159,7 @@ class RunBudgetTest {
     }
   }
 
-  /** The vector kernel is compiled for seconds, in which the scalar one renders. */
+  /** The JIT compiles the vector kernel for seconds; meanwhile, the scalar kernel renders. */
   @Test
   void shortTimesAreNotSpentOnCompilingTheVectorKernel() {
     Optional<Duration> shortTime = Optional.of(Duration.ofSeconds(5));

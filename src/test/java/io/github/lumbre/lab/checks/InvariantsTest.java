@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What {@code lumbre selftest} measures on the user's machine holds on this one. */
+/** The checks of {@code lumbre selftest} pass on this machine. */
 class InvariantsTest {
   private static final Tries TRIES = new Tries(Effort.count(1, 10), Effort.seed(0));
 

@@ -7,9 +7,9 @@ import io.github.lumbre.image.Image;
 import org.junit.jupiter.api.Test;
 
 /**
- * The figures are those of the authors' own evaluator, flip_evaluator 1.7 (PyPI), of the same
- * pictures encoded to sRGB: {@code evaluate(reference, test, "LDR", applyMagma=False)}. It computes
- * in floats.
+ * Compares with the results of the authors' evaluator, flip_evaluator 1.7 (PyPI), for the same
+ * pictures encoded to sRGB: {@code evaluate(reference, test, "LDR", applyMagma=False)}. That
+ * evaluator computes in floats.
  */
 class FlipTest {
   private static final double FLOATS = 5e-5;

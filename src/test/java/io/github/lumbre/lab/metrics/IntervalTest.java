@@ -7,8 +7,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
+/** Tests confidence intervals of medians. */
 class IntervalTest {
-  /** The ranks are those of tables of the sign test: 1 of 6 and 8, 2 of 9, 4 of 15, 6 of 20. */
+  /** The ranks are from tables of the sign test: 1 of 6 and 8, 2 of 9, 4 of 15, 6 of 20. */
   @Test
   void medianLiesBetweenRanks() {
     assertThat(median(6)).isEqualTo(new Interval(3.5, 1, 6));

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.image.Image;
 import org.junit.jupiter.api.Test;
 
+/** Tests the error metrics of pictures. */
 class PictureErrorTest {
   @Test
   void samePicturesHaveNoError() {

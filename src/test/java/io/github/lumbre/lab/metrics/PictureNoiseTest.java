@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
+/** Tests the noise estimate from independent pictures. */
 class PictureNoiseTest {
   private static final int SIDE = 100;
 

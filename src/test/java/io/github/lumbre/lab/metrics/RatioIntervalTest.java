@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
+/** Tests confidence intervals of ratios. */
 class RatioIntervalTest {
   private final SplittableRandom random = new SplittableRandom(4);
 
@@ -35,7 +36,7 @@ class RatioIntervalTest {
 
   @Test
   void intervalHoldsTheTruthAsOftenAsItSays() {
-    // 1000 trials: a standard error of 0.7 %, so an interval of 90 % would be found out.
+    // With 1000 trials, the standard error is 0.7 %, so the test would detect a 90 % interval.
     int trials = 1000;
     int held = 0;
     for (int i = 0; i < trials; i++) {
@@ -49,7 +50,7 @@ class RatioIntervalTest {
     return Stream.generate(() -> median * Math.exp(spread * normal())).limit(count).toList();
   }
 
-  /** Box and Muller 1958. */
+  /** Returns a standard normal number (Box and Muller 1958). */
   private double normal() {
     double radius = Math.sqrt(-2 * Math.log(1 - random.nextDouble()));
     return radius * Math.cos(2 * Math.PI * random.nextDouble());

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Compares critical values of Student's t with tables. */
 class StudentTTest {
   /** Abramowitz and Stegun 1964, table 26.10. */
   @ParameterizedTest

@@ -2,9 +2,9 @@ package io.github.lumbre.lab.metrics;
 
 import io.github.lumbre.image.Image;
 
-/** Pictures that a few lines of any language can make again. */
+/** Pictures that a few lines of code in any language can reproduce. */
 public final class TestPictures {
-  /** The value of a channel at a place. */
+  /** The value of a channel at a pixel. */
   @FunctionalInterface
   public interface Value {
     double at(int x, int y, int channel);
@@ -20,7 +20,7 @@ public final class TestPictures {
     return new Image(width, height, rgb, new float[0]);
   }
 
-  /** Returns a ramp of red to the right, one of green down, and a chessboard of blue. */
+  /** Returns a red ramp to the right, a green ramp downwards and a blue checkerboard. */
   public static Image pattern(int width, int height) {
     return of(width, height, (x, y, c) -> patternAt(x, y, c, width, height));
   }
@@ -33,7 +33,7 @@ public final class TestPictures {
     };
   }
 
-  /** Returns the pattern with something like noise on it, clamped to [0,1]. */
+  /** Returns the pattern with added pseudo-noise, clamped to [0,1]. */
   static Image noisy(int width, int height, double amplitude) {
     return of(
         width,

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests the measurement of allocation per thread. */
 class AllocationMeterTest {
   private static final int LARGE = 1 << 24;
   private static final Bucket BUCKET = new Bucket(0, 0, 1, 1);

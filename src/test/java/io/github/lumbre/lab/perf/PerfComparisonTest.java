@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the comparison of two measurements. */
 class PerfComparisonTest {
   private static final PerfResult BEFORE = PerfFixture.result("tiny", "aa", 1, 1.01, 1.02);
 

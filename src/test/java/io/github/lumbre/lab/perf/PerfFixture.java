@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Measurements that look like real ones. */
+/** Realistic measurements for tests. */
 final class PerfFixture {
   static final PerfMachine MACHINE =
       new PerfMachine(BenchmarkFixture.HARDWARE, List.of("-Xmx1g"), 1 << 30, List.of("GC"), .25);
@@ -20,7 +20,9 @@ final class PerfFixture {
 
   private PerfFixture() {}
 
-  /** Returns a result of 320 samples and 1000 rays with these times; CPU times are twice those. */
+  /**
+   * Returns a result with 320 samples, 1000 rays and the given times; CPU times are twice as long.
+   */
   static PerfResult result(String scene, String imageHash, double... seconds) {
     return new PerfResult(
         scene,

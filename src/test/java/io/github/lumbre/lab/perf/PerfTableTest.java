@@ -9,7 +9,7 @@ import io.github.lumbre.lab.report.BenchmarkFixture;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The two forms in which a measurement tells its results. */
+/** Tests the two output formats of a measurement. */
 class PerfTableTest {
   private static final PerfResult RESULT =
       PerfFixture.result("tiny", BenchmarkFixture.HASH, 9, 2, 2.5);

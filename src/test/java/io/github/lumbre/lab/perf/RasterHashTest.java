@@ -5,10 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Image;
 import org.junit.jupiter.api.Test;
 
+/** Tests the hash of a picture. */
 class RasterHashTest {
   private static final float[] RGB = {.5f, 1, -0f, 3.25f, 1e-3f, 65504};
 
-  /** The expected value was computed by another program from the 32 bytes. */
+  /** Another program computed the expected value from the 32 bytes. */
   @Test
   void hashIsThatOfSizeAndLittleEndianFloats() {
     assertThat(RasterHash.of(new Image(2, 1, RGB, new float[0])))

@@ -7,7 +7,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.OptionalInt;
 
-/** Rows, plans and results that look like real ones. */
+/** Realistic rows, plans and results for tests. */
 public final class BenchmarkFixture {
   public static final Hardware HARDWARE = new Hardware("Fast|er", 4, "VM 17", "Linux 6 amd64");
   public static final String HASH = "0123456789abcdef".repeat(4);
@@ -28,7 +28,7 @@ public final class BenchmarkFixture {
     return new BenchmarkPlan(new BigDecimal(share), 2, 1, 3);
   }
 
-  /** Returns a result of 12.5 seconds, 320 samples and 1000 rays. */
+  /** Returns a result with 12.5 s, 320 samples and 1000 rays. */
   static BenchmarkResult result(ReportRow row, int samples) {
     RenderStatistics statistics = new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0, 0);
     return new BenchmarkResult(row, samples, 2, .25, 12.5, statistics, "feed", HASH);

@@ -8,7 +8,7 @@ import io.github.lumbre.lab.metrics.Interval;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The two forms in which a benchmark tells its results. */
+/** Tests the two output formats of a benchmark. */
 class BenchmarkTableTest {
   private static BenchmarkMarkdown markdown(String share) {
     return new BenchmarkMarkdown(BenchmarkFixture.HARDWARE, BenchmarkFixture.plan(share));

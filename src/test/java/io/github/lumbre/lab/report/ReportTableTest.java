@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tests the report table and its errors. */
 class ReportTableTest {
   private static final String HEADER =
       "row,name,scene,size,mode,samples,bucket,depth,threads,hardware,time,note\n";

@@ -12,6 +12,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.xml.sax.InputSource;
 
+/** Tests the tables of a trade study for each scene. */
 class SceneTablesTest {
   private static final TradeWork WORK = new TradeWork(4, 2, 30, 1.5);
   private static final TradeRow.Bias NONE = new TradeRow.Bias(0, -1e-4, 1e-4);
@@ -43,8 +44,8 @@ class SceneTablesTest {
         new SceneTables(List.of(scene("a", false), scene("b", true)))
             .markdown("lumbre trade table");
     assertThat(text)
-        // Reached with 16; a tenth of the error takes ten times as many, the reference's own
-        // squared error of 2.5e-5 taken off.
+        // Reached with 16 samples; a tenth of the error takes ten times as many, after subtraction
+        // of the reference's squared error of 2.5e-5.
         .contains("| a | 100x50 | 3 | 1024: 0.50 % | 16: 10 % | -1.00 | 16 (16 to 16) | 96 | ")
         .contains(" | 160 (160 to 160) * | 958 * | ")
         .contains("```sh\nlumbre trade a.json\nlumbre trade b.json\nlumbre trade table\n```")
@@ -55,7 +56,7 @@ class SceneTablesTest {
         .doesNotContain("NaN", "Infinity");
   }
 
-  /** The reference's squared error of 1.44e-4 is small beside 1e-2, but not beside 1e-3. */
+  /** The reference's squared error of 1.44e-4 is small compared with 1e-2, but not with 1e-3. */
   @Test
   void whatTheReferenceCannotTellIsMarked() {
     List<SceneTrade.Row> rows =
@@ -70,7 +71,7 @@ class SceneTablesTest {
         .containsPattern("130 \\(130 to 130\\) \\* \\| 809 \\* ");
   }
 
-  /** A setting that has fewer samples than the usual one is compared at its own number. */
+  /** A setting with fewer samples than the baseline is compared at its own number of samples. */
   @Test
   void gainsAreAtTheSameSamples() {
     List<SceneTrade.Row> rows =

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests the time to reach an error, measured or extrapolated. */
 class TimeToErrorTest {
   /** Three seeds whose squared error is a power of the samples. */
   private static List<TimeToError.Cost> rows(double exponent, int... ladder) {
@@ -31,7 +32,7 @@ class TimeToErrorTest {
 
   @Test
   void beyondTheLastSamplesErrorIsInverse() {
-    // At 16 samples it is 16^-1.3; eight times less takes eight times as many.
+    // At 16 samples, it is 16^-1.3; an eighth of it takes eight times as many samples.
     TimeToError cost = TimeToError.of(rows(-1.3, 1, 4, 16), Math.pow(16, -1.3) / 8);
     assertThat(cost.samples().value()).isCloseTo(128, within(1e-9));
     assertThat(cost.isExtrapolated()).isTrue();
@@ -48,7 +49,7 @@ class TimeToErrorTest {
     assertThat(TimeToError.of(rows, .11).isExtrapolated()).isFalse();
   }
 
-  /** The clock of a process ticks a hundred times a second, so that short renders take 0 or .01. */
+  /** The process clock ticks 100 times per second, so short renders take 0 s or 0.01 s. */
   @Test
   void timesTooShortForTheClockAreThoseOfTheMostSamplesInProportion() {
     List<TimeToError.Cost> rows =

@@ -11,6 +11,7 @@ import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Tests which settings a trade study recommends. */
 class TradeAdviceTest {
   private static final Image TRUTH = TestPictures.pattern(8, 8);
   private static final Bias NONE = new Bias(0, -1e-5, 2e-5);
@@ -64,7 +65,7 @@ class TradeAdviceTest {
     }
   }
 
-  /** The other setting would take 92 s if its error went on falling. */
+  /** The other setting would take 92 s if its error continued to decrease. */
   @Test
   void measuredSettingsGoBeforeExtrapolatedOnes() {
     TradeRow split = row(setting(Kind.NOISE, "--split 8 --depth 1000"), 16, .05, 130, NONE);

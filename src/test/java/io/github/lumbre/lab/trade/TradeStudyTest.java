@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Tests the bias and gain estimates of a trade study. */
 class TradeStudyTest {
   private static final Image TRUTH = TestPictures.pattern(48, 32);
 
@@ -48,7 +49,9 @@ class TradeStudyTest {
     assertThat(bias.high()).isGreaterThan(expected(.05));
   }
 
-  /** Of 200 sets without bias, 2.5 % may have an interval that says otherwise; 20 are 6 sigma. */
+  /**
+   * Of 200 sets without bias, 2.5 % may have an interval that indicates one; 20 would be 6 sigma.
+   */
   @Test
   void noiseIsNotTakenForBias() {
     int detected = 0;
@@ -59,7 +62,7 @@ class TradeStudyTest {
       sum += bias.squared() / 200;
     }
     assertThat(detected).isLessThan(20);
-    // The noise of four seeds, squared, that an estimate without its own variance would tell.
+    // The squared noise of four seeds, which an estimate without its own variance would report.
     assertThat(sum).isCloseTo(0, within(.02 * expected(.1)));
   }
 
@@ -81,7 +84,7 @@ class TradeStudyTest {
     return new TradeRow(setting, 16, times, times, errors, work, null, TRUTH);
   }
 
-  /** Ratios of them would be anything, and their intervals from nothing to all. */
+  /** Their ratios would be arbitrary, with unlimited intervals. */
   @Test
   void gainsOfRendersThatAreTooShortForTheClockAreNotTold() {
     TradeRow usual = row("sobol", .02, .02);
