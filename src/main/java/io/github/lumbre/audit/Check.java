@@ -6,6 +6,6 @@ import java.util.List;
 /** Looks at a scene for one kind of thing. Without state. */
 @FunctionalInterface
 interface Check {
-  /** Returns what is questionable, the weightiest first. */
+  /** Returns the findings, the most severe first. */
   List<Finding> of(SceneFile file, Pilot pilot);
 }

@@ -38,7 +38,7 @@ final class GlassCheck implements Check {
     List<Pane> closed = new ArrayList<>();
     for (int i = 0; i < file.scene().primitives().size(); i++) {
       Primitive primitive = file.scene().primitives().get(i);
-      if (!bends(primitive.material())) {
+      if (!refracts(primitive.material())) {
         continue;
       }
       if (primitive.shape().isClosed()) {
@@ -56,7 +56,7 @@ final class GlassCheck implements Check {
     int pairs = 0;
     for (Pane a : closed) {
       for (Pane b : closed) {
-        if (a != b && meet(a.shape.bounds(), b.shape.bounds()) && pairs++ < MOST_PAIRS) {
+        if (a != b && overlap(a.shape.bounds(), b.shape.bounds()) && pairs++ < MOST_PAIRS) {
           compare(a, b, file, findings);
         }
       }
@@ -64,12 +64,12 @@ final class GlassCheck implements Check {
     return findings;
   }
 
-  private static boolean bends(Material material) {
+  private static boolean refracts(Material material) {
     return Surfaces.flat(material) instanceof Glass glass
         && !(glass.ior().isConstant() && glass.ior().at(0, 0) == 1);
   }
 
-  private static boolean meet(Bounds3 a, Bounds3 b) {
+  private static boolean overlap(Bounds3 a, Bounds3 b) {
     return a.min().x() <= b.max().x()
         && b.min().x() <= a.max().x()
         && a.min().y() <= b.max().y()
@@ -78,7 +78,7 @@ final class GlassCheck implements Check {
         && b.min().z() <= a.max().z();
   }
 
-  /** Tells how the surface of one object lies in the other: partly, or wholly, inside. */
+  /** Returns how the surface of one object lies in the other: partly or wholly inside. */
   private static void compare(Pane surface, Pane volume, SceneFile file, List<Finding> findings) {
     int inside = 0;
     int points = 0;
@@ -110,7 +110,7 @@ final class GlassCheck implements Check {
               LAW,
               file.origins().primitives().get(surface.primitive),
               "the glass reaches into that of " + other,
-              "each surface bends light by its own ior, as if air were on its other side: in the"
+              "each surface refracts light by its own ior, as if air were on its other side: in the"
                   + " overlap that is neither glass",
               "leave a gap between the two, or give the common border to one surface"));
     } else if (points > 0 && inside >= points - few) {

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 final class LightCheck implements Check {
   private static final String LAW = "light";
 
-  /** With more lights, only the strongest are told one by one. */
+  /** With more lights, only the strongest are reported one by one. */
   private static final int MOST_SHARES = 8;
 
   /** Lights of a smaller share of the power may be missed by few paths. */
@@ -24,7 +24,7 @@ final class LightCheck implements Check {
   public List<Finding> of(SceneFile file, Pilot pilot) {
     List<Finding> findings = new ArrayList<>();
     List<Light> emitters = file.scene().emitters();
-    if (emitters.isEmpty() && file.scene().ambient().isBlack() && !glows(file)) {
+    if (emitters.isEmpty() && file.scene().ambient().isBlack() && !emits(file)) {
       findings.add(
           Finding.warning(
               LAW,
@@ -49,12 +49,12 @@ final class LightCheck implements Check {
     return findings;
   }
 
-  private static boolean glows(SceneFile file) {
+  private static boolean emits(SceneFile file) {
     return file.scene().primitives().stream()
         .anyMatch(p -> p.emission().isPresent() && !p.emission().get().isBlack());
   }
 
-  /** What glows without end cannot be asked for light. */
+  /** An infinite emitter cannot be sampled. */
   private static void unsampled(SceneFile file, List<Finding> findings) {
     for (int i = 0; i < file.scene().primitives().size(); i++) {
       Primitive primitive = file.scene().primitives().get(i);
@@ -64,8 +64,8 @@ final class LightCheck implements Check {
             Finding.note(
                 LAW,
                 file.origins().primitives().get(i),
-                "an infinite plane that glows",
-                "it lights things only where a scattered ray happens to meet it: more noise",
+                "an infinite plane that emits",
+                "it lights objects only where a scattered ray happens to hit it, which adds noise",
                 "make it finite, or use a Dome"));
       }
     }

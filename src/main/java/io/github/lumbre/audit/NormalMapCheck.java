@@ -52,7 +52,7 @@ final class NormalMapCheck implements Check {
                   outward[0],
                   100 * oddShare),
               "normal maps are bluish and of unit length: this looks like a picture or a height"
-                  + " map, and bends normals at random",
+                  + " map, and perturbs normals at random",
               "name a map of normals in tangent space as normalTextureId"));
     }
   }

@@ -29,7 +29,7 @@ final class ParserWarnings implements Check {
         "format",
         new Origin(warning.path().isEmpty() ? "$" : warning.path(), ""),
         warning.message(),
-        "the scene says something else than what is rendered",
+        "the render differs from what the scene states",
         "correct the value, or accept what it is taken as");
   }
 }

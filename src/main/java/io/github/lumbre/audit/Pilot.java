@@ -19,7 +19,7 @@ final class Pilot {
   private static final int ROWS = 48;
   private static final int SAMPLES = 2;
 
-  /** By how much deeper it looks than the scene asks. */
+  /** How many more vertices its paths have than those of the scene. */
   private static final int DEEPER = 32;
 
   private final SceneFile file;
@@ -124,7 +124,7 @@ final class Pilot {
     return all > 0 ? lightOfEmitter[emitter] / all : 0;
   }
 
-  /** Tells whether any light was found. */
+  /** Returns whether any light was found. */
   boolean sawLight() {
     return light > 0;
   }

@@ -77,7 +77,7 @@ final class ReflectanceCheck implements Check {
                   most[0]),
               String.format(
                   Locale.ROOT,
-                  "no surface does: what is above 1 is taken away, %.1f %% of what is written",
+                  "no surface does: the part above 1 is cut off, %.1f %% of what is written",
                   100 * (1 - sums[1] / sums[0])),
               "lower the colours, so that they and their textures stay at most 1 together"));
     }

@@ -5,7 +5,7 @@ import io.github.lumbre.parser.SceneFile;
 import java.util.Comparator;
 import java.util.List;
 
-/** Looks a scene over for what is physically or numerically questionable. */
+/** Checks a scene for what is physically or numerically questionable. */
 public final class SceneAudit {
   private static final List<Check> CHECKS =
       List.of(
@@ -22,7 +22,7 @@ public final class SceneAudit {
 
   private SceneAudit() {}
 
-  /** Returns what is questionable, warnings first. */
+  /** Returns the findings, warnings first. */
   public static List<Finding> of(SceneFile file) {
     Pilot pilot = Pilot.of(file);
     return CHECKS.stream()

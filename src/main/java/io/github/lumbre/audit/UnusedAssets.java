@@ -16,7 +16,7 @@ final class UnusedAssets implements Check {
         "unused",
         unused.origin(),
         "the " + unused.type() + " is used by nothing that is rendered",
-        "it is not even decoded: what is wrong with it goes unnoticed",
+        "it is not decoded, so that errors in it go unnoticed",
         "remove it, or look for a reference with another id");
   }
 }

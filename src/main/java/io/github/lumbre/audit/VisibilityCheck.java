@@ -4,14 +4,14 @@ import io.github.lumbre.parser.SceneFile;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Objects that neither the camera nor scattered light seems to meet. */
+/** Objects that neither the camera nor scattered light seems to hit. */
 final class VisibilityCheck implements Check {
   @Override
   public List<Finding> of(SceneFile file, Pilot pilot) {
     List<Integer> unmet =
         IntStream.range(0, file.scene().primitives().size())
             .filter(i -> pilot.met(i) == 0)
-            // Of what shines, the check of lights tells.
+            // Lights are reported by their own check.
             .filter(i -> file.scene().primitives().get(i).emission().isEmpty())
             .boxed()
             .toList();

@@ -21,7 +21,7 @@ final class BackgroundSave {
     return started;
   }
 
-  /** Tells whether it goes on; for any thread. */
+  /** Returns whether the save is running; callable from any thread. */
   boolean isRunning() {
     return !task.isDone();
   }

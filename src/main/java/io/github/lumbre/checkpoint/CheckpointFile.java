@@ -83,8 +83,8 @@ public final class CheckpointFile implements Closeable {
   /**
    * A film that was read.
    *
-   * @param from the file it is from, the asked one or the one saved before that
-   * @param problem why the asked one was not used; empty if it was
+   * @param from the file it was read from: the requested one, or the previous one
+   * @param problem why the requested file was not used; empty if it was
    */
   public record Loaded(FilmFile file, Path from, Optional<String> problem) {}
 

@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 /**
  * Saves the film of a running render: once in an interval. A pass over the film is cancelled for it
  * wherever it is, and made up for by the next, so that long passes do not put it off. Rendering
- * waits until the film is copied, and goes on while another thread saves the copy. There is one
+ * waits until the film is copied, and continues while another thread saves the copy. There is one
  * save at a time: if one takes longer than the interval, the next begins when it has ended.
  *
  * <p>{@link #pausing} is for the render's threads, all else for the one that starts their passes.

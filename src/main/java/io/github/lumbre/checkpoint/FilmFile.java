@@ -35,7 +35,7 @@ public record FilmFile(FilmHeader header, Film film) {
    * Returns what a render has so far.
    *
    * @param identity see {@link FilmHeader#identity(String, RenderSettings)}
-   * @param film whose pixels have the samples that the film itself tells
+   * @param film whose own numbers of samples are correct
    * @param notes see {@link FilmHeader#notes}
    * @param statistics of all samples that it has
    */
@@ -207,7 +207,7 @@ public record FilmFile(FilmHeader header, Film film) {
         }
       }
       if (left + buffer.remaining() != 0) {
-        throw new FilmFormatException("goes on after its last pixel");
+        throw new FilmFormatException("continues after its last pixel");
       }
       return film;
     }

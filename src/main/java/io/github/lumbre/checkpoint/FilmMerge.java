@@ -70,7 +70,9 @@ public final class FilmMerge {
     }
   }
 
-  /** Joins parts, two at a time: those that go on in samples before those that go on in space. */
+  /**
+   * Joins parts, two at a time: those with consecutive samples before those with adjacent windows.
+   */
   private static List<FilmPart> joined(List<FilmPart> parts) {
     List<FilmPart> result = new ArrayList<>(parts);
     boolean changed = true;

@@ -33,7 +33,7 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
     return first + most;
   }
 
-  /** Tells whether there may be a sample that both have. */
+  /** Returns whether there may be a sample that both have. */
   boolean overlaps(FilmPart o) {
     return first < o.end()
         && o.first < end()
@@ -43,7 +43,7 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
         && o.window.y() < window.y() + window.height();
   }
 
-  /** Returns both as one, if that is a part: one goes on where the other ends. */
+  /** Returns both as one, if that is a part: one continues where the other ends. */
   Optional<FilmPart> joined(FilmPart o) {
     if (window.equals(o.window)) {
       // All pixels must be as far as the other part begins.
@@ -59,7 +59,7 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
             hull(window, o.window), first, Math.min(fewest, o.fewest), Math.max(most, o.most)));
   }
 
-  /** Tells whether the other window lies just right of this one or just below. */
+  /** Returns whether the other window lies just right of this one or just below. */
   private boolean continues(FilmPart o) {
     boolean right =
         window.y() == o.window.y()

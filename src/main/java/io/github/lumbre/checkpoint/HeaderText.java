@@ -114,7 +114,7 @@ final class HeaderText {
     return new FilmHeader(identity, pixel.equals(WITH_ALPHA), window, parts, faults, notes);
   }
 
-  /** Takes what is said of faults from the values by name; what is not said has not been. */
+  /** Removes the faults from the values; a missing one is 0. */
   private static RenderStatistics faults(Map<String, String> values) throws FilmFormatException {
     long rejected = count(REJECTED, values.remove(REJECTED));
     String first = values.remove(FIRST_REJECTED);

@@ -36,7 +36,7 @@ public interface Disk {
     }
   }
 
-  /** Returns when a directory's names are on the disk, on systems that can tell. */
+  /** Forces the names of a directory to the disk, on systems that support it. */
   default void forceDirectory(Path directory) {
     try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
       channel.force(true);

@@ -110,7 +110,7 @@ final class LockedFile implements Closeable {
     }
   }
 
-  /** Returns what to tell the user of a file system's refusal. */
+  /** Returns the error text for a file system that refuses locks. */
   static String reason(FileSystemException e) {
     return e.getReason() == null ? "permission denied" : e.getReason();
   }

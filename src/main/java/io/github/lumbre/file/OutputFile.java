@@ -144,7 +144,8 @@ public final class OutputFile implements Closeable {
   }
 
   private void appear() throws IOException {
-    // Rename while the lock is still held, lest another run starts over in our file. Hold it while
+    // Rename while the lock is still held, so that no other run starts over in our file. Hold it
+    // while
     // the disk takes its time, too: whoever writes the next version locks that at once.
     disk.move(temporary.path(), destination);
     done = true;

@@ -129,7 +129,7 @@ final class ExrReader {
     float[] alpha = channels.contains(3) ? LinearReader.raster(width, height, 1) : new float[0];
     BitSet found = new BitSet(blocks);
     int top = attribute("dataWindow").getInt(4);
-    // The table of offsets is not needed: each block says which lines it holds.
+    // The table of offsets is not needed: each block names its lines.
     in.position(in.position() + Long.BYTES * blocks);
     for (int i = 0; i < blocks; i++) {
       int first = Objects.checkIndex(in.getInt() - top, height);

@@ -3,11 +3,11 @@ package io.github.lumbre.image;
 import java.io.IOException;
 import java.util.Objects;
 
-/** Says that bytes are not a picture that can be used, and why. */
+/** Bytes that are not a usable picture, and the reason. */
 public final class ImageFormatException extends IOException {
   private static final long serialVersionUID = 1;
 
-  /** What is wrong. */
+  /** The kind of problem. */
   public enum Kind {
     /** Truncated, contradictory, or no PNG or JPEG at all. */
     MALFORMED,

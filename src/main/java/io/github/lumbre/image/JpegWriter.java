@@ -40,7 +40,7 @@ final class JpegWriter {
       metadata.mergeTree(METADATA, markers(image, options.metadata()));
       writer.write(null, new IIOImage(picture, null, metadata), param);
     } catch (IIOException e) {
-      // Its own message says nothing; the cause's is "No space left on device".
+      // Its own message is empty; the cause's is "No space left on device".
       throw e.getCause() instanceof IOException cause ? cause : e;
     } finally {
       writer.dispose();

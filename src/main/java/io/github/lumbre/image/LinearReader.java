@@ -20,7 +20,7 @@ public final class LinearReader {
   private LinearReader() {}
 
   /**
-   * Returns the picture in a file; its content tells what it is, not its name.
+   * Returns the picture in a file; the content decides its format, not the name.
    *
    * @throws ImageFormatException if the file is none of the formats, or damaged, or too large
    * @throws IOException if the file cannot be read
@@ -67,7 +67,7 @@ public final class LinearReader {
   /**
    * Returns memory for a picture whose size is within the limits.
    *
-   * @throws ImageFormatException if the heap has none, before it is asked
+   * @throws ImageFormatException if the heap has none, before it is allocated
    */
   static float[] raster(int width, int height, int channels) throws ImageFormatException {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();

@@ -14,7 +14,7 @@ final class PfmWriter {
   private PfmWriter() {}
 
   static void write(Image image, OutputStream out) throws IOException {
-    // The sign of the scale says little-endian.
+    // A negative scale means little-endian.
     String header = "PF\n" + image.width() + " " + image.height() + "\n-1.0\n";
     out.write(header.getBytes(StandardCharsets.US_ASCII));
     int values = 3 * image.width();

@@ -54,7 +54,7 @@ final class PngContent {
     }
   }
 
-  /** Returns the signature and the chunks, the last of which is not image data. */
+  /** Returns the signature and the chunks up to the image data. */
   byte[] bytes() {
     return Arrays.copyOf(out.array(), out.position());
   }

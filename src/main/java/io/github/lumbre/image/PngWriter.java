@@ -38,7 +38,7 @@ final class PngWriter {
       metadata.mergeTree(METADATA, chunks(options));
       writer.write(new IIOImage(picture, null, metadata));
     } catch (IIOException e) {
-      // Its own message says nothing; the cause's is "No space left on device".
+      // Its own message is empty; the cause's is "No space left on device".
       throw e.getCause() instanceof IOException cause ? cause : e;
     } finally {
       writer.dispose();

@@ -4,7 +4,7 @@ import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSampler;
 import io.github.lumbre.scene.Scene;
 
-/** How a vertex chooses the one emitter that it asks for light. All choices have the same mean. */
+/** How a vertex selects the emitter that it samples. All kinds have the same mean. */
 public enum LightSamplerKind {
   /** By what may come from each to the vertex: see {@link LightSampler#over}. */
   PLACE {

@@ -45,7 +45,7 @@ public enum MisHeuristic {
       return lightPdf > 0 ? 0 : 1;
     }
   },
-  /** Scattered rays that meet an emitter alone; lights of no size are sampled all the same. */
+  /** BSDF sampling alone; delta lights are still sampled. */
   BSDF {
     @Override
     double lightWeight(double lightPdf, double bsdfPdf) {
@@ -64,7 +64,7 @@ public enum MisHeuristic {
   };
 
   /**
-   * Returns the weight of light that an emitter was asked for.
+   * Returns the weight of light found by light sampling.
    *
    * @param lightPdf of asking for it, positive and finite
    * @param bsdfPdf of meeting it

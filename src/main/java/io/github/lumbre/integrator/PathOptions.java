@@ -11,7 +11,7 @@ import java.util.Objects;
  *     seen, with 1 direct light
  * @param firstRoulette number of the first vertex, the one that the camera sees being 0, at which a
  *     weak path may end at random
- * @param split how many ways each path goes on from its first vertex that is no mirror or clear
+ * @param split number of branches of each path from its first vertex that is no mirror or clear
  *     glass, at least 1; each counts for its share (PBRT 4e, sec. 2.2.5)
  */
 public record PathOptions(
@@ -20,7 +20,7 @@ public record PathOptions(
     LightSamplerKind lightSampler,
     int firstRoulette,
     int split) {
-  /** The first vertex at which a path may end, unless another is asked for. */
+  /** The first vertex at which roulette may end a path, unless another is set. */
   public static final int FIRST_ROULETTE = 3;
 
   public PathOptions {
@@ -60,7 +60,7 @@ public record PathOptions(
     return new PathOptions(maxDepth, heuristic, lightSampler, vertex, split);
   }
 
-  /** Returns the same with paths that go on in another number of ways. */
+  /** Returns the same options with another number of branches. */
   public PathOptions splitInto(int ways) {
     return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, ways);
   }

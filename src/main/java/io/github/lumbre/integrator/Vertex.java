@@ -10,8 +10,8 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A point where a path meets a surface: the surface's Bsdf in world directions. Mutable: each
- * thread moves one and the same from vertex to vertex.
+ * A point where a path hits a surface: the surface's Bsdf in world directions. Mutable: each thread
+ * moves one and the same from vertex to vertex.
  *
  * <p>Interpolated and bent normals may put a direction on one side of the shading plane and on the
  * other of the true surface. Light never passes that way: such directions scatter nothing.
@@ -27,7 +27,7 @@ final class Vertex {
   void moveTo(SurfaceHit newSurface, Material material) {
     surface = newSurface;
     material.bend(surface);
-    // A viewer behind the bent plane but before the true one sees the true one.
+    // A viewer behind the perturbed plane but in front of the true one sees the true one.
     lookBack();
     if (surface.wo().dot(surface.geometricNormal()) * outZ <= 0) {
       surface.shadeFlat();
@@ -97,7 +97,7 @@ final class Vertex {
     }
   }
 
-  /** Tells whether a world direction, of which the local z is given, may see the viewer. */
+  /** Returns whether a world direction, with the given local z, is on a consistent side. */
   private boolean isConsistent(double wx, double wy, double wz, double localZ) {
     Vec3 normal = surface.geometricNormal();
     double cosine = wx * normal.x() + wy * normal.y() + wz * normal.z();

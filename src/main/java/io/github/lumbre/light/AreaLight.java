@@ -9,7 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * A shape that glows. The same shape and emission stand in the scene as a primitive, which rays can
+ * A shape that emits. The same shape and emission stand in the scene as a primitive, which rays can
  * hit.
  *
  * @param shape of finite area

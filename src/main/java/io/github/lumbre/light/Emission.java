@@ -47,7 +47,7 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided) {
     return sum / (GRID * GRID);
   }
 
-  /** Tells whether nothing is emitted anywhere. */
+  /** Returns whether nothing is emitted anywhere. */
   public boolean isBlack() {
     return radiance instanceof Constant<Rgb> constant && constant.value().isBlack();
   }

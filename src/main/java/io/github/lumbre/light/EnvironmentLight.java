@@ -12,7 +12,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Light from all around, infinitely far: a dome, of one radiance or of a latitude-longitude image.
+ * Light from infinitely far in all directions: of one radiance, or of a latitude-longitude image.
  * An image reads unmirrored from inside, its centre towards the dome's +z, its top up. Immutable.
  */
 public final class EnvironmentLight implements Light {
@@ -47,7 +47,7 @@ public final class EnvironmentLight implements Light {
    * @param axes the dome's right, up and forward in the world
    * @param radiance over u, v in [0,1]², v = 1 at the top
    * @param columns of the grid on which the brightness is tabulated: the image's own, for instance
-   * @param rows likewise
+   * @param rows of that grid
    */
   public static EnvironmentLight image(Frame axes, Texture<Rgb> radiance, int columns, int rows) {
     Objects.requireNonNull(axes, "axes");
@@ -163,7 +163,7 @@ public final class EnvironmentLight implements Light {
     return (isEven() ? .25 : 4) * Math.PI * meanBrightness;
   }
 
-  /** Tells whether all directions have the same radiance. */
+  /** Returns whether all directions have the same radiance. */
   boolean isEven() {
     return distribution.isEmpty();
   }

@@ -3,11 +3,11 @@ package io.github.lumbre.light;
 import java.util.List;
 
 /**
- * A few emitters of limited reach, of which each is asked what light may come from it. With four
- * that takes less time than a {@link LightTree}, and tells more than bounds of pairs. Immutable.
+ * A few emitters of limited reach, each weighted by its own bounds. With four that takes less time
+ * than a {@link LightTree}, and tells more than bounds of pairs. Immutable.
  */
 final class FewLights implements NearLights {
-  /** The most that are asked one by one. */
+  /** The largest number of emitters that are weighted one by one. */
   static final int MOST = LightChoice.WEIGHTS;
 
   private final LightNodes nodes;
@@ -32,10 +32,10 @@ final class FewLights implements NearLights {
   }
 
   @Override
-  public double irradiance(LightChoice asked) {
+  public double irradiance(LightChoice receiver) {
     double sum = 0;
     for (int i = 0; i < emitters.length; i++) {
-      sum += nodes.importance(i, asked);
+      sum += nodes.importance(i, receiver);
     }
     return sum;
   }
@@ -73,12 +73,12 @@ final class FewLights implements NearLights {
   }
 
   @Override
-  public double probability(LightChoice asked, int emitter) {
+  public double probability(LightChoice receiver, int emitter) {
     double sum = 0;
     int lit = 0;
     double own = 0;
     for (int i = 0; i < emitters.length; i++) {
-      double weight = nodes.importance(i, asked);
+      double weight = nodes.importance(i, receiver);
       sum += weight;
       lit += weight > 0 ? 1 : 0;
       own = i == places[emitter] ? weight : own;
@@ -90,7 +90,7 @@ final class FewLights implements NearLights {
   }
 
   /**
-   * Tells whether a sum of weights says anything: in a light of no size one is infinite, and the
+   * Returns whether a sum of weights is usable: in a light of no size one is infinite, and the
    * reciprocal of what is below normal numbers overflows.
    */
   private static boolean isUsable(double sum) {

@@ -77,10 +77,10 @@ public sealed interface Light
     return 0;
   }
 
-  /** Tells whether the light emits nothing at all, so that it need never be chosen. */
+  /** Returns whether the light emits nothing at all, so that it need never be chosen. */
   boolean isBlack();
 
-  /** Tells whether the light is of no size, so that no scattered ray can hit it. */
+  /** Returns whether the light is of no size, so that no scattered ray can hit it. */
   default boolean isDelta() {
     return true;
   }

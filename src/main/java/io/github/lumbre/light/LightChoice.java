@@ -3,7 +3,7 @@ package io.github.lumbre.light;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A point that asks for light, and the emitter that a {@link LightSampler} chose for it at random.
+ * A point where light is sampled, and the emitter that a {@link LightSampler} selected for it.
  * Mutable: each thread moves one and the same from point to point.
  */
 public final class LightChoice {
@@ -56,7 +56,7 @@ public final class LightChoice {
     return new Vec3(x, y, z);
   }
 
-  /** Tells whether the point takes light from both sides. */
+  /** Returns whether the point takes light from both sides. */
   boolean isOpen() {
     return normalX == 0 && normalY == 0 && normalZ == 0;
   }
@@ -77,8 +77,8 @@ public final class LightChoice {
   }
 
   /**
-   * Returns the probability of this choice: what {@link LightSampler#probability} tells, for no
-   * more work.
+   * Returns the probability of this choice: the value of {@link LightSampler#probability}, without
+   * its work.
    */
   public double probability() {
     return probability;

@@ -3,7 +3,7 @@ package io.github.lumbre.light;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
 
-/** Bounds of emitters in a flat array, to be asked what light may come from them. Immutable. */
+/** Bounds of emitters in a flat array, which bound the light that may come from them. Immutable. */
 final class LightNodes {
   // What is stored of a node.
   private static final int CENTRE = 0;
@@ -50,11 +50,11 @@ final class LightNodes {
    * point, and the sphere's direction to the point's normal: of the cosine of such an angle less b,
    * cos a cos b + sin a sin b, the bound cos a + sin b is good where b is small and takes no root.
    */
-  double importance(int node, LightChoice asked) {
+  double importance(int node, LightChoice receiver) {
     int at = STRIDE * node;
-    double x = asked.x - nodes[at + CENTRE];
-    double y = asked.y - nodes[at + CENTRE + 1];
-    double z = asked.z - nodes[at + CENTRE + 2];
+    double x = receiver.x - nodes[at + CENTRE];
+    double y = receiver.y - nodes[at + CENTRE + 1];
+    double z = receiver.z - nodes[at + CENTRE + 2];
     double distanceSquared = x * x + y * y + z * z;
     double radius = nodes[at + RADIUS];
     if (!(distanceSquared > radius * radius)) {
@@ -62,9 +62,10 @@ final class LightNodes {
     }
     double perDistance = 1 / Math.sqrt(distanceSquared);
     double sin = radius * perDistance;
-    double along = -perDistance * (x * asked.normalX + y * asked.normalY + z * asked.normalZ);
+    double along =
+        -perDistance * (x * receiver.normalX + y * receiver.normalY + z * receiver.normalZ);
     // An open point takes light from everywhere.
-    double received = asked.isOpen() ? 1 : along + sin;
+    double received = receiver.isOpen() ? 1 : along + sin;
     if (!(received > -ROUNDING)) {
       return 0;
     }

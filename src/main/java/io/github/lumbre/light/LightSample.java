@@ -92,7 +92,7 @@ public final class LightSample {
     return surface;
   }
 
-  /** Tells whether no light can arrive. */
+  /** Returns whether no light can arrive. */
   public boolean isEmpty() {
     return pdf == 0;
   }
@@ -130,7 +130,7 @@ public final class LightSample {
     return pdf;
   }
 
-  /** Tells whether the light can only be sampled, and never be hit by a ray. */
+  /** Returns whether the light can only be sampled, and never be hit by a ray. */
   public boolean isDelta() {
     return pdf == Double.POSITIVE_INFINITY;
   }
@@ -145,7 +145,7 @@ public final class LightSample {
     return new Vec3(endX, endY, endZ);
   }
 
-  /** Aims a search by the ray that must meet nothing for the light to arrive. */
+  /** Aims a search along the ray that must hit nothing for the light to arrive. */
   public void aimShadowRay(SurfaceHit from, NearestHit shadow) {
     switch (target) {
       case SURFACE -> from.spawnTowards(surface, shadow);

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Which of a scene's emitters a point asks for light: a choice at random. Immutable.
+ * Selects at random one of a scene's emitters to sample at a point. Immutable.
  *
  * <p>Emitters of limited reach are chosen by what may come from them to the point, and so are all
  * of them against all that shine everywhere alike; among these the probabilities are the same at
@@ -30,7 +30,10 @@ public final class LightSampler {
   /** The least share of all that is near together: what is far may be hidden, by a roof. */
   private static final double LEAST_NEAR = .25;
 
-  /** The least share of all that is far: lamps may be hidden too, and scattered rays miss suns. */
+  /**
+   * The least share of all that is far: near lights may be hidden too, and scattered rays miss
+   * suns.
+   */
   private static final double LEAST_FAR = .125;
 
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
@@ -166,14 +169,14 @@ public final class LightSampler {
     HIERARCHY
   }
 
-  /** Tells how emitters of limited reach are chosen. */
+  /** Returns how emitters of limited reach are chosen. */
   public Method method() {
     return near.map(n -> n instanceof LightTree ? Method.HIERARCHY : Method.ONE_BY_ONE)
         .orElse(Method.FIXED);
   }
 
   /**
-   * Chooses an emitter that may light the point that asks.
+   * Chooses an emitter that may light a point.
    *
    * @param u uniform in [0,1)
    * @param choice holds the point, and takes the result
@@ -196,25 +199,25 @@ public final class LightSampler {
 
   /**
    * Returns the probability with which {@link #choose} returns an emitter; positive unless it
-   * cannot light the point that asks.
+   * cannot light the point.
    */
-  public double probability(LightChoice asked, int index) {
+  public double probability(LightChoice receiver, int index) {
     int place = places[index];
-    double share = nearShare(asked);
+    double share = nearShare(receiver);
     return place == NEAR
-        ? share * near.get().probability(asked, index)
+        ? share * near.get().probability(receiver, index)
         : (1 - share) * distribution.probability(place);
   }
 
   /** Returns the probability to choose one of those that are near. */
-  private double nearShare(LightChoice asked) {
+  private double nearShare(LightChoice receiver) {
     if (near.isEmpty()) {
       return 0;
     }
     if (alone.length == 0) {
       return 1;
     }
-    double irradiance = near.get().irradiance(asked);
+    double irradiance = near.get().irradiance(receiver);
     if (irradiance == 0) {
       return 0;
     }

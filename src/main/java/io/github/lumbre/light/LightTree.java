@@ -9,8 +9,8 @@ import java.util.List;
  * their number. Immutable.
  *
  * <p>From the root on, the way goes left or right in proportion to bounds of the light from either
- * side: PBRT 4e, sec. 12.6.3, after Conty Estevez &amp; Kulla 2018. Their splitting, which asks
- * more than one emitter, is left out: a vertex asks for one.
+ * side: PBRT 4e, sec. 12.6.3, after Conty Estevez &amp; Kulla 2018. Their splitting, which samples
+ * more than one emitter, is left out: a vertex samples one.
  */
 final class LightTree implements NearLights {
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
@@ -52,9 +52,9 @@ final class LightTree implements NearLights {
   }
 
   @Override
-  public double irradiance(LightChoice asked) {
+  public double irradiance(LightChoice receiver) {
     int left = children[0];
-    return nodes.importance(left, asked) + nodes.importance(left + 1, asked);
+    return nodes.importance(left, receiver) + nodes.importance(left + 1, receiver);
   }
 
   @Override
@@ -80,14 +80,14 @@ final class LightTree implements NearLights {
   }
 
   @Override
-  public double probability(LightChoice asked, int emitter) {
+  public double probability(LightChoice receiver, int emitter) {
     double probability = 1 - EVEN_SHARE;
     double even = EVEN_SHARE;
     for (int node = leaves[emitter]; node > 0; node = parents[node]) {
       // Left children have odd numbers.
       boolean isLeft = (node & 1) != 0;
       int left = isLeft ? node : node - 1;
-      double share = leftShare(left, asked);
+      double share = leftShare(left, receiver);
       double byNumber = evenShare(left, share);
       probability *= isLeft ? share : 1 - share;
       even *= isLeft ? byNumber : 1 - byNumber;
@@ -96,9 +96,9 @@ final class LightTree implements NearLights {
   }
 
   /** Returns the probability to go left: a half where nothing can be said. */
-  private double leftShare(int left, LightChoice asked) {
-    double one = nodes.importance(left, asked);
-    double other = nodes.importance(left + 1, asked);
+  private double leftShare(int left, LightChoice receiver) {
+    double one = nodes.importance(left, receiver);
+    double other = nodes.importance(left + 1, receiver);
     double share = one / (one + other);
     return share >= 0 ? share : .5;
   }

@@ -11,11 +11,11 @@ sealed interface NearLights permits FewLights, LightTree {
   /**
    * Returns about the irradiance that a point may have from all of them; 0 if they leave it dark.
    */
-  double irradiance(LightChoice asked);
+  double irradiance(LightChoice receiver);
 
   /** Chooses an emitter; see {@link LightSampler#choose}. */
   void choose(double u, LightChoice choice);
 
   /** Returns the probability with which {@link #choose} finds an emitter. */
-  double probability(LightChoice asked, int emitter);
+  double probability(LightChoice receiver, int emitter);
 }

@@ -1,6 +1,6 @@
 package io.github.lumbre.material;
 
-/** Scatters nothing: the surface of a lamp, as far as other light is concerned. */
+/** Scatters nothing: the surface of a light, as other light sees it. */
 enum Absorber implements SpecularBsdf {
   BLACK;
 

@@ -23,7 +23,7 @@ public record CookTorrance(
   /** Below this roughness, facets are taken as one mirror. */
   public static final double SMOOTH = 1e-3;
 
-  /** Index of refraction of facets of which nothing else is said. */
+  /** Index of refraction of facets that have no other. */
   public static final double DEFAULT_IOR = 3.0504;
 
   public CookTorrance {

@@ -20,7 +20,7 @@ public record Glass(
     ScalarTexture ior,
     ScalarTexture roughness)
     implements Material {
-  /** Ground glass whose index differs from 1 by less bends light too little to be seen. */
+  /** Rough glass whose index is closer to 1 refracts light too little to be seen. */
   private static final double LEAST_CONTRAST = 1e-8;
 
   public Glass {

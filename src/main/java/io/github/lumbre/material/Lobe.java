@@ -3,8 +3,8 @@ package io.github.lumbre.material;
 /** A Bsdf that can be one part of a {@link Mixture}. */
 interface Lobe extends Bsdf {
   /**
-   * Returns about how much of a viewer's light is scattered, at least 0: how often the lobe is
-   * drawn depends on it, what is drawn does not.
+   * Returns about how much of a viewer's light is scattered, at least 0: it affects how often the
+   * lobe is sampled, not the result.
    *
    * @param cosine of the angle between the viewer and the normal, negative below the surface
    */

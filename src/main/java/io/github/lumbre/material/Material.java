@@ -9,7 +9,7 @@ public interface Material {
    * Returns how the surface scatters at a point of it, in the hit's shading frame.
    *
    * @param u texture coordinate, any finite number
-   * @param v likewise
+   * @param v texture coordinate, as u
    */
   Bsdf at(double u, double v);
 
@@ -18,7 +18,7 @@ public interface Material {
     return at(point.u(), point.v());
   }
 
-  /** Tells whether the surface is known to scatter everywhere alike, in its frame. */
+  /** Returns whether the surface is known to scatter everywhere alike, in its frame. */
   boolean isUniform();
 
   /** Returns a material that looks the same and does no work twice. */
@@ -26,6 +26,6 @@ public interface Material {
     return isUniform() ? new UniformMaterial(at(0, 0)) : this;
   }
 
-  /** Turns the hit's shading frame, if a normal map bends it. */
+  /** Perturbs the hit's shading frame by a normal map, if there is one. */
   default void bend(SurfaceHit hit) {}
 }

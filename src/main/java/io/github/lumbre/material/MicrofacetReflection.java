@@ -7,7 +7,7 @@ import io.github.lumbre.math.Vec3;
 /**
  * Reflection by the small mirrors of a rough surface, each by the exact Fresnel equations: f = F D
  * G / (4 cos θo cos θi), with height-correlated masking (Cook &amp; Torrance 1982; PBRT 4e, sec.
- * 9.6), on both sides of the surface. Light that meets more than one facet is lost.
+ * 9.6), on both sides of the surface. Light that hits more than one facet is lost.
  *
  * @param specular tints the reflection, each component in [0,1]
  * @param ior index of refraction of the facets, &gt; 0

@@ -5,7 +5,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
 
-/** Any material on a surface whose normals a map bends. */
+/** Any material on a surface whose normals a map perturbs. */
 public record NormalMapped(Material material, NormalMap map) implements Material {
   public NormalMapped {
     Objects.requireNonNull(material, "material");
@@ -27,7 +27,7 @@ public record NormalMapped(Material material, NormalMap map) implements Material
     material.bend(hit);
     Vec3 local = map.normal(hit.u(), hit.v());
     if (local.maxAbs() != 0) {
-      // Normalize first, lest sums of huge components overflow.
+      // Normalize first, so that sums of huge components do not overflow.
       Vec3 normal = hit.toWorld(local.normalized()).normalized();
       hit.bendTo(NormalMap.raised(normal, hit.geometricNormal()));
     }

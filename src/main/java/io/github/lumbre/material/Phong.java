@@ -16,7 +16,7 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
     implements Material {
   /**
    * Sharper highlights than this, of a millionth of a radian, are taken as this sharp: directions
-   * have no more digits to tell their parts apart.
+   * have no digits left to distinguish their parts.
    */
   public static final double SHARPEST = 1e12;
 

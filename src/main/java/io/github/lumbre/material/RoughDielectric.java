@@ -5,8 +5,8 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A boundary of ground glass: each facet reflects by the exact Fresnel equations and refracts by
- * Snell's law (Walter et al. 2007). The inside is where z is negative. Light that meets more than
+ * A boundary of rough glass: each facet reflects by the exact Fresnel equations and refracts by
+ * Snell's law (Walter et al. 2007). The inside is where z is negative. Light that hits more than
  * one facet is lost.
  *
  * @param reflectance tints what is reflected, each component in [0,1]
@@ -98,7 +98,7 @@ public record RoughDielectric(
     }
   }
 
-  /** Returns how much of the light that meets a facet goes on, at most, either way. */
+  /** Returns the largest share of the light at a facet that is reflected or refracted. */
   private double scattered(double fresnel) {
     return fresnel * reflectance.max() + (1 - fresnel) * transmittance.max();
   }

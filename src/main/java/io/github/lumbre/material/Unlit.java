@@ -1,6 +1,6 @@
 package io.github.lumbre.material;
 
-/** A surface that scatters nothing: of a lamp, or of anything that shows its own colour only. */
+/** A surface that scatters nothing: that of a light, or one that shows its own color only. */
 public enum Unlit implements Material {
   INSTANCE;
 

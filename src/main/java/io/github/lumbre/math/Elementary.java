@@ -4,8 +4,8 @@ package io.github.lumbre.math;
  * Elementary functions that give the same bits on every virtual machine and processor.
  *
  * <p>{@link Math#sin} and its kin may differ by an ulp between machines, and between interpreted
- * and compiled code; whatever stands between a sample and the film uses this class instead. What
- * inner loops need is made of + − × ÷ and {@link Math#fma} alone; the rest is {@link StrictMath}.
+ * and compiled code; all code between a sample and the film uses this class instead. What inner
+ * loops need is made of + − × ÷ and {@link Math#fma} alone; the rest is {@link StrictMath}.
  */
 public final class Elementary {
   public static final double TWO_PI = 2 * Math.PI;
@@ -16,7 +16,7 @@ public final class Elementary {
   private static final int STEPS = 1 << LOG_STEPS;
   private static final double STEPS_PER_UNIT = STEPS / StrictMath.log(2);
 
-  /** ln 2 / 32 in two parts, of which the first ends in 20 zero bits. */
+  /** ln 2 / 32 in two parts; the first ends in 20 zero bits. */
   private static final double STEP_HIGH = 0x1.62e42feep-1 / STEPS;
 
   private static final double STEP_LOW = 0x1.a39ef35793c76p-33 / STEPS;

@@ -84,7 +84,7 @@ public final class Frame {
     return new Frame(tangent, bitangentAround(normal, tangent, v), normal);
   }
 
-  /** Tells whether a vector is no tangent: zero, not finite, or along the unit normal. */
+  /** Returns whether a vector is no tangent: zero, not finite, or along the unit normal. */
   public static boolean isAlong(Vec3 normal, Vec3 u) {
     Vec3 tangent = u.plus(-u.dot(normal), normal);
     return !(tangent.length() > 1e-12 * u.length()) || !tangent.isFinite();

@@ -6,8 +6,8 @@ import java.util.function.DoubleUnaryOperator;
  * A smooth function on [0,1], tabulated as polynomials on equal intervals: a few multiplications
  * instead of a long series, and the same bits everywhere. Immutable.
  *
- * <p>Each polynomial meets the function at the Chebyshev points of its interval. What functions
- * without a singularity near [0,1] lose by that is below the rounding of the result.
+ * <p>Each polynomial agrees with the function at the Chebyshev points of its interval. What
+ * functions without a singularity near [0,1] lose by that is below the rounding of the result.
  */
 final class PiecewisePolynomial {
   private static final int INTERVALS = 64;

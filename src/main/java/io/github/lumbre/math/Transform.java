@@ -101,7 +101,7 @@ public final class Transform {
     return new Matrix3(new Vec3(i00, i01, i02), new Vec3(i10, i11, i12), new Vec3(i20, i21, i22));
   }
 
-  /** Tells whether the map can be undone: every number of it and of its inverse is finite. */
+  /** Returns whether the map can be undone: every number of it and of its inverse is finite. */
   public boolean isInvertible() {
     double sum =
         i00 + i01 + i02 + i10 + i11 + i12 + i20 + i21 + i22 + m00 + m01 + m02 + m10 + m11 + m12
@@ -114,7 +114,7 @@ public final class Transform {
     return determinant;
   }
 
-  /** Tells whether the map turns a left hand into a right one. */
+  /** Returns whether the map turns a left hand into a right one. */
   public boolean isMirroring() {
     return determinant < 0;
   }
@@ -169,7 +169,9 @@ public final class Transform {
                 * (Math.abs(m20) * ex + Math.abs(m21) * ey + Math.abs(m22) * ez));
   }
 
-  /** Tells whether the images of the local axes are not at right angles, by more than rounding. */
+  /**
+   * Returns whether the images of the local axes are not at right angles, by more than rounding.
+   */
   public boolean isSkewed() {
     Vec3 x = vector(Vec3.X);
     Vec3 y = vector(Vec3.Y);

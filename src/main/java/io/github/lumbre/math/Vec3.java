@@ -1,6 +1,6 @@
 package io.github.lumbre.math;
 
-/** A point or a direction: three coordinates, in whatever space the name of the variable says. */
+/** A point or a direction: three coordinates, in the space that the name of the variable states. */
 public record Vec3(double x, double y, double z) {
   public static final Vec3 ZERO = new Vec3(0, 0, 0);
   public static final Vec3 X = new Vec3(1, 0, 0);

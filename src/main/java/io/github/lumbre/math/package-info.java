@@ -7,10 +7,9 @@
  * places an object in the world.
  *
  * <p>World space is <b>left-handed</b>: +x right, +y up, +z forward. Positions and directions are
- * both {@code Vec3}; names tell them apart. Angles are radians unless a name says {@code degrees}.
+ * both {@code Vec3}; names distinguish them. Angles are radians unless a name says {@code degrees}.
  *
  * <p>All types here are immutable and so safe for use by any thread. Nothing here depends on
  * another package.
  */
 package io.github.lumbre.math;
-

@@ -24,7 +24,7 @@ import java.util.regex.Pattern;
 
 /**
  * The bytes of assets, in base64 inside the scene file or in files in the same folder or below.
- * Files outside it are out of reach, whatever the scene says.
+ * Files outside of it are refused.
  */
 final class AssetData {
   static final String FILE_KEY = "file";

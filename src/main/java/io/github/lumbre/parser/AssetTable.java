@@ -93,7 +93,7 @@ final class AssetTable {
     return asset;
   }
 
-  /** Tells whether a key names an asset that exists. */
+  /** Returns whether a key names an asset that exists. */
   boolean has(JsonNode from, String key, Type type) {
     return from.idSilently(key)
         .filter(id -> id != NONE && assets.get(type).containsKey(id))

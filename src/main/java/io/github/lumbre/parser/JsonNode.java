@@ -17,9 +17,9 @@ import java.util.function.Supplier;
 /**
  * A value of a JSON text that knows its path. Immutable once {@link JsonTree} has read the text.
  *
- * <p>The queries of an object's keys check type and range, add what is wrong to the {@link
- * Problems}, and then return the default, so that one run finds many errors. A key whose value is
- * {@code null} counts as missing.
+ * <p>The queries of an object's keys check type and range, add errors to the {@link Problems}, and
+ * then return the default, so that one run finds many errors. A key whose value is {@code null}
+ * counts as missing.
  */
 final class JsonNode {
   private static final Set<String> VECTOR_KEYS = Set.of("x", "y", "z");
@@ -39,7 +39,7 @@ final class JsonNode {
   private final int position;
   private final Object value;
 
-  /** Says where a value stands: under which key, or at which index, of which parent. */
+  /** The place of a value: its key or its index in its parent. */
   record Place(Problems problems, JsonNode parent, String key, int index, int position) {
     /** Returns the place of the value that has no parent. */
     static Place outermost(Problems problems) {
@@ -172,7 +172,7 @@ final class JsonNode {
     warn(childKey, () -> message);
   }
 
-  /** Adds a warning at the value of a key; the message is asked for only if it is told. */
+  /** Adds a warning at the value of a key; the message is made only if it is kept. */
   void warn(String childKey, Supplier<String> message) {
     problems.warn(() -> path(childKey), message);
   }
@@ -270,7 +270,7 @@ final class JsonNode {
     return instead;
   }
 
-  /** Returns what is missing to this value; the whole range only if it is an integer beyond it. */
+  /** Returns the error text for this value; the whole range only if it is an integer beyond it. */
   private String expectedInteger(long low, long high) {
     boolean isWhole = value instanceof Literal l && l.value == Math.rint(l.value);
     boolean isTooLarge = value instanceof Literal l && l.value > high;
@@ -302,7 +302,7 @@ final class JsonNode {
     return found == none ? Optional.empty() : Optional.of((int) found);
   }
 
-  /** Returns an id as {@link #id} does, without saying what is wrong with it. */
+  /** Returns an id as {@link #id} does, without adding an error. */
   Optional<Integer> idSilently(String childKey) {
     return find(childKey)
         .flatMap(JsonNode::exactLong)
@@ -339,7 +339,7 @@ final class JsonNode {
     return Optional.empty();
   }
 
-  /** Tells whether the value is this very text. */
+  /** Returns whether the value is this very text. */
   boolean isText(String text) {
     return text.equals(value);
   }

@@ -35,7 +35,7 @@ final class LightReader {
 
   /** What an area light's intensity is. */
   private enum Unit {
-    /** The format's own: a power of sorts, of which small lights take a share. */
+    /** The format's own unit: a kind of power, which small lights receive a share of. */
     FORMAT {
       @Override
       double radiance(double localArea, double worldArea) {
@@ -99,7 +99,7 @@ final class LightReader {
     return count;
   }
 
-  /** Tells whether any of the lights read is a dome. */
+  /** Returns whether any of the lights read is an environment light. */
   boolean hasDome() {
     return hasDome;
   }

@@ -101,7 +101,7 @@ final class MaterialReader {
         : Optional.empty();
   }
 
-  /** Tells whether anything uses a material. */
+  /** Returns whether anything uses a material. */
   boolean uses(JsonNode material) {
     return surfaces.containsKey(material);
   }
@@ -111,7 +111,7 @@ final class MaterialReader {
     return surfaces.size();
   }
 
-  /** Tells whether any material in use is glass. */
+  /** Returns whether any material in use is glass. */
   boolean hasGlass() {
     return hasGlass;
   }
@@ -186,7 +186,7 @@ final class MaterialReader {
     }
   }
 
-  /** Returns channels of which no component may reflect more than it gets, with one warning. */
+  /** Returns channels limited to a reflectance of 1, with one warning for all. */
   private List<Texture<Rgb>> reflectances(JsonNode material, String... channels) {
     List<Texture<Rgb>> found = new ArrayList<>();
     boolean warned = false;

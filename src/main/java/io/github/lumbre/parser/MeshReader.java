@@ -33,7 +33,7 @@ final class MeshReader {
     assets.all(Type.MESH).forEach(mesh -> mesh.warnUnknown(KEYS));
   }
 
-  /** Tells whether anything uses a mesh. */
+  /** Returns whether anything uses a mesh. */
   boolean uses(JsonNode mesh) {
     return meshes.containsKey(mesh);
   }

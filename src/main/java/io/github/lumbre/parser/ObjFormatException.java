@@ -15,7 +15,7 @@ final class ObjFormatException extends Exception {
     this.tooLarge = tooLarge;
   }
 
-  /** Tells whether the file may be sound but is larger than a limit. */
+  /** Returns whether the file may be sound but is larger than a limit. */
   boolean isTooLarge() {
     return tooLarge;
   }

@@ -1,8 +1,8 @@
 package io.github.lumbre.parser;
 
 /**
- * What an OBJ file says, as arrays: corners that agree in position, normal and texture coordinates
- * are one vertex. The arrays are not copied.
+ * The content of an OBJ file, as arrays: corners that agree in position, normal and texture
+ * coordinates are one vertex. The arrays are not copied.
  *
  * @param positions three numbers a vertex
  * @param normals three numbers a vertex, or empty if the file has none

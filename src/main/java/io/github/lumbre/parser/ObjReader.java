@@ -41,7 +41,7 @@ final class ObjReader {
   }
 
   /**
-   * Returns what a text says.
+   * Returns the mesh that a text describes.
    *
    * @throws ObjFormatException if it cannot be understood, refers to vertices that are not there,
    *     or has no faces

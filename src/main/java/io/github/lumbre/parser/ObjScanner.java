@@ -32,7 +32,7 @@ final class ObjScanner {
         && text[2] == (byte) 0xbf;
   }
 
-  /** Tells whether anything is left of the text. */
+  /** Returns whether anything is left of the text. */
   boolean hasMore() {
     return at < text.length;
   }
@@ -48,7 +48,7 @@ final class ObjScanner {
     return end > start;
   }
 
-  /** Moves to the beginning of the next line, whatever is left of this one. */
+  /** Moves to the beginning of the next line and skips the rest of this one. */
   void endLine() {
     while (at < text.length && !isLineEnd(text[at])) {
       if (isJoint()) {
@@ -169,7 +169,7 @@ final class ObjScanner {
    * Reads the word as indices with slashes between them, {@code 5}, {@code 5/6}, {@code 5//7} or
    * {@code 5/6/7}.
    *
-   * @param indices receives three numbers as written; 0 stands for what is left out
+   * @param indices receives three numbers as written; 0 for a missing one
    */
   void readIndices(int[] indices) throws ObjFormatException {
     int i = start;
@@ -215,7 +215,7 @@ final class ObjScanner {
     return c >= '0' && c <= '9';
   }
 
-  /** Returns an exception that says that something is larger than a limit, and names the line. */
+  /** Returns an exception for something larger than a limit, which names the line. */
   ObjFormatException tooLarge(String message) {
     return new ObjFormatException(line, message, true);
   }

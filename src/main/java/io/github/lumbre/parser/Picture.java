@@ -9,7 +9,7 @@ import io.github.lumbre.texture.ImageTexture.Role;
 import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
 
-/** A texture of which it is not yet known what its values mean. */
+/** A texture whose use, and so the meaning of its values, is not yet known. */
 interface Picture {
   int width();
 
@@ -21,12 +21,12 @@ interface Picture {
   /** Returns the mean of a texel's components, taken as they are; row 0 is the top one. */
   double value(int column, int row);
 
-  /** Returns how many columns tell a dome where the picture is bright. */
+  /** Returns the number of columns of the brightness table of an environment light. */
   default int domeColumns() {
     return width();
   }
 
-  /** Returns how many rows tell a dome where the picture is bright. */
+  /** Returns the number of rows of the brightness table of an environment light. */
   default int domeRows() {
     return height();
   }

@@ -28,7 +28,7 @@ final class Problems {
     this.file = escaped(file);
   }
 
-  /** Adds an error, of which no more than a few are told. */
+  /** Adds an error; beyond a limit, errors are not kept. */
   void error(SceneFormatException.Kind kindOfError, Supplier<String> path, String message) {
     if (kind.isEmpty()) {
       kind = Optional.of(kindOfError);
@@ -38,7 +38,7 @@ final class Problems {
     }
   }
 
-  /** Adds a warning; beyond the limit, only counts it, without asking what it says. */
+  /** Adds a warning; beyond the limit, only counts it, without making its text. */
   void warn(Supplier<String> path, Supplier<String> message) {
     if (warnings.size() < MAX_WARNINGS) {
       warnings.add(new Problem(file, shownPath(path.get()), message.get()));
@@ -51,7 +51,7 @@ final class Problems {
     return !errors.isEmpty();
   }
 
-  /** Returns the warnings; if there were too many, the last one says how many are missing. */
+  /** Returns the warnings; if there were too many, the last one states how many are missing. */
   List<Problem> warnings() {
     List<Problem> all = new ArrayList<>(warnings);
     if (unsaidWarnings > 0) {

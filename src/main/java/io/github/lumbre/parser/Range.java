@@ -47,7 +47,7 @@ record Range(
     return (openLow ? x > low : x >= low) && (openHigh ? x < high : x <= high);
   }
 
-  /** Returns what is expected in place of a number that is outside. */
+  /** Returns the text of the expected range, for a number outside of it. */
   String expectedFor(double x) {
     return x > high || openHigh && x == high ? ifHigh : ifLow;
   }

@@ -9,7 +9,7 @@ public final class SceneFormatException extends Exception {
 
   /** What kind of thing is wrong; the first problem decides. */
   public enum Kind {
-    /** The scene file is missing, unreadable, not JSON, or says something it may not. */
+    /** The scene file is missing, unreadable, not JSON, or has an invalid value. */
     INVALID,
     /** A mesh or picture that the scene contains or names cannot be decoded. */
     ASSET,

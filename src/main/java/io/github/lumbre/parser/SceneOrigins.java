@@ -30,7 +30,7 @@ public record SceneOrigins(
    *
    * @param channel as {@code color}
    * @param width of the picture in texels
-   * @param height likewise
+   * @param height of the full frame, in pixels
    * @param scaleX how often it repeats over the surface's u
    * @param scaleY how often it repeats over the surface's v
    */

@@ -23,16 +23,16 @@ import java.util.function.UnaryOperator;
 
 /** Reads scene files. Immutable: each method that changes how it reads returns another parser. */
 public final class SceneParser {
-  /** The largest product of width and height, unless another is asked for. */
+  /** The largest product of width and height, unless another limit is set. */
   public static final int MAX_PIXELS = 1 << 28;
 
-  /** The largest product of width and height that may be asked for. */
+  /** The largest product of width and height that can be set. */
   public static final int MAX_PIXELS_EVER = 1 << 29;
 
   /** Beyond this, an array of Java cannot hold a file. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
-  /** Keys of a scene; {@code $schema} tells editors which keys there are. */
+  /** Keys of a scene; {@code $schema} names the schema for editors. */
   static final Set<String> KEYS =
       Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
 
@@ -78,7 +78,7 @@ public final class SceneParser {
     return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused, kernel);
   }
 
-  /** Returns a parser that renders in the given mode, whatever the file says. */
+  /** Returns a parser that overrides the render mode of the file. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
     return new SceneParser(
         lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused, kernel);
@@ -108,21 +108,21 @@ public final class SceneParser {
     return new SceneParser(lenient, mode, change, newMaxPixels, textures, decodesUnused, kernel);
   }
 
-  /** Returns a parser that filters all textures in one way, whatever the file says. */
+  /** Returns a parser that overrides the filter of all textures. */
   public SceneParser filtering(ImageTexture.Filter filter) {
     TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
     return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
-  /** Returns a parser whose textures tell each time that they are asked for a value. */
+  /** Returns a parser whose textures count their look-ups. */
   public SceneParser countingTextures(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
     return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
   /**
-   * Returns a parser that decodes meshes and textures that nothing uses, too, and finds what is
-   * wrong with them: it makes the same scene, and tells what leaving them out saves.
+   * Returns a parser that decodes meshes and textures that nothing uses, too, and finds their
+   * errors. The scene is the same; the difference in time is what skipping them saves.
    */
   public SceneParser decodingUnused() {
     return new SceneParser(lenient, mode, change, maxPixels, textures, true, kernel);

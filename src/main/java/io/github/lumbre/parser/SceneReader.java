@@ -66,10 +66,10 @@ final class SceneReader {
   }
 
   /**
-   * Reads everything; what is wrong goes to the problems.
+   * Reads everything, and adds errors and warnings to the problems.
    *
    * @param aspect width of the film over its height
-   * @param background that the settings ask for
+   * @param background of the settings
    */
   void read(double aspect, Optional<Rgb> background) {
     textures.checkAll();

@@ -90,7 +90,7 @@ final class ShapeReader {
   }
 
   /**
-   * Tells whether a shape is not too far out, nor too large, to be measured; if it is, adds an
+   * Returns whether a shape is not too far out, nor too large, to be measured; if it is, adds an
    * error.
    */
   static boolean isMeasurable(JsonNode node, Shape shape) {

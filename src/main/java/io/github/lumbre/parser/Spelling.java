@@ -26,7 +26,7 @@ final class Spelling {
 
   /**
    * Returns how many letters must be inserted, removed, replaced, or swapped with their neighbour
-   * (Damerau 1964), whatever their case.
+   * (Damerau 1964), ignoring case.
    */
   static int distance(String one, String other) {
     String a = one.toLowerCase(Locale.ROOT);

@@ -5,7 +5,7 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.scene.SceneBuilder;
 
-/** What a material of a scene file makes of a shape: something that scatters, or that glows. */
+/** What a material of a scene file makes of a shape: a surface that scatters, or one that emits. */
 @FunctionalInterface
 interface Surface {
   /** What shapes without a material have. */

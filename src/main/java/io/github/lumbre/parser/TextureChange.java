@@ -6,10 +6,10 @@ import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * What is done with all textures of a scene, whatever the file says.
+ * A change of all textures of a scene, which overrides the file.
  *
  * @param forced filter instead of each texture's own
- * @param lookUps what hears of each value that a texture is asked for
+ * @param lookUps counts the values looked up in textures
  */
 record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
   /** Takes textures as they are. */

@@ -95,7 +95,7 @@ final class TextureReader {
     return pictures.size();
   }
 
-  /** Tells whether anything uses a texture. */
+  /** Returns whether anything uses a texture. */
   boolean uses(JsonNode texture) {
     return pictures.containsKey(texture);
   }
@@ -212,7 +212,7 @@ final class TextureReader {
         .orElse(Texture.constant(constant));
   }
 
-  /** Returns a colour channel of which no part may exceed 1; textures limit it where they hit. */
+  /** Returns a color channel limited to 1; textures limit it where they hit. */
   Texture<Rgb> reflectance(JsonNode material, String channel, Rgb constant) {
     boolean textured = assets.has(material, channel + "TextureId", Type.TEXTURE);
     return colour(material, channel, textured ? constant : constant.clampedToOne());
@@ -223,7 +223,7 @@ final class TextureReader {
    *
    * @param range of the constant
    * @param low limit of what the texture may make of it
-   * @param high likewise
+   * @param high largest accepted value
    */
   ScalarTexture scalar(
       JsonNode material, String channel, double missing, Range range, double low, double high) {

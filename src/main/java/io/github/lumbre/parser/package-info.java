@@ -5,7 +5,6 @@
  * io.github.lumbre.parser.SceneFile} what comes out. Everything that belongs to the format and not
  * to rendering (degrees, defaults, rules of radiance, names) is translated here and nowhere else. A
  * scene that cannot be used ends in a {@link io.github.lumbre.parser.SceneFormatException} that
- * says where, what was found and what was expected.
+ * states the place, what was found and what was expected.
  */
 package io.github.lumbre.parser;
-

@@ -32,7 +32,7 @@ public interface Sampler {
   /** Offset within a vertex, two dimensions: the scattered direction. */
   int DIRECTION = 4;
 
-  /** Offset within a vertex, one dimension: whether the path goes on. */
+  /** Offset within a vertex, one dimension: whether the path continues. */
   int ROULETTE = 6;
 
   int FIRST_VERTEX = 8;

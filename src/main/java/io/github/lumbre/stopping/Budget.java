@@ -4,8 +4,8 @@ import io.github.lumbre.scene.RenderSettings;
 import java.util.OptionalDouble;
 
 /**
- * When a render is to end: whatever comes first of a number of samples and an error. (A time ends a
- * render by {@link io.github.lumbre.render.Progress#isCancelled}.)
+ * When a render is to end: at a number of samples or an error, whichever comes first. (A time ends
+ * a render by {@link io.github.lumbre.render.Progress#isCancelled}.)
  *
  * @param samples per pixel, 1 to 2^30
  * @param targetError the relative root mean squared error to be reached, above 0; empty for none
@@ -32,7 +32,7 @@ public record Budget(int samples, OptionalDouble targetError, double confidence)
     return new Budget(samples, OptionalDouble.empty(), CONFIDENCE);
   }
 
-  /** Tells whether a picture's error is small enough, if one was asked for. */
+  /** Returns whether a picture's error is small enough, if there is a target error. */
   public boolean isReachedBy(NoiseEstimate estimate) {
     return targetError.isPresent() && estimate.upperRelativeRmse() <= targetError.getAsDouble();
   }

@@ -11,7 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Renders until a budget is used up, and tells how noisy the picture is then. Immutable.
+ * Renders until a budget is used up, and estimates the noise of the picture. Immutable.
  *
  * <p>With a target error, a {@link BudgetWatch} looks at the film between passes. A frame of fewer
  * than 64 pixels has no bound of its noise: without a number of samples, its render ends after

@@ -7,7 +7,7 @@ import java.util.Optional;
  * How a render within a budget ended.
  *
  * @param complete false if it was cancelled before it had all samples or the error
- * @param reachedTarget whether the error was reached that was asked for
+ * @param reachedTarget whether the target error was reached
  * @param noise of the picture; empty if a pixel has fewer than two samples
  */
 public record BudgetResult(

@@ -6,8 +6,7 @@ import io.github.lumbre.scene.RenderSettings;
 import java.util.Optional;
 
 /**
- * Looks at a film between passes and tells whether the error is reached that was asked for.
- * Mutable, for one render.
+ * Checks between passes whether a film has reached the target error. Mutable, for one render.
  *
  * <p>It checks the error after 32 samples per pixel, 48, 64, 96, ..., and in frames of enough
  * pixels after 4, 8 and 16 too (see {@link StoppingSchedule}). This depends on nothing but the
@@ -34,8 +33,8 @@ public final class BudgetWatch {
   }
 
   /**
-   * Goes on where another render of the film ended: counts the looks that come before, and looks if
-   * the film has just had a pass.
+   * Resumes where another render of the film ended: counts the earlier checks, and checks if the
+   * film has just had a pass.
    *
    * @return whether the film has reached the error
    */
@@ -50,7 +49,7 @@ public final class BudgetWatch {
   }
 
   /**
-   * Tells whether the film has reached the error; false between looks.
+   * Returns whether the film has reached the error; false between checks.
    *
    * @param film after a complete pass: others end where the machine was slow, which the picture
    *     must not depend on
@@ -123,7 +122,7 @@ public final class BudgetWatch {
 
   /**
    * Returns the noise of the film as it is when the render has ended; empty if some pixel has fewer
-   * than two samples or came from a file that does not tell.
+   * than two samples or came from a file without halves.
    */
   public Optional<NoiseEstimate> estimate(Film film) {
     boolean isSeen = samplesAtLook != 0 && samplesAtLook == film.totalSamples();

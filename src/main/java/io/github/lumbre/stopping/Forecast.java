@@ -3,7 +3,7 @@ package io.github.lumbre.stopping;
 import io.github.lumbre.math.Elementary;
 
 /**
- * How many samples a render will take to reach an error, told from a look at it.
+ * How many samples a render will take to reach an error, estimated from one check.
  *
  * <p>The relative mean squared error falls with the number of samples to the power of −1 where a
  * pixel is rough (edges, fireflies), and to −1.5 where it is smooth (Owen 1997), so what the bound

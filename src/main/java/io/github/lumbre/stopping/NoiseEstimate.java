@@ -19,7 +19,7 @@ import java.util.Optional;
  */
 public record NoiseEstimate(
     double relativeMse, double upperRelativeMse, double confidence, double tailShare, long pixels) {
-  /** From this share on, what is known of the error hangs on few bright spots. */
+  /** From this share on, the estimate depends on few bright pixels. */
   private static final double HEAVY = .5;
 
   /**
@@ -54,7 +54,7 @@ public record NoiseEstimate(
   }
 
   /**
-   * Tells whether a thousandth of the pixels carries most of the error: more such spots may be
+   * Returns whether a thousandth of the pixels carries most of the error: more such spots may be
    * still to come, and the bound cannot know of those.
    */
   public boolean hasHeavyTail() {

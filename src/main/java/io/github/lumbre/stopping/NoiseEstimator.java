@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Tells a picture's noise from the difference between the halves of each pixel's samples. Mutable;
- * collects pixels, then estimates.
+ * Estimates a picture's noise from the difference between the halves of each pixel's samples.
+ * Mutable; collects pixels, then estimates.
  *
  * <p>Pixels are random independently of each other, so their mean is off by no more than their
  * spread over the root of their number; the same holds for the picture's own error about its

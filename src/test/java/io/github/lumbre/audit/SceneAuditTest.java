@@ -258,7 +258,7 @@ class SceneAuditTest {
             + " {\"x\": 0, \"y\": 9, \"z\": 0}, \"localRotation\": {\"x\": 180, \"y\": 0,"
             + " \"z\": 0}}";
     List<Finding> findings = auditOf(material("Color", GREY), ceiling);
-    assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "an infinite plane that glows");
+    assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "an infinite plane that emits");
   }
 
   @Test
