@@ -4,11 +4,13 @@ import io.github.lumbre.cli.Lumbre;
 import io.github.lumbre.cli.run.Interruption;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 
@@ -27,11 +29,13 @@ public final class RenderOnSpark {
         --unit SECONDS  Time that a unit of work should take on one core (20s).
         --list FILE     Render the scenes that a text file names, one a line.
         OPTIONS         As in 'lumbre render' and 'lumbre resume'; with several scenes, -o names a
-                        folder. --adaptive is not available.
+                        folder. --adaptive is not available. --checkpoint and FILM may be on a
+                        Hadoop file system: hdfs://, s3a://, file:/.
       """;
 
   private static final int USAGE_CODE = 2;
   private static final int SCENE_CODE = 3;
+  private static final int OUTPUT_CODE = 6;
 
   private RenderOnSpark() {}
 
@@ -70,11 +74,34 @@ public final class RenderOnSpark {
       SparkEngine engine = new SparkEngine(spark, arguments.unitSeconds());
       int exitCode = 0;
       for (List<String> command : arguments.commands()) {
-        int code = Lumbre.run(command.toArray(String[]::new), out, err, engine);
-        exitCode = Math.max(exitCode, code);
+        exitCode = Math.max(exitCode, run(command, spark, out, err, engine));
       }
       return exitCode;
     }
+  }
+
+  private static int run(
+      List<String> command,
+      JavaSparkContext spark,
+      PrintWriter out,
+      PrintWriter err,
+      SparkEngine engine) {
+    List<String> arguments = new ArrayList<>(command);
+    Optional<RemoteCheckpoint> remote;
+    try {
+      remote = RemoteCheckpoint.of(arguments, spark.hadoopConfiguration(), err::println);
+    } catch (IOException e) {
+      err.println("error: " + e.getMessage());
+      return command.get(0).equals("resume") ? SCENE_CODE : OUTPUT_CODE;
+    }
+    int code = Lumbre.run(arguments.toArray(String[]::new), out, err, engine);
+    try {
+      remote.ifPresent(RemoteCheckpoint::close);
+    } catch (UncheckedIOException e) {
+      err.println("error: " + e.getMessage() + ": " + e.getCause().getMessage());
+      return OUTPUT_CODE;
+    }
+    return code;
   }
 
   /**

@@ -132,6 +132,23 @@ class RenderOnSparkTest {
   }
 
   @Test
+  void checkpointsMayBeOnAHadoopFileSystem() throws IOException {
+    String scene = SCENES + "cornell-box.json";
+    String film = directory.resolve("remote.film").toUri().toString();
+    String[] size = {"--size", "40x40"};
+    assertDone(here("render", scene, "-s", "12", size[0], size[1], "-o", path("whole.pfm")));
+    assertDone(
+        onSpark(scene, "-s", "5", size[0], size[1], "-o", path("a.pfm"), "--checkpoint", film));
+    assertThat(onSpark(scene, "-s", "5", "-o", path("a.pfm"), "--checkpoint", film).err())
+        .contains("already exists; 'resume file:");
+    assertDone(onSpark("resume", film, "-s", "12"));
+    assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
+    assertDone(here("resume", path("remote.film"), "-o", path("b.pfm")));
+    assertThat(bytes("b.pfm")).isEqualTo(bytes("whole.pfm"));
+    assertThat(onSpark("resume", film + "-missing").exitCode()).isEqualTo(3);
+  }
+
+  @Test
   void listsOfScenesMakePicturesInAFolder() throws IOException {
     Path list =
         Files.writeString(
