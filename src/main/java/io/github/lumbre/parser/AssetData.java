@@ -23,15 +23,15 @@ import java.util.concurrent.CancellationException;
 import java.util.regex.Pattern;
 
 /**
- * The bytes of assets, in base64 inside the scene file or in files in the same folder or below.
- * Files outside of it are refused.
+ * Reads the bytes of assets: base64 text inside the scene file, or files in the scene's folder or
+ * below. Files outside this folder are rejected.
  */
 final class AssetData {
   static final String FILE_KEY = "file";
 
   private static final Pattern URL = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]*:.*", Pattern.DOTALL);
 
-  /** Beyond this, an array of Java cannot hold a file. */
+  /** The largest file, in bytes, that fits into a Java array. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
   /** Bytes between two checks for an interrupt; a power of two, so that sums do not overflow. */
@@ -42,6 +42,7 @@ final class AssetData {
   private final Map<String, String> hashes = new TreeMap<>();
 
   /**
+   * @param sceneFile path of the scene file; relative asset paths start in its folder
    * @param digest receives the bytes of all files that are read
    */
   AssetData(Path sceneFile, MessageDigest digest) {
@@ -49,7 +50,7 @@ final class AssetData {
     this.digest = digest;
   }
 
-  /** Bytes, and where to complain about them. */
+  /** The bytes of an asset, and the key at which their errors are reported. */
   record Content(JsonNode asset, String key, byte[] bytes) {
     void error(Kind kind, String message) {
       asset.error(kind, key, message);
@@ -57,14 +58,14 @@ final class AssetData {
   }
 
   /**
-   * Returns the bytes of an asset, or adds an error.
+   * Returns the bytes of an asset; empty, with an error added, if they cannot be read.
    *
-   * @param base64Key where the asset carries its bytes, if it does not name a file
+   * @param base64Key key of the base64 text; ignored with a warning if the asset names a file
    */
   Optional<Content> read(JsonNode asset, String base64Key) {
     if (asset.has(FILE_KEY)) {
       if (asset.has(base64Key)) {
-        asset.warn(base64Key, "is not read, since there is a file");
+        asset.warn(base64Key, "is ignored, because the asset names a file");
       }
       return asset.string(FILE_KEY).flatMap(name -> file(asset, name));
     }
@@ -75,7 +76,7 @@ final class AssetData {
     return asset.string(base64Key).flatMap(text -> decoded(asset, base64Key, text));
   }
 
-  /** Returns the files that assets name, as far as they exist and are in the scene's folder. */
+  /** Returns the files that assets name, if they exist and are in the scene's folder or below. */
   Set<Path> files(List<JsonNode> assets) throws IOException {
     Path folder = folder();
     Set<Path> files = new LinkedHashSet<>();
@@ -101,22 +102,22 @@ final class AssetData {
     return sceneFile.toAbsolutePath().getParent().toRealPath();
   }
 
-  /** Returns the SHA-256 of each file that was read, by its name in the scene. */
+  /** Returns the SHA-256 of each file that was read, in hexadecimal, by its name in the scene. */
   Map<String, String> hashes() {
     return Map.copyOf(hashes);
   }
 
   private static Optional<Content> decoded(JsonNode asset, String key, String text) {
     byte[] letters = withoutLineBreaks(text);
-    // The decoder itself takes a text that ends early.
+    // The decoder itself accepts truncated text.
     if (letters.length == 0 || letters.length % 4 != 0) {
-      asset.error(Kind.ASSET, key, "expected base64, found a text that ends early");
+      asset.error(Kind.ASSET, key, "expected base64, found truncated text");
       return Optional.empty();
     }
     try {
       return Optional.of(new Content(asset, key, Base64.getDecoder().decode(letters)));
     } catch (IllegalArgumentException e) {
-      asset.error(Kind.ASSET, key, "expected base64, found characters that are not");
+      asset.error(Kind.ASSET, key, "expected base64, found invalid characters");
       return Optional.empty();
     }
   }
@@ -163,10 +164,10 @@ final class AssetData {
     }
   }
 
-  /** Returns whether a path leads to a file of a size that can be read, or adds an error. */
+  /** Returns whether a path is a file small enough to be read; adds an error if it is not. */
   private static boolean isFile(JsonNode asset, String name, Path path) throws IOException {
     if (!Files.readAttributes(path, BasicFileAttributes.class).isRegularFile()) {
-      String found = Files.isDirectory(path) ? "a folder" : "what is none";
+      String found = Files.isDirectory(path) ? "a folder" : "no regular file";
       asset.error(
           Kind.ASSET, FILE_KEY, "expected a file, found " + found + " at " + Problems.quoted(name));
       return false;
@@ -181,7 +182,7 @@ final class AssetData {
     return true;
   }
 
-  /** Returns the path of a file, or adds an error if it is not inside the scene's folder. */
+  /** Returns the real path of a file; empty, with an error added, if it is outside the folder. */
   private Optional<Path> inFolder(JsonNode asset, String name) throws IOException {
     Path folder = folder();
     Optional<Path> path;
@@ -215,16 +216,17 @@ final class AssetData {
           FILE_KEY,
           "expected a file inside the scene's folder, found the link "
               + Problems.quoted(name)
-              + ", which leads out of it; copy the file into the folder");
+              + ", which points outside it; copy the file into the folder");
       return Optional.empty();
     }
     return Optional.of(real);
   }
 
   /**
-   * Returns a path as a scene may state it, or empty if it may not.
+   * Returns a relative path from a scene; empty if it is empty, absolute, a URL, starts with a
+   * backslash, or has a null character.
    *
-   * @throws InvalidPathException if it is none
+   * @throws InvalidPathException if the file system cannot represent the name
    */
   private static Optional<Path> relative(String name) {
     boolean isUrl = URL.matcher(name).matches();

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 
-/** The assets of a scene by their ids, not yet decoded. */
+/** The assets of a scene by type and id, not yet decoded. */
 final class AssetTable {
   /** Keys that every asset has. */
   static final Set<String> COMMON_KEYS = Set.of("id", "assetType", "name");
@@ -18,7 +18,7 @@ final class AssetTable {
   private static final int NONE = -1;
   private static final int MAX_IDS_SHOWN = 20;
 
-  /** What an asset is. */
+  /** The type of an asset. */
   enum Type {
     MATERIAL("Material"),
     TEXTURE("Texture"),
@@ -35,7 +35,7 @@ final class AssetTable {
   private final Map<Type, Map<Integer, JsonNode>> assets = new EnumMap<>(Type.class);
 
   /**
-   * @param lenient whether a reference to nothing is a warning instead of an error
+   * @param lenient whether a reference to a missing asset is a warning instead of an error
    */
   AssetTable(JsonNode root, boolean lenient) {
     this.lenient = lenient;
@@ -83,7 +83,7 @@ final class AssetTable {
     return List.copyOf(assets.get(type).values());
   }
 
-  /** Returns the asset that a key names, or empty if it names none. Dangling ids are reported. */
+  /** Returns the asset that a key names; empty if there is none. Reports dangling ids. */
   Optional<JsonNode> find(JsonNode from, String key, Type type) {
     Optional<Integer> id = from.id(key).filter(i -> i != NONE);
     Optional<JsonNode> asset = id.map(assets.get(type)::get);
@@ -93,7 +93,7 @@ final class AssetTable {
     return asset;
   }
 
-  /** Returns whether a key names an asset that exists. */
+  /** Returns whether a key names an existing asset of a type; never reports an error. */
   boolean has(JsonNode from, String key, Type type) {
     return from.idSilently(key)
         .filter(id -> id != NONE && assets.get(type).containsKey(id))
@@ -115,13 +115,13 @@ final class AssetTable {
     }
   }
 
-  /** Returns a list of ids for people. */
+  /** Returns a short list of existing ids for an error message, in ascending order. */
   static String shown(Set<Integer> ids) {
     if (ids.isEmpty()) {
-      return "there is none";
+      return "none exists";
     }
     List<String> first = ids.stream().sorted().limit(MAX_IDS_SHOWN).map(String::valueOf).toList();
-    return (ids.size() == 1 ? "there is " : "there are ")
+    return (ids.size() == 1 ? "existing id: " : "existing ids: ")
         + String.join(", ", first)
         + (ids.size() > MAX_IDS_SHOWN ? ", …" : "");
   }

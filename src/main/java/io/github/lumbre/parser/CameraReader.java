@@ -10,7 +10,7 @@ import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import java.util.Optional;
 
-/** Reads the camera that a scene is seen by. */
+/** Reads the main camera of a scene. */
 final class CameraReader {
   static final String DEFAULT_TYPE = "Pinhole";
 
@@ -42,18 +42,18 @@ final class CameraReader {
     this.textures = textures;
   }
 
-  /** Returns the types that cameras come in. */
+  /** Returns the camera types and their keys. */
   Family<?> family() {
     return family;
   }
 
-  /** Warns of keys that no camera has. */
+  /** Warns of keys that no camera type has. */
   void check(Placed camera) {
     camera.node().warnUnknown(family.keys());
   }
 
   /**
-   * Returns the camera, or empty if its type is wrong.
+   * Returns the camera; empty, with an error added, if its type is unknown.
    *
    * @param aspect width of the film over its height
    */

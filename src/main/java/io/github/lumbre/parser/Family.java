@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The types that a kind of thing comes in, by the names that scene files use: materials, textures,
- * shapes, lights or cameras. Mutable while it is set up.
+ * The types of materials, textures, shapes, lights or cameras, by their names in scene files.
+ * Mutable while it is set up.
  *
- * @param <F> what reads a thing of one type
+ * @param <F> reader of one type
  */
 final class Family<F> {
   private final String typeKey;
@@ -18,8 +18,8 @@ final class Family<F> {
   private final Set<String> keys;
 
   /**
-   * @param typeKey under which things name their type
-   * @param commonKeys that all of them have
+   * @param typeKey key that holds the name of the type
+   * @param commonKeys keys that are valid for every type
    */
   Family(String typeKey, Set<String> commonKeys) {
     this.typeKey = typeKey;
@@ -27,14 +27,14 @@ final class Family<F> {
     keys.add(typeKey);
   }
 
-  /** Adds a type and the keys that it knows. */
+  /** Adds a type and its keys; returns this family. */
   Family<F> with(String name, F reader, String... keysOfType) {
     readers.put(name, reader);
     keys.addAll(Set.of(keysOfType));
     return this;
   }
 
-  /** Returns every key that some type knows; none of them is ever reported as unknown. */
+  /** Returns the keys of all types; none of them is ever reported as unknown. */
   Set<String> keys() {
     return keys;
   }
@@ -44,12 +44,12 @@ final class Family<F> {
     return readers.keySet();
   }
 
-  /** Returns what reads a thing of this type; if there is no such type, adds an error. */
+  /** Returns the reader of a node's type; empty, with an error added, if the type is unknown. */
   Optional<F> choose(JsonNode node) {
     return choose(node, "");
   }
 
-  /** Does as {@link #choose(JsonNode)}, but a missing type means the given one. */
+  /** Returns the same as {@link #choose(JsonNode)}, but with a default for a missing type. */
   Optional<F> choose(JsonNode node, String missing) {
     if (!node.has(typeKey)) {
       if (missing.isEmpty()) {

@@ -5,11 +5,10 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * SHA-256 of each file of a scene by itself, in hexadecimal: so that one can see which file has
- * changed.
+ * SHA-256 of each file of a scene, in hexadecimal. Separate hashes show which file has changed.
  *
- * @param scene of the scene file
- * @param assets of the files that it names and uses, by the names that it gives them
+ * @param scene hash of the scene file
+ * @param assets hashes of the asset files that the scene uses, by their names in the scene
  */
 public record FileHashes(String scene, Map<String, String> assets) {
   public FileHashes {

@@ -4,14 +4,14 @@ import java.io.ByteArrayInputStream;
 import java.io.InputStream;
 import java.util.concurrent.CancellationException;
 
-/** Lets an interrupt of the reading thread end the reading, checked at coarse intervals. */
+/** Stops the reading of a scene when its thread is interrupted; checks at coarse intervals. */
 final class Interrupts {
   private Interrupts() {}
 
   /**
-   * Checks whether the current thread is interrupted, and leaves its interrupt status as it is.
+   * Checks whether the current thread is interrupted. The interrupt status stays unchanged.
    *
-   * @throws CancellationException if it is
+   * @throws CancellationException if the thread is interrupted
    */
   static void check() {
     if (Thread.currentThread().isInterrupted()) {
@@ -19,7 +19,7 @@ final class Interrupts {
     }
   }
 
-  /** Returns a stream over bytes that makes this check whenever a block is read. */
+  /** Returns a stream over bytes that calls {@link #check} before it reads a block. */
   static InputStream over(byte[] bytes) {
     return new ByteArrayInputStream(bytes) {
       @Override

@@ -17,15 +17,15 @@ import java.util.function.Supplier;
 /**
  * A value of a JSON text that knows its path. Immutable once {@link JsonTree} has read the text.
  *
- * <p>The queries of an object's keys check type and range, add errors to the {@link Problems}, and
- * then return the default, so that one run finds many errors. A key whose value is {@code null}
- * counts as missing.
+ * <p>The queries check the type and range of a key's value. If a value is wrong, they add an error
+ * to the {@link Problems} and return the default, so that one run finds many errors. A key whose
+ * value is {@code null} counts as missing.
  */
 final class JsonNode {
   private static final Set<String> VECTOR_KEYS = Set.of("x", "y", "z");
   private static final Set<String> COLOUR_KEYS = Set.of("r", "g", "b", "a");
 
-  /** What JSON writes without quotes and calls a number. */
+  /** A JSON number: its text and its nearest double. */
   private record Literal(String text, double value) {}
 
   private enum Null {
@@ -80,7 +80,7 @@ final class JsonNode {
     return new JsonNode(place, Null.INSTANCE);
   }
 
-  /** Returns how many keys the text had up to this value. */
+  /** Returns the number of keys in the text up to this value. */
   int position() {
     return position;
   }
@@ -90,7 +90,10 @@ final class JsonNode {
     return new Place(problems, this, childKey, isArray() ? elements().size() : 0, childPosition);
   }
 
-  /** Adds to an object or array under construction; returns what stood under the key before. */
+  /**
+   * Adds a child to an object or array under construction. Returns the earlier value of the same
+   * key; empty if there is none.
+   */
   Optional<JsonNode> add(JsonNode child) {
     if (isArray()) {
       elements().add(child);
@@ -125,7 +128,7 @@ final class JsonNode {
     return (List<JsonNode>) value;
   }
 
-  /** Returns the path as {@code $.objects[3].radius}. */
+  /** Returns the path, such as {@code $.objects[3].radius}. */
   String path() {
     Deque<JsonNode> way = new ArrayDeque<>();
     for (JsonNode node = this; node.parent != null; node = node.parent) {
@@ -159,7 +162,7 @@ final class JsonNode {
     error(SceneFormatException.Kind.INVALID, childKey, message);
   }
 
-  /** Adds an error of some kind at the value of a key, or where it is missing. */
+  /** Adds an error of the given kind at the value of a key, or where it is missing. */
   void error(SceneFormatException.Kind kind, String childKey, String message) {
     problems.error(kind, () -> path(childKey), message);
   }
@@ -172,12 +175,12 @@ final class JsonNode {
     warn(childKey, () -> message);
   }
 
-  /** Adds a warning at the value of a key; the message is made only if it is kept. */
+  /** Adds a warning at the value of a key; computes the message only if it is kept. */
   void warn(String childKey, Supplier<String> message) {
     problems.warn(() -> path(childKey), message);
   }
 
-  /** Returns the value as an error message shows it. */
+  /** Returns the value as text for an error message. */
   String found() {
     if (value instanceof String text) {
       return Problems.quoted(text);
@@ -195,7 +198,7 @@ final class JsonNode {
     error("expected " + expected + ", found " + found());
   }
 
-  /** Returns this, or adds an error if it is not an object. */
+  /** Returns this node; empty, with an error added, if it is not an object. */
   Optional<JsonNode> asObject() {
     if (isObject()) {
       return Optional.of(this);
@@ -217,7 +220,7 @@ final class JsonNode {
     return find(childKey).flatMap(JsonNode::asObject);
   }
 
-  /** Returns the objects of an array, or none if it is missing. */
+  /** Returns the objects of an array; an empty list if the key is missing. */
   List<JsonNode> objects(String childKey) {
     Optional<JsonNode> array = find(childKey);
     if (array.isEmpty()) {
@@ -239,7 +242,7 @@ final class JsonNode {
       unexpected(range.ifLow());
       return instead;
     }
-    // What overflows has been reported when it was read.
+    // Overflow was already reported when the text was read.
     if (isInfinite()) {
       return instead;
     }
@@ -270,7 +273,7 @@ final class JsonNode {
     return instead;
   }
 
-  /** Returns the error text for this value; the whole range only if it is an integer beyond it. */
+  /** Returns the expected range as text; the full range only for an integer outside it. */
   private String expectedInteger(long low, long high) {
     boolean isWhole = value instanceof Literal l && l.value == Math.rint(l.value);
     boolean isTooLarge = value instanceof Literal l && l.value > high;
@@ -283,7 +286,7 @@ final class JsonNode {
     return "an integer from " + low + " to " + high;
   }
 
-  /** Returns an integer of 64 bits, if this is one. */
+  /** Returns the value as a 64-bit integer; empty if it is not one. */
   private Optional<Long> exactLong() {
     if (!(value instanceof Literal literal) || isInfinite()) {
       return Optional.empty();
@@ -302,7 +305,7 @@ final class JsonNode {
     return found == none ? Optional.empty() : Optional.of((int) found);
   }
 
-  /** Returns an id as {@link #id} does, without adding an error. */
+  /** Returns the same as {@link #id}, without adding an error. */
   Optional<Integer> idSilently(String childKey) {
     return find(childKey)
         .flatMap(JsonNode::exactLong)
@@ -326,7 +329,7 @@ final class JsonNode {
     return find(childKey).flatMap(JsonNode::asString);
   }
 
-  /** Returns the value if it is a text, without complaining if it is not. */
+  /** Returns the value if it is a string; otherwise empty, without adding an error. */
   Optional<String> text() {
     return value instanceof String text ? Optional.of(text) : Optional.empty();
   }
@@ -339,17 +342,17 @@ final class JsonNode {
     return Optional.empty();
   }
 
-  /** Returns whether the value is this very text. */
+  /** Returns whether the value is a string equal to {@code text}. */
   boolean isText(String text) {
     return text.equals(value);
   }
 
-  /** Returns what a name stands for, or the default if the key is missing or wrong. */
+  /** Returns the choice that a key names, or the default if the key is missing or wrong. */
   <T> T choice(String childKey, Map<String, T> choices, T missing) {
     return choice(childKey, choices).orElse(missing);
   }
 
-  /** Returns what a name stands for, or empty if the key is missing or wrong. */
+  /** Returns the choice that a key names, or empty if the key is missing or wrong. */
   <T> Optional<T> choice(String childKey, Map<String, T> choices) {
     return find(childKey).flatMap(node -> node.choice(choices));
   }
@@ -362,7 +365,7 @@ final class JsonNode {
     return Optional.empty();
   }
 
-  /** Returns {x, y, z}; missing components are those of the default. */
+  /** Returns the vector {x, y, z}; the default replaces missing components. */
   Vec3 vec3(String childKey, Vec3 missing) {
     Optional<JsonNode> node = object(childKey);
     if (node.isEmpty()) {
@@ -375,18 +378,18 @@ final class JsonNode {
         node.get().number("z", missing.z(), Range.ANY));
   }
 
-  /** Returns {x, y}; missing components are those of the default. */
+  /** Returns the vector {x, y}; the default replaces missing components. */
   Point2 vec2(String childKey, Point2 missing) {
     Vec3 found = vec3(childKey, new Vec3(missing.x(), missing.y(), 0));
     return new Point2(found.x(), found.y());
   }
 
-  /** Returns the colour {r, g, b} under a key; white if missing, and in missing components. */
+  /** Returns the color {r, g, b} under a key; missing components, or all of them, are 1. */
   Rgb rgb(String childKey) {
     return object(childKey).map(JsonNode::rgb).orElse(Rgb.WHITE);
   }
 
-  /** Returns this object as a colour; alpha is read and ignored. */
+  /** Returns this object as a color; alpha is checked and ignored. */
   Rgb rgb() {
     warnUnknown(COLOUR_KEYS);
     number("a", 1, Range.ANY);
@@ -396,7 +399,7 @@ final class JsonNode {
         number("b", 1, Range.NOT_NEGATIVE));
   }
 
-  /** Warns of every key that is not among those known. */
+  /** Warns of every key that is not in {@code known}, and suggests a similar one. */
   void warnUnknown(Set<String> known) {
     for (JsonNode member : members().values()) {
       if (!known.contains(member.key)) {

@@ -26,17 +26,17 @@ import java.util.regex.Pattern;
  * reusable.
  */
 final class JsonTree {
-  /** Arrays and objects within each other. */
+  /** The largest nesting depth of arrays and objects. */
   static final int MAX_LEVELS = 4096;
 
   private static final long MAX_TOKENS = 100_000_000;
 
-  /** What a token takes of the heap, with room for the collector: measured, 90 to 130 bytes. */
+  /** Heap bytes per token: 90 to 130 measured, plus headroom for the garbage collector. */
   private static final long BYTES_PER_TOKEN = 160;
 
   private static final Pattern LOCATION = Pattern.compile("at line (\\d+) column (\\d+)");
 
-  /** Two values of one key. */
+  /** Two values of the same key. */
   private record Duplicate(JsonNode first, JsonNode second) {}
 
   private final byte[] text;
@@ -57,8 +57,8 @@ final class JsonTree {
   /**
    * Returns the outermost value.
    *
-   * <p>Duplicate keys and numbers that overflow are added to the problems; the first of two values
-   * counts.
+   * <p>Duplicate keys and numbers that overflow are added to the problems. Of two values of one
+   * key, the first counts.
    *
    * @param text in UTF-8, with or without a byte order mark
    * @throws SceneFormatException if the text is not JSON, nested too deeply, or has more tokens
@@ -72,7 +72,7 @@ final class JsonTree {
     return new JsonTree(text, problems, maxTokens).read();
   }
 
-  /** Returns how many tokens a heap of so many bytes can hold; never more than 10^8. */
+  /** Returns the number of tokens that fit into a heap of this size; at most 10^8. */
   static long maxTokens(long maxHeapBytes) {
     return Math.min(MAX_TOKENS, maxHeapBytes / BYTES_PER_TOKEN);
   }
@@ -82,7 +82,7 @@ final class JsonTree {
     try {
       readAll(in);
     } catch (CharacterCodingException e) {
-      throw broken("$", "expected UTF-8, found bytes that are not");
+      throw broken("$", "expected UTF-8, found invalid bytes");
     } catch (MalformedJsonException e) {
       throw broken(in.getPath(), "expected JSON (RFC 8259), found a syntax error " + location(in));
     } catch (EOFException e) {
@@ -124,7 +124,7 @@ final class JsonTree {
     Matcher matcher = LOCATION.matcher(in.toString());
     return matcher.find()
         ? "at line " + matcher.group(1) + ", column " + matcher.group(2)
-        : "at an unknown place";
+        : "at an unknown position";
   }
 
   private void readAll(JsonReader in) throws IOException, SceneFormatException {
@@ -136,7 +136,7 @@ final class JsonTree {
             "$", "expected at most " + maxTokens + " JSON tokens in this heap, found more");
       }
     } while (!open.isEmpty());
-    // The reader itself refuses a second value.
+    // The reader itself rejects a second value.
     in.peek();
   }
 
@@ -193,7 +193,7 @@ final class JsonTree {
       open.push(node);
       if (open.size() > MAX_LEVELS) {
         throw tooLarge(
-            node.path(), "expected at most " + MAX_LEVELS + " levels of JSON, found more");
+            node.path(), "expected at most " + MAX_LEVELS + " nested JSON values, found more");
       }
     }
   }
@@ -211,14 +211,14 @@ final class JsonTree {
     findLines(lines);
     for (Duplicate duplicate : shown) {
       duplicate.second.error(
-          "expected each key once, found it in line "
+          "expected each key once, found it on line "
               + lines.get(duplicate.first.position())
-              + " and in line "
+              + " and on line "
               + lines.get(duplicate.second.position()));
     }
   }
 
-  /** Reads the text, which is known to be right, again, and notes the lines of some keys. */
+  /** Reads the text a second time and records the lines of some keys. The text is valid JSON. */
   private void findLines(Map<Integer, Integer> lineOfName) {
     JsonReader in = reader();
     int count = 0;

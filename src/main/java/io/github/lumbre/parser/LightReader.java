@@ -20,22 +20,25 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Reads lights, and translates what the format calls their intensity. */
+/** Reads lights, and converts the format's intensity to the unit of each light type. */
 final class LightReader {
-  /** Turns the rectangle, whose normal is +y, into the format's, which shines along +z. */
+  /** Rotates a rectangle, whose normal is +y, to the format's direction of emission, +z. */
   private static final Transform UPRIGHT = Transform.rotationDegrees(new Vec3(90, 0, 0));
 
   private static final Map<String, Falloff> FALLOFFS = new LinkedHashMap<>();
   private static final Map<String, Unit> UNITS = new LinkedHashMap<>();
 
-  /** Reads a light of one type, of a given intensity times colour. */
+  /** Reads a light of one type; {@code intensity} is already multiplied by the color. */
   private interface Reader {
     Consumer<SceneBuilder> read(Placed light, Rgb intensity);
   }
 
-  /** What an area light's intensity is. */
+  /** The unit of an area light's intensity. */
   private enum Unit {
-    /** The format's own unit: a kind of power, which small lights receive a share of. */
+    /**
+     * The format's own unit: radiance for lights of local area 1 or less, and radiance times local
+     * area for larger ones.
+     */
     FORMAT {
       @Override
       double radiance(double localArea, double worldArea) {
@@ -55,7 +58,7 @@ final class LightReader {
       }
     };
 
-    /** Returns the radiance of a light of intensity 1. */
+    /** Returns the radiance of a light of intensity 1; areas are before and after its transform. */
     abstract double radiance(double localArea, double worldArea);
   }
 
@@ -82,29 +85,29 @@ final class LightReader {
           .with("Dome", this::dome, "textureId");
 
   /**
-   * @param hasGlass whether anything in the scene is made of glass
+   * @param hasGlass whether any object in the scene is made of glass
    */
   LightReader(TextureReader textures, boolean hasGlass) {
     this.textures = textures;
     this.hasGlass = hasGlass;
   }
 
-  /** Returns the types that lights come in. */
+  /** Returns the light types and their keys. */
   Family<?> family() {
     return family;
   }
 
-  /** Returns how many lights have been read. */
+  /** Returns the number of lights read so far. */
   int count() {
     return count;
   }
 
-  /** Returns whether any of the lights read is an environment light. */
+  /** Returns whether an environment light has been read. */
   boolean hasDome() {
     return hasDome;
   }
 
-  /** Returns what adds a light to a scene. */
+  /** Returns an action that adds the light to a scene; empty if the light has errors. */
   Optional<Consumer<SceneBuilder>> read(Placed light) {
     JsonNode node = light.node();
     node.warnUnknown(family.keys());
@@ -148,7 +151,7 @@ final class LightReader {
     }
     double angle = Math.min(90, Math.abs(written));
     if (angle != written) {
-      light.warn("spotAngle", Range.text(written) + " acts as " + Range.text(angle));
+      light.warn("spotAngle", Range.text(written) + " is treated as " + Range.text(angle));
     }
     return angle;
   }
@@ -202,7 +205,7 @@ final class LightReader {
           .node()
           .warn(
               "lightType",
-              "the scene has glass, which the light of Directional, Point and Spot does not pass");
+              "the scene has glass, which blocks light from Directional, Point and Spot lights");
       warnedOfGlass = true;
     }
   }

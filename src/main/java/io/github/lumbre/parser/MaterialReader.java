@@ -19,7 +19,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Reads materials, each when it is first used. */
+/** Reads each material at its first use. */
 final class MaterialReader {
   private static final double MAX_IOR = 1e6;
   private static final Range IOR = Range.above(0, MAX_IOR);
@@ -58,7 +58,7 @@ final class MaterialReader {
     this.textures = textures;
   }
 
-  /** Returns the types that materials come in. */
+  /** Returns the material types and their keys. */
   Family<?> family() {
     return family;
   }
@@ -70,7 +70,7 @@ final class MaterialReader {
     return all.toArray(String[]::new);
   }
 
-  /** Returns the keys of channels. */
+  /** Returns the scene file keys of these channels, with those of their textures. */
   private static String[] keys(String... channels) {
     return Stream.of(channels)
         .flatMap(
@@ -83,30 +83,30 @@ final class MaterialReader {
         .toArray(String[]::new);
   }
 
-  /** Warns of keys that no material has. */
+  /** Warns of keys that no material type has. */
   void checkAll() {
     assets.all(AssetTable.Type.MATERIAL).forEach(m -> m.warnUnknown(family.keys()));
   }
 
-  /** Returns the surface of an object by its {@code materialID}. */
+  /** Returns the surface for an object's {@code materialID}; the default if it names none. */
   Surface of(JsonNode object) {
     Optional<JsonNode> asset = assets.find(object, "materialID", AssetTable.Type.MATERIAL);
     return asset.map(a -> surfaces.computeIfAbsent(a, this::read)).orElse(Surface.DEFAULT);
   }
 
-  /** Returns the asset that gives an object its surface; empty if it has none. */
+  /** Returns the material asset of an object; empty if it has none. */
   Optional<JsonNode> asset(JsonNode object) {
     return assets.has(object, "materialID", AssetTable.Type.MATERIAL)
         ? assets.find(object, "materialID", AssetTable.Type.MATERIAL)
         : Optional.empty();
   }
 
-  /** Returns whether anything uses a material. */
+  /** Returns whether any object uses a material. */
   boolean uses(JsonNode material) {
     return surfaces.containsKey(material);
   }
 
-  /** Returns how many materials are in use. */
+  /** Returns the number of materials in use. */
   int count() {
     return surfaces.size();
   }
@@ -181,19 +181,18 @@ final class MaterialReader {
   private static void warnOfSum(JsonNode material) {
     if (material.rgb("color").plus(material.rgb("specularColor")).max() > 1) {
       material.warn(
-          "specularColor",
-          "color and specularColor together reflect more than 1; both are scaled down");
+          "specularColor", "the sum of color and specularColor exceeds 1; both are scaled down");
     }
   }
 
-  /** Returns channels limited to a reflectance of 1, with one warning for all. */
+  /** Returns channels clamped to a reflectance of 1; adds at most one warning for all of them. */
   private List<Texture<Rgb>> reflectances(JsonNode material, String... channels) {
     List<Texture<Rgb>> found = new ArrayList<>();
     boolean warned = false;
     for (String channel : channels) {
       Rgb constant = material.rgb(channel);
       if (constant.max() > 1 && !warned) {
-        material.warn(channel, "more than 1 is reflected; what exceeds 1 is taken as 1");
+        material.warn(channel, "the reflectance exceeds 1; it is clamped to 1");
         warned = true;
       }
       found.add(textures.reflectance(material, channel, constant));

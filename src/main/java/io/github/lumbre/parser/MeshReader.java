@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Reads meshes, each when it is first used. */
+/** Reads each mesh at its first use. */
 final class MeshReader {
   private static final String BASE64_KEY = "base64OBJ";
   static final Set<String> KEYS = new LinkedHashSet<>(AssetTable.COMMON_KEYS);
@@ -33,22 +33,22 @@ final class MeshReader {
     assets.all(Type.MESH).forEach(mesh -> mesh.warnUnknown(KEYS));
   }
 
-  /** Returns whether anything uses a mesh. */
+  /** Returns whether any object uses a mesh. */
   boolean uses(JsonNode mesh) {
     return meshes.containsKey(mesh);
   }
 
-  /** Returns how many meshes are in use. */
+  /** Returns the number of meshes in use. */
   int count() {
     return meshes.size();
   }
 
-  /** Returns the asset that an object names. */
+  /** Returns the mesh asset that an object names; empty if there is none. */
   Optional<JsonNode> asset(JsonNode object) {
     return assets.find(object, "meshId", Type.MESH);
   }
 
-  /** Returns a mesh, or empty if it cannot be used; the reason is then among the problems. */
+  /** Returns a mesh; empty, with an error added, if it cannot be used. */
   Optional<TriangleMesh> read(JsonNode asset) {
     return meshes.computeIfAbsent(asset, a -> data.read(a, BASE64_KEY).flatMap(this::decoded));
   }
@@ -70,7 +70,7 @@ final class MeshReader {
     if (mesh.droppedTriangles() > 0) {
       content
           .asset()
-          .warn(content.key(), "triangles without area, left out: " + mesh.droppedTriangles());
+          .warn(content.key(), "dropped triangles of zero area: " + mesh.droppedTriangles());
     }
     return mesh.triangleCount() == 0 ? Optional.empty() : Optional.of(mesh);
   }

@@ -1,15 +1,15 @@
 package io.github.lumbre.parser;
 
-/** How many of everything an OBJ text has. */
+/** The number of positions, texture coordinates, normals and triangles in an OBJ text. */
 record ObjCensus(int positions, int uvs, int normals, long triangles) {
-  /** What fits in an array of three numbers each. */
+  /** The largest number of elements, at three numbers each, that fits into one Java array. */
   private static final long MAX_COUNT = (Integer.MAX_VALUE - 8) / 3;
 
-  /** A vector is three numbers, and so are a triangle's indices, of half the size. */
+  /** Three doubles per vector. A triangle has three indices of half that size. */
   private static final long BYTES_PER_VECTOR = 3L * Double.BYTES;
 
   /**
-   * @throws ObjFormatException if there is more than fits into memory
+   * @throws ObjFormatException if the mesh does not fit into memory
    */
   static ObjCensus of(byte[] text) throws ObjFormatException {
     return of(text, Runtime.getRuntime().maxMemory());
@@ -49,9 +49,9 @@ record ObjCensus(int positions, int uvs, int normals, long triangles) {
     long bytes = BYTES_PER_VECTOR * ((long) positions + uvs + normals) + 12 * triangles;
     if (bytes > maxHeapBytes) {
       throw scanner.tooLarge(
-          "expected a mesh that takes at most "
+          "expected a mesh that needs at most "
               + maxHeapBytes
-              + " bytes of memory, found one that takes "
+              + " bytes of memory, found one that needs "
               + bytes);
     }
   }

@@ -2,18 +2,18 @@ package io.github.lumbre.parser;
 
 import java.util.Arrays;
 
-/** Numbers the different corners (position, uv, normal) of a mesh as they come. Mutable. */
+/** Numbers a mesh's distinct corners (position, uv, normal) in order of occurrence. Mutable. */
 final class ObjCorners {
   private static final int FREE = -1;
 
-  /** Differs from run to run, so that no file can be made of corners that share a slot. */
+  /** Random per run, so that no file can be crafted to cause hash collisions. */
   private final long salt = System.nanoTime() * 0x9E3779B97F4A7C15L | 1;
 
   private int[] corners = new int[3 * 64];
   private int[] slots = freeSlots(256);
   private int count;
 
-  /** Returns the number of a corner; a new one if it has not been seen before. */
+  /** Returns the number of a corner; assigns the next one at its first occurrence. */
   int number(int position, int uv, int normal) {
     int slot = slot(position, uv, normal);
     if (slots[slot] != FREE) {
@@ -32,7 +32,7 @@ final class ObjCorners {
     return count - 1;
   }
 
-  /** Returns the slot of an open hash table where the corner is or may be put. */
+  /** Returns the slot of the open-addressing hash table that holds the corner, or is free. */
   private int slot(int position, int uv, int normal) {
     int mask = slots.length - 1;
     long hash = (position * salt ^ uv) * salt;
@@ -66,8 +66,8 @@ final class ObjCorners {
   /**
    * Returns the values of all corners, in the order of their numbers.
    *
-   * @param list which of a corner's three indices to follow
-   * @param values what the index counts, {@code size} numbers each
+   * @param list index to use: 0, 1 or 2 for position, texture coordinates or normal
+   * @param values the indexed elements, {@code size} numbers each
    */
   double[] gather(int list, double[] values, int size) {
     double[] gathered = new double[Math.multiplyExact(size, count)];

@@ -1,12 +1,12 @@
 package io.github.lumbre.parser;
 
 /**
- * The content of an OBJ file, as arrays: corners that agree in position, normal and texture
- * coordinates are one vertex. The arrays are not copied.
+ * The content of an OBJ file as arrays. Corners with the same position, normal and texture
+ * coordinates share one vertex. The arrays are not copied.
  *
- * @param positions three numbers a vertex
- * @param normals three numbers a vertex, or empty if the file has none
- * @param uvs two numbers a vertex, or empty if the file has none
- * @param indices three vertices a triangle
+ * @param positions three numbers per vertex
+ * @param normals three numbers per vertex, or empty if the file has none
+ * @param uvs two numbers per vertex, or empty if the file has none
+ * @param indices three vertex numbers per triangle, from 0
  */
 record ObjMesh(double[] positions, double[] normals, double[] uvs, int[] indices) {}

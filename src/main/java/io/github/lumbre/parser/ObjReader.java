@@ -4,9 +4,9 @@ import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 
 /**
- * Reads Wavefront OBJ: {@code v}, {@code vt}, {@code vn} and {@code f}; polygons become fans.
- * Everything else is passed over. A file without any {@code vt}, or any {@code vn}, may refer to
- * them all the same; a list that exists is checked. Not reusable.
+ * Reads Wavefront OBJ: {@code v}, {@code vt}, {@code vn} and {@code f}. Polygons become triangle
+ * fans. All other statements are ignored. If a file has no {@code vt} or no {@code vn}, indices
+ * into that list are ignored; otherwise they are checked. Not reusable.
  */
 final class ObjReader {
   private static final int POSITION = 0;
@@ -14,7 +14,7 @@ final class ObjReader {
   private static final int NORMAL = 2;
   private static final int NONE = -1;
 
-  /** Of the corners of a triangle without texture coordinates, in a file that has some. */
+  /** Texture coordinates of triangles that have none, in a file that has some. */
   private static final double[] BARYCENTRIC = {0, 0, 1, 0, 0, 1};
 
   private final ObjScanner scanner;
@@ -41,10 +41,10 @@ final class ObjReader {
   }
 
   /**
-   * Returns the mesh that a text describes.
+   * Returns the mesh in an OBJ text.
    *
-   * @throws ObjFormatException if it cannot be understood, refers to vertices that are not there,
-   *     or has no faces
+   * @throws ObjFormatException if the text is malformed, refers to missing vertices, or has no
+   *     faces
    */
   static ObjMesh read(byte[] text) throws ObjFormatException {
     return new ObjReader(text).read();
@@ -101,14 +101,14 @@ final class ObjReader {
       count++;
     }
     if (count < 3) {
-      throw scanner.error("expected at least 3 corners of a face, found " + count);
+      throw scanner.error("expected at least 3 corners per face, found " + count);
     }
     for (int k = 2; k < count; k++) {
       addTriangle(0, k - 1, k);
     }
   }
 
-  /** Returns an index from 0 on, or NONE if it is left out or the file has no such list. */
+  /** Returns a zero-based index, or NONE if it is missing or the file has no such list. */
   private int resolved(int index, int list) throws ObjFormatException {
     if (index == 0 || list != POSITION && totals[list] == 0) {
       return NONE;
@@ -141,7 +141,10 @@ final class ObjReader {
     }
   }
 
-  /** Gives a triangle without normals, in a file that has some, its own. */
+  /**
+   * Adds the geometric normal of a triangle without normals, in a file that has some, and returns
+   * its index. A triangle of zero area gets (0, 1, 0).
+   */
   private int addFaceNormal(int... fan) {
     Vec3 a = position(face[3 * fan[0]]);
     Vec3 normal =

@@ -3,15 +3,14 @@ package io.github.lumbre.parser;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Takes an OBJ text apart: lines, and words within them. Lines end with LF, CR LF or CR. A byte
- * order mark of UTF-8 and comments are not seen, and a backslash at the end of a line joins it with
- * the next. Mutable.
+ * Splits an OBJ text into lines and words. Lines end with LF, CR LF or CR. Comments and a UTF-8
+ * byte order mark are skipped. A backslash at the end of a line joins it with the next. Mutable.
  */
 final class ObjScanner {
   /** Lines between two checks for an interrupt; a power of two. */
   private static final int LINES_PER_CHECK = 1 << 14;
 
-  /** Products of two numbers must not overflow. */
+  /** The largest absolute value: products of two numbers must not overflow. */
   private static final double MAX_NUMBER = 1e150;
 
   private final byte[] text;
@@ -32,7 +31,7 @@ final class ObjScanner {
         && text[2] == (byte) 0xbf;
   }
 
-  /** Returns whether anything is left of the text. */
+  /** Returns whether any text is left. */
   boolean hasMore() {
     return at < text.length;
   }
@@ -48,7 +47,7 @@ final class ObjScanner {
     return end > start;
   }
 
-  /** Moves to the beginning of the next line and skips the rest of this one. */
+  /** Skips the rest of this line and moves to the beginning of the next one. */
   void endLine() {
     while (at < text.length && !isLineEnd(text[at])) {
       if (isJoint()) {
@@ -124,13 +123,13 @@ final class ObjScanner {
     return new String(text, start, end - start, StandardCharsets.ISO_8859_1);
   }
 
-  /** Returns the next word of the line as a finite number, with a decimal point. */
+  /** Returns the next word of the line as a finite number; the decimal separator is a point. */
   double nextNumber() throws ObjFormatException {
     if (!nextWord()) {
       throw error("expected a number, found the end of the line");
     }
     for (int i = start; i < end; i++) {
-      // Java alone would take "NaN", "1f" and "0x1p3".
+      // Double.parseDouble alone would accept "NaN", "1f" and "0x1p3".
       byte c = text[i];
       if (!isDigit(c) && c != '.' && c != '-' && c != '+' && c != 'e' && c != 'E') {
         throw notANumber();
@@ -166,10 +165,10 @@ final class ObjScanner {
   }
 
   /**
-   * Reads the word as indices with slashes between them, {@code 5}, {@code 5/6}, {@code 5//7} or
+   * Reads the current word as indices separated by slashes: {@code 5}, {@code 5/6}, {@code 5//7} or
    * {@code 5/6/7}.
    *
-   * @param indices receives three numbers as written; 0 for a missing one
+   * @param indices receives three numbers as written in the file; 0 for a missing one
    */
   void readIndices(int[] indices) throws ObjFormatException {
     int i = start;
@@ -202,7 +201,7 @@ final class ObjScanner {
       throw notIndices();
     }
     if (value == 0) {
-      throw error("expected indices from 1 on, found 0 in " + Problems.quoted(word()));
+      throw error("expected indices that start at 1, found 0 in " + Problems.quoted(word()));
     }
     return (int) (negative ? -value : value);
   }
@@ -215,7 +214,7 @@ final class ObjScanner {
     return c >= '0' && c <= '9';
   }
 
-  /** Returns an exception for something larger than a limit, which names the line. */
+  /** Returns an exception that names the line, for a value beyond a limit. */
   ObjFormatException tooLarge(String message) {
     return new ObjFormatException(line, message, true);
   }

@@ -13,18 +13,18 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Walks the tree of objects, without recursion, and places each in the world. */
+/** Traverses the tree of objects without recursion, and computes each world transform. */
 final class ObjectTree {
-  /** Objects within each other. */
+  /** The largest nesting depth of objects. */
   static final int MAX_DEPTH = 2000;
 
-  /** Keys that every object has. */
+  /** Keys that are valid for every object. */
   static final Set<String> COMMON_KEYS =
       Set.of("type", "name", "id", "children", "localPosition", "localRotation", "localScale");
 
   private static final Vec3 ONE = new Vec3(1, 1, 1);
 
-  /** What an object is. */
+  /** The type of an object. */
   enum Type {
     NONE,
     CAMERA,
@@ -42,18 +42,22 @@ final class ObjectTree {
   }
 
   /**
-   * An object in the world.
+   * An object and its world transform.
    *
-   * @param toWorld parent · T · R · S, from the root down
-   * @param rotation the same of the rotations alone
+   * @param toWorld local to world space: the product of translation · rotation · scale (T · R · S)
+   *     from the root down to the object
+   * @param rotation the product of the rotations alone, from the root down
    */
   record Placed(JsonNode node, Type type, Transform toWorld, Transform rotation) {
-    /** Returns the object's right, up and forward as the rotations alone turn them. */
+    /**
+     * Returns the object's right (x), up (y) and forward (z) axes in world space: unit vectors,
+     * from the rotations alone.
+     */
     Frame axes() {
       return new Frame(rotation.vector(Vec3.X), rotation.vector(Vec3.Y), rotation.vector(Vec3.Z));
     }
 
-    /** Returns where the object's origin is. */
+    /** Returns the object's origin in world space. */
     Vec3 position() {
       return toWorld.point(Vec3.ZERO);
     }
@@ -69,7 +73,7 @@ final class ObjectTree {
 
   private ObjectTree() {}
 
-  /** Returns all objects below the root, parents before children, in the order of the file. */
+  /** Returns the tree of all objects: parents before children, in the order of the file. */
   static ObjectTree of(JsonNode root) {
     ObjectTree tree = new ObjectTree();
     tree.push(root.objects("objects"), 1, Transform.IDENTITY, Transform.IDENTITY);
@@ -83,7 +87,7 @@ final class ObjectTree {
     return objects;
   }
 
-  /** Returns the second object that has an id, if there is one. */
+  /** Returns the second object with an id; empty if there is none. */
   Optional<JsonNode> repetition(int id) {
     return Optional.ofNullable(repeated.get(id));
   }
@@ -97,8 +101,7 @@ final class ObjectTree {
   private void visit(Visit visit) {
     JsonNode node = visit.node;
     if (visit.depth > MAX_DEPTH) {
-      node.error(
-          Kind.LIMIT, "expected at most " + MAX_DEPTH + " objects within each other, found more");
+      node.error(Kind.LIMIT, "expected at most " + MAX_DEPTH + " nested objects, found more");
       return;
     }
     noteId(node);
@@ -109,7 +112,8 @@ final class ObjectTree {
             .times(Transform.scale(node.vec3("localScale", ONE)));
     Transform toWorld = visit.toWorld.times(local);
     if (!toWorld.isInvertible()) {
-      node.error("singular transform: with its parents, it flattens or overflows the object");
+      node.error(
+          "singular transform: combined with those of its parents, it has no finite inverse");
       toWorld = visit.toWorld;
     }
     Transform rotation = visit.rotation.times(turn);

@@ -3,13 +3,14 @@ package io.github.lumbre.parser;
 import java.util.Objects;
 
 /**
- * Where in a scene file something stands. Nothing in it can control a terminal.
+ * The place of an object or asset in a scene file. Its texts contain no control characters.
  *
- * @param path as {@code $.objects[3].children[0]}; a very long one lacks its middle
- * @param name that the file gives it; empty if none
+ * @param path JSON path, such as {@code $.objects[3].children[0]}; a path of more than 200
+ *     characters is shortened in the middle
+ * @param name the name in the file, shortened to 60 characters; empty if there is none
  */
 public record Origin(String path, String name) {
-  /** Of what no part of the file stands for, such as the material of an object without one. */
+  /** The origin of an item that the file does not contain, such as a default material. */
   public static final Origin NONE = new Origin("", "");
 
   public Origin {
@@ -22,7 +23,7 @@ public record Origin(String path, String name) {
     return new Origin(Problems.shownPath(node.path()), name);
   }
 
-  /** Returns the path, and the name if there is one, for people. */
+  /** Returns the path, followed by the quoted name if there is one. */
   @Override
   public String toString() {
     return name.isEmpty() ? path : path + " \"" + name + '"';

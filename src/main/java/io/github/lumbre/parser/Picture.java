@@ -9,16 +9,16 @@ import io.github.lumbre.texture.ImageTexture.Role;
 import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
 
-/** A texture whose use, and so the meaning of its values, is not yet known. */
+/** A texture before it has a role: color, data or normals. */
 interface Picture {
   int width();
 
   int height();
 
-  /** Returns the texture as what a channel takes its values for. */
+  /** Returns the texture, with its values interpreted for a role. */
   Texture<Rgb> as(Role role);
 
-  /** Returns the mean of a texel's components, taken as they are; row 0 is the top one. */
+  /** Returns the mean of a texel's stored components, without conversion; row 0 is the top row. */
   double value(int column, int row);
 
   /** Returns the number of columns of the brightness table of an environment light. */
@@ -31,7 +31,7 @@ interface Picture {
     return height();
   }
 
-  /** A decoded picture file. */
+  /** A decoded image file. */
   record Decoded(Pixels pixels, Filter filter) implements Picture {
     @Override
     public int width() {
@@ -58,11 +58,11 @@ interface Picture {
   }
 
   /**
-   * A computed texture. Its values are linear light and numbers alike; as components of a direction
-   * they stand for 2v - 1.
+   * A procedural texture. Its values serve unchanged as linear colors and as data. As a component
+   * of a normal, a value v represents 2v - 1.
    */
   record Computed(TexelTexture texels, Filter filter) implements Picture {
-    /** Computed textures have no small bright spots, but may have very many texels. */
+    /** Limits the table: procedural textures may be huge, but have no small bright spots. */
     private static final int MAX_DOME_SIDE = 1024;
 
     @Override

@@ -4,11 +4,11 @@ import java.io.Serializable;
 import java.util.Objects;
 
 /**
- * What is wrong or doubtful in a scene, and where. Nothing in it can control a terminal.
+ * An error or warning in a scene file. Its texts contain no control characters.
  *
  * @param file name of the scene file
- * @param path in the file, as {@code $.objects[3].radius}, a very long one without its middle;
- *     empty if the problem is that of the whole file
+ * @param path JSON path, such as {@code $.objects[3].radius}; a path of more than 200 characters is
+ *     shortened in the middle; empty if the problem concerns the whole file
  * @param message what was found and what was expected
  */
 public record Problem(String file, String path, String message) implements Serializable {
@@ -19,7 +19,7 @@ public record Problem(String file, String path, String message) implements Seria
   }
 
   /**
-   * Returns a line for people, such as {@code scene.json: $.objects[3].radius: expected a finite
+   * Returns one readable line, such as {@code scene.json: $.objects[3].radius: expected a finite
    * number > 0, found -1}.
    */
   @Override

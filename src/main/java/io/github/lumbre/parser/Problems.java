@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** Collects what is wrong with a scene: errors up to a limit, and warnings. Mutable. */
+/** Collects the errors and warnings of a scene, up to a limit each. Mutable. */
 final class Problems {
   static final int MAX_ERRORS = 20;
   static final int MAX_WARNINGS = 1000;
 
-  /** Longer paths are printed without their middle. */
+  /** Longer paths, in characters, are shortened in the middle. */
   private static final int MAX_PATH = 200;
 
   private static final int MAX_TEXT = 60;
@@ -22,13 +22,13 @@ final class Problems {
   private int unsaidWarnings;
 
   /**
-   * @param file name of the scene file, as it is to be printed
+   * @param file name of the scene file for messages
    */
   Problems(String file) {
     this.file = escaped(file);
   }
 
-  /** Adds an error; beyond a limit, errors are not kept. */
+  /** Adds an error; beyond {@link #MAX_ERRORS}, errors are dropped. */
   void error(SceneFormatException.Kind kindOfError, Supplier<String> path, String message) {
     if (kind.isEmpty()) {
       kind = Optional.of(kindOfError);
@@ -38,7 +38,7 @@ final class Problems {
     }
   }
 
-  /** Adds a warning; beyond the limit, only counts it, without making its text. */
+  /** Adds a warning; beyond {@link #MAX_WARNINGS}, only counts it and computes no text. */
   void warn(Supplier<String> path, Supplier<String> message) {
     if (warnings.size() < MAX_WARNINGS) {
       warnings.add(new Problem(file, shownPath(path.get()), message.get()));
@@ -51,7 +51,7 @@ final class Problems {
     return !errors.isEmpty();
   }
 
-  /** Returns the warnings; if there were too many, the last one states how many are missing. */
+  /** Returns the warnings; beyond the limit, the last one states how many are missing. */
   List<Problem> warnings() {
     List<Problem> all = new ArrayList<>(warnings);
     if (unsaidWarnings > 0) {
@@ -66,6 +66,8 @@ final class Problems {
   }
 
   /**
+   * Throws the collected errors.
+   *
    * @throws SceneFormatException if there is any error
    */
   void throwIfAny() throws SceneFormatException {
@@ -74,7 +76,7 @@ final class Problems {
     }
   }
 
-  /** Returns a path as it may be printed: escaped, and without its middle if it is too long. */
+  /** Returns a path that is safe to print: escaped, and shortened in the middle. */
   static String shownPath(String path) {
     String shown = escaped(path);
     if (shown.length() <= MAX_PATH) {
@@ -84,17 +86,17 @@ final class Problems {
     return shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
   }
 
-  /** Returns a text from a scene as it may be printed: in quotes, escaped and not too long. */
+  /** Returns a text from a scene that is safe to print: quoted, escaped and shortened. */
   static String quoted(String text) {
     return '"' + shortened(text) + '"';
   }
 
-  /** Returns a text from a scene as it may be printed: escaped and not too long. */
+  /** Returns a text from a scene that is safe to print: escaped and shortened. */
   static String shortened(String text) {
     return text.length() <= MAX_TEXT ? escaped(text) : escaped(text.substring(0, MAX_TEXT)) + "…";
   }
 
-  /** Returns a text with everything that is not plainly visible written as JSON would escape it. */
+  /** Returns a text with invisible characters written as JSON escapes. */
   static String escaped(String text) {
     StringBuilder out = new StringBuilder(text.length());
     text.codePoints().forEach(c -> append(out, c));

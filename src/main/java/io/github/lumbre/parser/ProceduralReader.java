@@ -7,14 +7,14 @@ import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.VoronoiTexture;
 import io.github.lumbre.texture.WoodTexture;
 
-/** Reads the textures that are computed. */
+/** Reads procedural textures. */
 final class ProceduralReader {
   private static final int DEFAULT_SIDE = 1000;
 
   private final long seed;
 
   /**
-   * @param seed from which everything random in the textures follows, together with their ids
+   * @param seed seed of the scene; with the textures' ids, it determines their random numbers
    */
   ProceduralReader(long seed) {
     this.seed = seed;
@@ -51,7 +51,7 @@ final class ProceduralReader {
     return texture.integer("height", DEFAULT_SIDE, 1, TexelTexture.MAX_SIDE);
   }
 
-  /** Textures of one scene differ by their ids, and those of one id by the scene's seed. */
+  /** Returns a seed that depends on the scene's seed and on the texture's id. */
   private long seedOf(JsonNode texture) {
     return Hash.of(Hash.mix(seed), texture.id("id").orElseThrow());
   }

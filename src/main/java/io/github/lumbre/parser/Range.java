@@ -1,14 +1,14 @@
 package io.github.lumbre.parser;
 
 /**
- * The numbers that a key may have, and how to say so.
+ * The valid numbers of a key, and their description for error messages.
  *
- * @param low the smallest, or what every number must exceed
- * @param openLow whether {@code low} itself is outside
- * @param high the largest, or what every number must stay below
- * @param openHigh whether {@code high} itself is outside
- * @param ifLow what was expected, said of a number that is too small
- * @param ifHigh what was expected, said of a number that is too large
+ * @param low lower bound
+ * @param openLow whether {@code low} itself is excluded
+ * @param high upper bound
+ * @param openHigh whether {@code high} itself is excluded
+ * @param ifLow expected numbers, for a number that is too small
+ * @param ifHigh expected numbers, for a number that is too large
  */
 record Range(
     double low, boolean openLow, double high, boolean openHigh, String ifLow, String ifHigh) {
@@ -18,11 +18,11 @@ record Range(
   static final Range POSITIVE =
       new Range(0, true, Double.MAX_VALUE, false, "a finite number > 0", "a finite number > 0");
 
-  /** Extents of shapes: squares of them must not overflow. */
+  /** Extents of shapes: their squares must not overflow. */
   static final Range SIZE =
       new Range(0, true, 1e150, false, "a finite number > 0", "a number <= 1e150");
 
-  /** Returns the range of all numbers from one to another. */
+  /** Returns the closed range [low, high]. */
   static Range closed(double low, double high) {
     return closed(low, high, "a number from " + text(low) + " to " + text(high));
   }
@@ -31,13 +31,13 @@ record Range(
     return new Range(low, false, high, false, expected, expected);
   }
 
-  /** Returns the range of the numbers between two others. */
+  /** Returns the open range (low, high). */
   static Range open(double low, double high) {
     String expected = "a number in (" + text(low) + ", " + text(high) + ")";
     return new Range(low, true, high, true, expected, expected);
   }
 
-  /** Returns the range of the numbers above one and up to another. */
+  /** Returns the half-open range (low, high]. */
   static Range above(double low, double high) {
     String expected = "a number in (" + text(low) + ", " + text(high) + "]";
     return new Range(low, true, high, false, expected, expected);
@@ -47,12 +47,12 @@ record Range(
     return (openLow ? x > low : x >= low) && (openHigh ? x < high : x <= high);
   }
 
-  /** Returns the text of the expected range, for a number outside of it. */
+  /** Returns the expected numbers as text, for a number outside the range. */
   String expectedFor(double x) {
     return x > high || openHigh && x == high ? ifHigh : ifLow;
   }
 
-  /** Returns a number as people write it. */
+  /** Returns a number in its shortest readable form: 3, 0.25, 1e20. */
   static String text(double x) {
     return x == Math.rint(x) && Math.abs(x) < 1e15
         ? Long.toString((long) x)

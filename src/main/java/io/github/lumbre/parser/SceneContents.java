@@ -1,15 +1,15 @@
 package io.github.lumbre.parser;
 
 /**
- * How much of everything a scene holds.
+ * The number of objects and assets in a scene.
  *
- * @param camera the format's name of the camera's type
- * @param shapes spheres, planes, cubes and placed meshes
- * @param meshes mesh assets in use
- * @param triangles over all placed meshes, each placement counted
- * @param lights of all types
- * @param materials in use
- * @param textures in use
+ * @param camera the camera type's name in the scene format
+ * @param shapes number of spheres, planes, cubes and mesh instances
+ * @param meshes number of mesh assets in use
+ * @param triangles number of triangles over all mesh instances, each instance counted
+ * @param lights number of lights of all types
+ * @param materials number of materials in use
+ * @param textures number of textures in use
  */
 public record SceneContents(
     String camera,

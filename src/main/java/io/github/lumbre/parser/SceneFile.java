@@ -5,13 +5,13 @@ import io.github.lumbre.scene.Scene;
 import java.util.List;
 
 /**
- * What a scene file holds.
+ * The content of a scene file.
  *
- * @param warnings what is doubtful in the scene
- * @param hash SHA-256 of the file and of every file it refers to, in hexadecimal
- * @param files the hash of each of these files
- * @param contents what the scene is made of, for people
- * @param origins where in the file everything stands
+ * @param warnings problems that do not prevent rendering; empty if there are none
+ * @param hash SHA-256 over the scene file and every asset file it uses, in hexadecimal
+ * @param files the SHA-256 of each of these files
+ * @param contents numbers of objects and assets, for reports
+ * @param origins places of objects and assets in the file
  */
 public record SceneFile(
     Scene scene,
@@ -25,7 +25,7 @@ public record SceneFile(
     warnings = List.copyOf(warnings);
   }
 
-  /** Returns the same with another scene. */
+  /** Returns a copy with a different scene. */
   public SceneFile with(Scene other) {
     return new SceneFile(other, settings, warnings, hash, files, contents, origins);
   }

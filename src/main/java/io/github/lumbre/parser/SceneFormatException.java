@@ -3,17 +3,17 @@ package io.github.lumbre.parser;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A scene that cannot be used, with everything that is wrong with it, up to a limit. */
+/** Thrown if a scene cannot be used. Lists its errors, up to a limit of 20. */
 public final class SceneFormatException extends Exception {
   private static final long serialVersionUID = 1;
 
-  /** What kind of thing is wrong; the first problem decides. */
+  /** The kind of an error; the first error determines the kind of the exception. */
   public enum Kind {
     /** The scene file is missing, unreadable, not JSON, or has an invalid value. */
     INVALID,
-    /** A mesh or picture that the scene contains or names cannot be decoded. */
+    /** A mesh or image that the scene contains or names cannot be decoded. */
     ASSET,
-    /** Something is larger than allowed. */
+    /** A size or number exceeds its limit. */
     LIMIT
   }
 
@@ -36,7 +36,7 @@ public final class SceneFormatException extends Exception {
     return kind;
   }
 
-  /** Returns the problems, in the order in which they were found. */
+  /** Returns the errors in the order in which they were found; at least one. */
   public List<Problem> problems() {
     return List.of(problems);
   }

@@ -3,13 +3,13 @@ package io.github.lumbre.parser;
 import java.util.List;
 
 /**
- * Where in its file everything of a scene stands.
+ * The places of a scene's objects and assets in its file.
  *
  * @param primitives the object of each of the scene's primitives, in their order
- * @param materials the material asset of each of them; {@link Origin#NONE} for those without
- * @param emitters the object of each of the scene's emitters, in their order
- * @param textures decoded pictures and what materials use them for
- * @param unused assets that nothing uses
+ * @param materials the material asset of each primitive; {@link Origin#NONE} for those without
+ * @param emitters the object of each of the scene's lights, in their order
+ * @param textures uses of decoded images by materials
+ * @param unused assets that the rendered scene does not use
  */
 public record SceneOrigins(
     List<Origin> primitives,
@@ -26,13 +26,13 @@ public record SceneOrigins(
   }
 
   /**
-   * A decoded picture in the role of a material's channel.
+   * A decoded image as the texture of a material's channel.
    *
-   * @param channel as {@code color}
-   * @param width of the picture in texels
-   * @param height of the full frame, in pixels
-   * @param scaleX how often it repeats over the surface's u
-   * @param scaleY how often it repeats over the surface's v
+   * @param channel name of the channel, such as {@code color}
+   * @param width width of the image in texels
+   * @param height height of the image in texels
+   * @param scaleX number of repetitions over the surface's u from 0 to 1
+   * @param scaleY number of repetitions over the surface's v from 0 to 1
    */
   public record TextureUse(
       Origin material,
@@ -44,7 +44,7 @@ public record SceneOrigins(
       double scaleY) {}
 
   /**
-   * An asset that nothing uses.
+   * An asset that the rendered scene does not use.
    *
    * @param type {@code material}, {@code texture} or {@code mesh}
    */

@@ -21,18 +21,18 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
 
-/** Reads scene files. Immutable: each method that changes how it reads returns another parser. */
+/** Reads scene files. Immutable: each configuration method returns a new parser. */
 public final class SceneParser {
-  /** The largest product of width and height, unless another limit is set. */
+  /** The default limit of the full frame: width × height in pixels. */
   public static final int MAX_PIXELS = 1 << 28;
 
-  /** The largest product of width and height that can be set. */
+  /** The largest limit that can be set: width × height in pixels. */
   public static final int MAX_PIXELS_EVER = 1 << 29;
 
-  /** Beyond this, an array of Java cannot hold a file. */
+  /** The largest file, in bytes, that fits into a Java array. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
-  /** Keys of a scene; {@code $schema} names the schema for editors. */
+  /** Top-level keys of a scene file; {@code $schema} names the schema for editors. */
   static final Set<String> KEYS =
       Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
 
@@ -44,7 +44,7 @@ public final class SceneParser {
   private final boolean decodesUnused;
   private final Optional<Kernel> kernel;
 
-  /** A parser that takes scene files as they are. */
+  /** Creates a parser without overrides: missing assets are errors, settings are the file's. */
   public SceneParser() {
     this(
         false,
@@ -73,7 +73,7 @@ public final class SceneParser {
     this.kernel = kernel;
   }
 
-  /** Returns a parser that takes references to missing assets as warnings. */
+  /** Returns a parser that reports references to missing assets as warnings, not errors. */
   public SceneParser lenient() {
     return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused, kernel);
   }
@@ -84,7 +84,7 @@ public final class SceneParser {
         lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused, kernel);
   }
 
-  /** Returns a parser that changes the settings that the file gives before it uses them. */
+  /** Returns a parser that applies a function to the file's settings before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
     return new SceneParser(
         lenient,
@@ -97,9 +97,11 @@ public final class SceneParser {
   }
 
   /**
-   * Returns a parser that refuses scenes whose full frame has more pixels, 2^28 of them by default.
+   * Returns a parser that rejects scenes whose full frame exceeds a limit. The default is {@link
+   * #MAX_PIXELS}, 2^28 pixels.
    *
-   * @param newMaxPixels from 1 to {@link #MAX_PIXELS_EVER}
+   * @param newMaxPixels limit of width × height in pixels, from 1 to {@link #MAX_PIXELS_EVER}
+   * @throws IllegalArgumentException if the limit is out of range
    */
   public SceneParser limitedTo(int newMaxPixels) {
     if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
@@ -114,34 +116,32 @@ public final class SceneParser {
     return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
-  /** Returns a parser whose textures count their look-ups. */
+  /** Returns a parser whose textures increment a counter at each lookup. */
   public SceneParser countingTextures(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
     return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
   }
 
   /**
-   * Returns a parser that decodes meshes and textures that nothing uses, too, and finds their
-   * errors. The scene is the same; the difference in time is what skipping them saves.
+   * Returns a parser that also decodes unused meshes and textures, and reports their errors. The
+   * scene is the same.
    */
   public SceneParser decodingUnused() {
     return new SceneParser(lenient, mode, change, maxPixels, textures, true, kernel);
   }
 
-  /**
-   * Returns a parser whose scenes are searched by a kernel; without this, by {@link Kernel#AUTO}.
-   */
+  /** Returns a parser whose scenes use a traversal kernel; the default is {@link Kernel#AUTO}. */
   public SceneParser searchedBy(Kernel newKernel) {
     return new SceneParser(
         lenient, mode, change, maxPixels, textures, decodesUnused, Optional.of(newKernel));
   }
 
   /**
-   * Reads a scene.
+   * Reads a scene and the asset files it uses.
    *
-   * @throws SceneFormatException if the scene cannot be used, with all that is wrong
-   * @throws InterruptedIOException if the calling thread is interrupted, which is noticed within a
-   *     fraction of a second; the interrupt status stays set
+   * @throws SceneFormatException if the scene does not exist or cannot be used; it lists the errors
+   * @throws InterruptedIOException if the calling thread is interrupted; the parser reacts within a
+   *     fraction of a second and leaves the interrupt status set
    * @throws IOException if the file exists but cannot be read
    */
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
@@ -161,11 +161,12 @@ public final class SceneParser {
   }
 
   /**
-   * Reads a scene from the content of a file, which need not exist.
+   * Reads a scene from the content of a file.
    *
-   * @param content the scene, UTF-8
-   * @param file in whose folder assets are, and whose name is in messages
-   * @throws SceneFormatException if the scene cannot be used, with all that is wrong
+   * @param content the scene as JSON in UTF-8
+   * @param file path of the scene file, which need not exist; asset paths start in its folder, and
+   *     messages contain its name
+   * @throws SceneFormatException if the scene cannot be used; it lists the errors
    */
   public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
@@ -179,10 +180,10 @@ public final class SceneParser {
   }
 
   /**
-   * Returns the files that a scene's assets name and that exist, whether the scene uses them or
-   * not.
+   * Returns the existing files that a scene's assets name, whether the scene uses them or not.
+   * Files outside the scene's folder are left out.
    *
-   * @throws SceneFormatException if the file holds no scene
+   * @throws SceneFormatException if the file does not exist or contains no scene
    * @throws IOException if the file exists but cannot be read
    */
   public static Set<Path> files(Path file) throws SceneFormatException, IOException {
@@ -190,10 +191,10 @@ public final class SceneParser {
   }
 
   /**
-   * Returns the files that a scene's assets name; see {@link #files(Path)} and {@link
+   * Returns the existing files that a scene's assets name; see {@link #files(Path)} and {@link
    * #parse(byte[], Path)}.
    *
-   * @throws SceneFormatException if the content is no scene
+   * @throws SceneFormatException if the content is not a scene
    * @throws IOException if the folder cannot be read
    */
   public static Set<Path> files(byte[] content, Path file)
@@ -258,7 +259,7 @@ public final class SceneParser {
     return made;
   }
 
-  /** Returns the settings; if the file's have errors, without the caller's changes. */
+  /** Returns the settings; the caller's changes apply only if the file's settings are valid. */
   private RenderSettings settings(Optional<JsonNode> options, Problems problems) {
     boolean hadErrors = problems.hasErrors();
     RenderSettings inFile =
@@ -273,7 +274,7 @@ public final class SceneParser {
       boolean isInFile = used.width() == inFile.width() && used.height() == inFile.height();
       problems.error(
           Kind.LIMIT,
-          () -> isInFile ? "$.renderOptions" : "the size that replaces that of $.renderOptions",
+          () -> isInFile ? "$.renderOptions" : "the size that overrides $.renderOptions",
           "expected width x height <= "
               + maxPixels
               + ", found "

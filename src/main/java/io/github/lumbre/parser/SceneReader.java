@@ -14,7 +14,7 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 
-/** Reads the world: objects with the assets they use, seen by the main camera. Not reusable. */
+/** Reads the objects of a scene, the assets they use, and the main camera. Not reusable. */
 final class SceneReader {
   private static final String MAIN_CAMERA = "mainCameraId";
 
@@ -35,13 +35,13 @@ final class SceneReader {
   private String cameraType = "";
   private int lightCount;
 
-  /** Something of the file that adds to the scene. */
+  /** An action that adds a part of the file to the scene. */
   private record Addition(JsonNode origin, Consumer<SceneBuilder> action) {}
 
   /**
-   * @param seed from which everything random in the world follows
-   * @param change of all textures
-   * @param kernel by which hierarchies are searched
+   * @param seed seed of the procedural textures
+   * @param change overrides for all textures
+   * @param kernel traversal kernel of the bounding volume hierarchies
    */
   SceneReader(
       JsonNode root,
@@ -66,10 +66,10 @@ final class SceneReader {
   }
 
   /**
-   * Reads everything, and adds errors and warnings to the problems.
+   * Reads camera, shapes and lights, and adds errors and warnings to the problems.
    *
    * @param aspect width of the film over its height
-   * @param background of the settings
+   * @param background radiance from the settings; empty if they name none
    */
   void read(double aspect, Optional<Rgb> background) {
     textures.checkAll();
@@ -81,7 +81,7 @@ final class SceneReader {
     readLights(background);
   }
 
-  /** Decodes meshes and textures that nothing has used so far. */
+  /** Decodes the meshes and textures that no object uses. */
   void decodeUnused() {
     meshes.readAll();
     textures.readAll();
@@ -138,7 +138,7 @@ final class SceneReader {
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
       root.object("renderOptions")
-          .ifPresent(o -> o.warn("background", "is ignored, since the scene has a Dome"));
+          .ifPresent(o -> o.warn("background", "is ignored, because the scene has a Dome"));
     } else {
       JsonNode origin =
           root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root);
@@ -147,7 +147,7 @@ final class SceneReader {
     }
   }
 
-  /** Returns the world; there must be no errors. */
+  /** Returns the scene; there must be no errors. */
   Scene scene() {
     SceneBuilder scene = Scene.seenBy(camera.orElseThrow()).searchedBy(kernel);
     for (Addition addition : additions) {
@@ -158,7 +158,7 @@ final class SceneReader {
     return scene.build();
   }
 
-  /** Notes where that stands which the scene has more than before. */
+  /** Records a node as the origin of a primitive or light that was just added. */
   private void note(JsonNode node, SceneBuilder scene) {
     if (scene.primitiveCount() > primitives.size()) {
       primitives.add(Origin.of(node));
@@ -169,7 +169,7 @@ final class SceneReader {
     }
   }
 
-  /** Returns where everything stands, once {@link #scene} has been made. */
+  /** Returns the places of objects and assets; requires an earlier call of {@link #scene}. */
   SceneOrigins origins() {
     List<SceneOrigins.Unused> unused = new ArrayList<>();
     addUnused(AssetTable.Type.MATERIAL, "material", materials::uses, unused);
@@ -188,7 +188,7 @@ final class SceneReader {
         .forEach(asset -> unused.add(new SceneOrigins.Unused(name, Origin.of(asset))));
   }
 
-  /** Returns what there is to know about the world's size. */
+  /** Returns the numbers of objects and assets. */
   SceneContents contents() {
     return new SceneContents(
         cameraType,

@@ -23,7 +23,7 @@ final class SettingsReader {
   private static final int DEFAULT_ANTIALIASING = 2;
   private static final String TRANSPARENT = "transparent";
 
-  /** Keys beside those of the settings. */
+  /** Valid keys that are not settings. */
   private static final Set<String> OTHER_KEYS = Set.of("antialiasing", "background", "name");
 
   static final Set<String> KEYS =
@@ -35,9 +35,9 @@ final class SettingsReader {
   private SettingsReader() {}
 
   /**
-   * Returns the settings of a scene; in place of wrong values, the defaults.
+   * Returns the settings of a scene. The default replaces each wrong value, and an error is added.
    *
-   * @param mode to use instead of the scene's
+   * @param mode render mode that overrides the scene's; empty to keep it
    */
   static RenderSettings read(JsonNode options, Optional<Mode> mode) {
     options.warnUnknown(KEYS);
@@ -53,7 +53,7 @@ final class SettingsReader {
     return builder.mode(used).transparent(isTransparent(options)).build();
   }
 
-  /** Returns the settings of a scene that states none. */
+  /** Returns the settings of a scene without {@code renderOptions}. */
   static RenderSettings missing(Optional<Mode> mode) {
     Mode used = mode.orElse(DEFAULT.mode());
     int samples = used == Mode.RAY ? raySamples(DEFAULT_ANTIALIASING) : DEFAULT.samples();
@@ -85,7 +85,10 @@ final class SettingsReader {
     return (T) exposure(options, key, (Exposure) missing);
   }
 
-  /** The format counts in powers of two, and only every other one exists: 1, 4, 16, … */
+  /**
+   * Returns the number of samples for the format's exponent of two. Odd exponents do not exist: the
+   * numbers are 1, 4, 16, …
+   */
   private static int raySamples(int exponent) {
     return 1 << exponent + exponent % 2;
   }
@@ -114,7 +117,7 @@ final class SettingsReader {
     return options.find("background").filter(n -> n.isText(TRANSPARENT)).isPresent();
   }
 
-  /** Returns the radiance of the background, or empty if the scene names none. */
+  /** Returns the radiance of the background; empty if the scene names none. */
   static Optional<Rgb> background(JsonNode options) {
     Optional<JsonNode> node = options.find("background");
     if (node.isEmpty() || isTransparent(options)) {

@@ -4,7 +4,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** The hash of files. */
+/** Computes SHA-256 hashes of files. */
 final class Sha256 {
   private Sha256() {}
 
@@ -16,12 +16,12 @@ final class Sha256 {
     }
   }
 
-  /** Returns the hash of bytes, in hexadecimal. */
+  /** Returns the SHA-256 of bytes, in hexadecimal. */
   static String of(byte[] bytes) {
     return HexFormat.of().formatHex(digest().digest(bytes));
   }
 
-  /** Returns the hash of what a digest has received so far, in hexadecimal; more may follow. */
+  /** Returns the hash of a digest's input so far, in hexadecimal; the digest stays usable. */
   static String soFar(MessageDigest digest) {
     try {
       return HexFormat.of().formatHex(((MessageDigest) digest.clone()).digest());

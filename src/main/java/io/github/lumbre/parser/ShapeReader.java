@@ -17,11 +17,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Reads shapes. A mesh that is placed once moves into the world; one placed often is shared. */
+/**
+ * Reads shapes. A mesh with one instance is transformed to world space; a mesh with several
+ * instances is shared.
+ */
 final class ShapeReader {
   private static final String MESH = "Mesh";
 
-  /** Squares of coordinates must not overflow. */
+  /** The largest absolute coordinate: squares of coordinates must not overflow. */
   private static final double MAX_REACH = 1e150;
 
   /** Reads a shape of one type. */
@@ -44,8 +47,8 @@ final class ShapeReader {
           .with(MESH, this::mesh, "meshId");
 
   /**
-   * @param shapes all that are going to be read
-   * @param kernel by which shared meshes are searched
+   * @param shapes all shape objects of the scene
+   * @param kernel traversal kernel of shared meshes
    */
   ShapeReader(MeshReader meshes, List<Placed> shapes, Kernel kernel) {
     this.meshes = meshes;
@@ -55,7 +58,7 @@ final class ShapeReader {
     }
   }
 
-  /** Returns the types that shapes come in. */
+  /** Returns the shape types and their keys. */
   Family<?> family() {
     return family;
   }
@@ -68,17 +71,17 @@ final class ShapeReader {
     }
   }
 
-  /** Returns how many shapes have been read. */
+  /** Returns the number of shapes read so far. */
   int count() {
     return count;
   }
 
-  /** Returns how many triangles have been read, each placement of a mesh counted. */
+  /** Returns the number of triangles read so far, counted for each mesh instance. */
   long triangles() {
     return triangles;
   }
 
-  /** Returns the shape of an object, or empty if there is nothing to show. */
+  /** Returns the shape of an object; empty, with a problem added, if it cannot be rendered. */
   Optional<Shape> read(Placed object) {
     JsonNode node = object.node();
     node.warnUnknown(family.keys());
@@ -90,8 +93,8 @@ final class ShapeReader {
   }
 
   /**
-   * Returns whether a shape is not too far out, nor too large, to be measured; if it is, adds an
-   * error.
+   * Returns whether a shape lies within 1e150 of the origin, so that its area does not overflow;
+   * adds an error if it does not.
    */
   static boolean isMeasurable(JsonNode node, Shape shape) {
     Bounds3 bounds = shape.bounds();
@@ -99,7 +102,7 @@ final class ShapeReader {
     if (reach <= MAX_REACH) {
       return true;
     }
-    node.error("expected a shape within 1e150 of the origin, found one that reaches beyond");
+    node.error("expected a shape within 1e150 of the origin, found one that extends beyond");
     return false;
   }
 
@@ -132,7 +135,7 @@ final class ShapeReader {
   private Optional<Shape> mesh(Placed object) {
     Optional<JsonNode> asset = meshOfObject.get(object.node());
     if (asset.isEmpty()) {
-      object.node().warn("meshId", "names no mesh: there is nothing to show");
+      object.node().warn("meshId", "names no mesh; the object is not rendered");
       return Optional.empty();
     }
     return meshes.read(asset.get()).map(mesh -> placed(object, asset.get(), mesh));

@@ -4,13 +4,13 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
 
-/** Guesses what a misspelt word was to be. */
+/** Suggests corrections for misspelled words. */
 final class Spelling {
   private Spelling() {}
 
-  /** Returns {@code "; did you mean …?"}, or nothing if no known word is near. */
+  /** Returns {@code "; did you mean …?"}, or an empty text if no known word is similar. */
   static String suggestion(String word, Collection<String> known) {
-    // Nothing near a very long word is worth the search.
+    // Suggestions for very long words are not worth the search.
     if (word.length() > 40) {
       return "";
     }
@@ -25,8 +25,8 @@ final class Spelling {
   }
 
   /**
-   * Returns how many letters must be inserted, removed, replaced, or swapped with their neighbour
-   * (Damerau 1964), ignoring case.
+   * Returns the edit distance of two words, ignoring case: the number of letters to insert, remove,
+   * replace, or swap with a neighbor (Damerau 1964).
    */
   static int distance(String one, String other) {
     String a = one.toLowerCase(Locale.ROOT);

@@ -5,16 +5,16 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.scene.SceneBuilder;
 
-/** What a material of a scene file makes of a shape: a surface that scatters, or one that emits. */
+/** The surface that a material of a scene file gives a shape: one that scatters, or emits. */
 @FunctionalInterface
 interface Surface {
-  /** What shapes without a material have. */
+  /** The surface of shapes without a material. */
   Surface DEFAULT = of(Matte.GREY);
 
   /** Adds a shape with this surface to a scene. */
   void add(Shape shape, SceneBuilder scene);
 
-  /** Returns the surface that scatters as a material does. */
+  /** Returns the surface that scatters light by a material. */
   static Surface of(Material material) {
     return (shape, scene) -> scene.add(shape, material);
   }

@@ -6,13 +6,13 @@ import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * A change of all textures of a scene, which overrides the file.
+ * Overrides for all textures of a scene.
  *
- * @param forced filter instead of each texture's own
- * @param lookUps counts the values looked up in textures
+ * @param forced filter that replaces each texture's own; empty to keep them
+ * @param lookUps counter of texture lookups; empty to count none
  */
 record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
-  /** Takes textures as they are. */
+  /** Leaves textures unchanged. */
   static final TextureChange NONE = new TextureChange(Optional.empty(), Optional.empty());
 
   TextureChange filtering(Filter filter) {
@@ -23,12 +23,12 @@ record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
     return new TextureChange(forced, Optional.of(adder));
   }
 
-  /** Returns the filter of a texture whose own is given. */
+  /** Returns the filter to use for a texture with the given filter in the file. */
   Filter filter(Filter own) {
     return forced.orElse(own);
   }
 
-  /** Returns the same texture, which is counted if that is wanted. */
+  /** Returns the same texture, with lookups counted if there is a counter. */
   <T> Texture<T> watched(Texture<T> texture) {
     if (lookUps.isEmpty()) {
       return texture;

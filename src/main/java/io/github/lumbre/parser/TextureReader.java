@@ -29,12 +29,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 
-/** Reads textures, each when it is first used, and the channels of materials that use them. */
+/** Reads each texture at its first use, and the material channels that use textures. */
 final class TextureReader {
   private static final String BASE64_KEY = "base64PNG";
   private static final Map<String, Filter> FILTERS = new LinkedHashMap<>();
 
-  /** From here on, a file looks as if it was made to fill the memory. */
+  /** Files with more texels per byte are reported as possible decompression bombs. */
   private static final int SUSPICIOUS_TEXELS_PER_BYTE = 250;
 
   private static final Point2 NO_OFFSET = new Point2(0, 0);
@@ -71,7 +71,7 @@ final class TextureReader {
               "blackAndWhite");
 
   /**
-   * @param seed from which everything random in textures follows, together with their ids
+   * @param seed seed of the scene; with their ids, it determines procedural textures
    */
   TextureReader(AssetTable assets, AssetData data, long seed, TextureChange change) {
     this.assets = assets;
@@ -80,32 +80,32 @@ final class TextureReader {
     procedurals = new ProceduralReader(seed);
   }
 
-  /** Returns the types that textures come in. */
+  /** Returns the texture types and their keys. */
   Family<?> family() {
     return family;
   }
 
-  /** Warns of keys that no texture has. */
+  /** Warns of keys that no texture type has. */
   void checkAll() {
     assets.all(Type.TEXTURE).forEach(t -> t.warnUnknown(family.keys()));
   }
 
-  /** Returns how many textures are in use. */
+  /** Returns the number of textures in use. */
   int count() {
     return pictures.size();
   }
 
-  /** Returns whether anything uses a texture. */
+  /** Returns whether any material, light or camera uses a texture. */
   boolean uses(JsonNode texture) {
     return pictures.containsKey(texture);
   }
 
-  /** Returns what decoded pictures are used for, so far. */
+  /** Returns the uses of decoded images by materials so far. */
   List<TextureUse> uses() {
     return uses;
   }
 
-  /** Finds the texture of a material's channel, and notes the use. */
+  /** Finds the texture of a material's channel, and records the use. */
   private Optional<Picture> find(JsonNode material, String channel, UvMapping mapping) {
     String key = channel + "TextureId";
     Optional<Picture> picture = find(material, key);
@@ -187,7 +187,7 @@ final class TextureReader {
                         content.key(),
                         "the picture has "
                             + Problems.shortened(space)
-                            + ", which is ignored: its colors are read as sRGB;"
+                            + ", which is ignored; its colors are read as sRGB;"
                             + " convert it to sRGB"));
   }
 
@@ -196,14 +196,14 @@ final class TextureReader {
     int bytes = content.bytes().length;
     if (texels > (long) SUSPICIOUS_TEXELS_PER_BYTE * bytes) {
       String size = pixels.width() + "x" + pixels.height();
-      content.asset().warn(content.key(), bytes + " bytes unfold to " + size + " pixels");
+      content.asset().warn(content.key(), bytes + " bytes decode to " + size + " pixels");
     }
   }
 
   /**
-   * Returns a colour channel of a material: a constant times a texture, if there is one.
+   * Returns a color channel of a material: a constant, multiplied by a texture if there is one.
    *
-   * @param constant the channel's own colour
+   * @param constant the channel's constant color
    */
   Texture<Rgb> colour(JsonNode material, String channel, Rgb constant) {
     UvMapping mapping = mapping(material, channel);
@@ -212,18 +212,19 @@ final class TextureReader {
         .orElse(Texture.constant(constant));
   }
 
-  /** Returns a color channel limited to 1; textures limit it where they hit. */
+  /** Returns a color channel clamped to 1: a constant here, a texture at each lookup. */
   Texture<Rgb> reflectance(JsonNode material, String channel, Rgb constant) {
     boolean textured = assets.has(material, channel + "TextureId", Type.TEXTURE);
     return colour(material, channel, textured ? constant : constant.clampedToOne());
   }
 
   /**
-   * Returns a channel of numbers.
+   * Returns a scalar channel: a constant, multiplied by a texture's red channel if there is one.
    *
-   * @param range of the constant
-   * @param low limit of what the texture may make of it
-   * @param high largest accepted value
+   * @param missing constant if the key is missing
+   * @param range valid range of the constant
+   * @param low lower limit of the product with the texture
+   * @param high upper limit of the product with the texture
    */
   ScalarTexture scalar(
       JsonNode material, String channel, double missing, Range range, double low, double high) {
@@ -249,7 +250,7 @@ final class TextureReader {
     return new UvMapping(offset.x(), offset.y(), scale.x(), scale.y());
   }
 
-  /** Returns a dome of one radiance, or of an image times it. */
+  /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
     Optional<Picture> picture = find(light, "textureId");
     if (picture.isEmpty()) {
@@ -262,7 +263,7 @@ final class TextureReader {
         picture.get().domeRows());
   }
 
-  /** Returns the form of a lens: white lets light through. Empty if there is no mask. */
+  /** Returns the aperture that a mask describes: white is open. Empty if there is no mask. */
   Optional<Aperture> mask(JsonNode camera, String key) {
     return find(camera, key).flatMap(picture -> mask(camera, key, picture));
   }
@@ -276,15 +277,15 @@ final class TextureReader {
         double value = picture.value(x, y);
         grey |= value > 0 && value < 1;
         any |= value >= .5;
-        // Pictures have their top row first, lenses their bottom row.
+        // Images store the top row first, apertures the bottom row.
         white[picture.height() - 1 - y][x] = value >= .5;
       }
     }
     if (grey) {
-      camera.warn(key, "the mask is not black and white; grey from .5 up counts as white");
+      camera.warn(key, "the mask is not black and white; values from 0.5 up count as white");
     }
     if (!any) {
-      camera.error(key, "expected a mask with some white, found none");
+      camera.error(key, "expected a mask with white pixels, found none");
       return Optional.empty();
     }
     return Optional.of(new BokehCache(white));

@@ -1,10 +1,10 @@
 /**
- * Scene files: from JSON to objects.
+ * Parsing of scene files: from JSON to a {@link io.github.lumbre.scene.Scene}.
  *
- * <p>{@link io.github.lumbre.parser.SceneParser} is the entrance and {@link
- * io.github.lumbre.parser.SceneFile} what comes out. Everything that belongs to the format and not
- * to rendering (degrees, defaults, rules of radiance, names) is translated here and nowhere else. A
- * scene that cannot be used ends in a {@link io.github.lumbre.parser.SceneFormatException} that
- * states the place, what was found and what was expected.
+ * <p>Start with {@link io.github.lumbre.parser.SceneParser}; it returns a {@link
+ * io.github.lumbre.parser.SceneFile}. Only this package handles the conventions of the format:
+ * degrees, defaults, units of light and names. If a scene cannot be used, a {@link
+ * io.github.lumbre.parser.SceneFormatException} lists the place of each error, what was found and
+ * what was expected.
  */
 package io.github.lumbre.parser;

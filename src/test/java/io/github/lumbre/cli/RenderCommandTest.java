@@ -210,7 +210,7 @@ class RenderCommandTest {
     render(TinyScene.JSON, "--size", size)
         .assertFailed(
             ExitCodes.LIMIT,
-            "the size that replaces that of $.renderOptions: expected width x height <= 268435456,"
+            "the size that overrides $.renderOptions: expected width x height <= 268435456,"
                 + " found "
                 + size);
   }

@@ -141,11 +141,12 @@ class CameraReaderTest {
     assertThat(fixture.parse(seenBy(camera, texture(5, png(0x808080, 0), ""))).warnings())
         .map(Object::toString)
         .containsExactly(
-            "scene.json: $.objects[0].bokehTextureId: the mask is not black and white; grey from"
-                + " .5 up counts as white");
+            "scene.json: $.objects[0].bokehTextureId: the mask is not black and white; values"
+                + " from 0.5 up count as white");
     assertThat(fixture.refusal(seenBy(camera, texture(5, png(0, 0), ""))))
         .hasMessage(
-            "scene.json: $.objects[0].bokehTextureId: expected a mask with some white, found none");
+            "scene.json: $.objects[0].bokehTextureId: expected a mask with white pixels, found"
+                + " none");
   }
 
   @Test

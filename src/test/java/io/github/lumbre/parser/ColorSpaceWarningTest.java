@@ -55,7 +55,7 @@ class ColorSpaceWarningTest {
     assertThat(warnings(100000))
         .filteredOn(warning -> warning.contains("gamma"))
         .containsExactly(
-            "s.json: $.assets[0].base64PNG: the picture has a gamma of 1.0, which is ignored: its"
+            "s.json: $.assets[0].base64PNG: the picture has a gamma of 1.0, which is ignored; its"
                 + " colors are read as sRGB; convert it to sRGB");
     assertThat(warnings(45455)).noneMatch(warning -> warning.contains("gamma"));
   }

@@ -94,14 +94,14 @@ class JsonTreeTest {
     bytes[7] = (byte) 0xff;
     assertThat(
             catchThrowableOfType(SceneFormatException.class, () -> JsonTree.read(bytes, problems)))
-        .hasMessage("s.json: $: expected UTF-8, found bytes that are not");
+        .hasMessage("s.json: $: expected UTF-8, found invalid bytes");
   }
 
   @Test
   void duplicateKeysNameBothLines() throws SceneFormatException {
     JsonNode root = read("{\"o\": {\n\"a\": 1,\n\"b\": {\"a\": 2},\n\n\"a\": 3}}");
     assertThat(problems.exception())
-        .hasMessage("s.json: $.o.a: expected each key once, found it in line 2 and in line 5");
+        .hasMessage("s.json: $.o.a: expected each key once, found it on line 2 and on line 5");
     assertThat(root.object("o").orElseThrow().number("a", 0, Range.ANY)).isEqualTo(1);
   }
 
@@ -119,7 +119,8 @@ class JsonTreeTest {
     assertThat(problems.hasErrors()).isFalse();
     SceneFormatException refusal = refusal("[".repeat(1_000_000));
     assertThat(refusal.kind()).isEqualTo(SceneFormatException.Kind.LIMIT);
-    assertThat(refusal).hasMessageEndingWith("expected at most 4096 levels of JSON, found more");
+    assertThat(refusal)
+        .hasMessageEndingWith("expected at most 4096 nested JSON values, found more");
     assertThat(refusal.getMessage()).hasSizeLessThan(1000);
   }
 

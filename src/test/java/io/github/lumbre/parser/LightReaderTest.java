@@ -103,7 +103,11 @@ class LightReaderTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"120, 90, 120 acts as 90", "-30, 30, -30 acts as 30", "-95.5, 90, -95.5 acts as 90"})
+  @CsvSource({
+    "120, 90, 120 is treated as 90",
+    "-30, 30, -30 is treated as 30",
+    "-95.5, 90, -95.5 is treated as 90"
+  })
   void unusualSpotAnglesActAsOthersWithAWarning(double written, double acts, String warning) {
     SceneFile file = parse("'lightType': 'Spot', 'intensity': 1, 'spotAngle': " + written);
     assertThat(file.warnings())
@@ -205,7 +209,7 @@ class LightReaderTest {
     assertThat(both.warnings())
         .map(Object::toString)
         .containsExactly(
-            "scene.json: $.renderOptions.background: is ignored, since the scene has a Dome");
+            "scene.json: $.renderOptions.background: is ignored, because the scene has a Dome");
   }
 
   @ParameterizedTest
@@ -226,8 +230,8 @@ class LightReaderTest {
     assertThat(fixture.parse(scene(point + "," + point + "," + glass, GLASS)).warnings())
         .map(Object::toString)
         .containsExactly(
-            "scene.json: $.objects[1].lightType: the scene has glass, which the light of"
-                + " Directional, Point and Spot does not pass");
+            "scene.json: $.objects[1].lightType: the scene has glass, which blocks light"
+                + " from Directional, Point and Spot lights");
     assertThat(fixture.parse(scene(dome + "," + glass, GLASS)).warnings()).isEmpty();
     assertThat(fixture.parse(scene(point, GLASS)).warnings()).isEmpty();
   }

@@ -146,8 +146,8 @@ class MaterialReaderTest {
     assertThat(file.warnings())
         .map(Object::toString)
         .containsExactly(
-            "scene.json: $.assets[0].reflectivityColor: more than 1 is reflected; what exceeds 1"
-                + " is taken as 1");
+            "scene.json: $.assets[0].reflectivityColor: the reflectance exceeds 1; it is"
+                + " clamped to 1");
   }
 
   @Test

@@ -57,7 +57,7 @@ class ObjReaderTest {
   void linesEndInThreeWays(String end) throws ObjFormatException {
     String text = "# of a tool\n" + CORNERS + "f 1 2 \\\n3\n\no up # up\nf 1 3 4 # end\nf 1 2";
     text = text.replace("\n", end);
-    assertThat(refusal(text)).isEqualTo("line 11: expected at least 3 corners of a face, found 2");
+    assertThat(refusal(text)).isEqualTo("line 11: expected at least 3 corners per face, found 2");
     ObjMesh mesh = read(text.substring(0, text.lastIndexOf('f')));
     assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
   }
@@ -129,15 +129,15 @@ class ObjReaderTest {
       value = {
         "f 1 2 5|line 5: expected a vertex from 1 to 4, found 5",
         "f 1 2 -5|line 5: expected a vertex from -4 to -1, found -5",
-        "f 1 2 0|line 5: expected indices from 1 on, found 0 in \"0\"",
-        "f 1 2 3/0|line 5: expected indices from 1 on, found 0 in \"3/0\"",
+        "f 1 2 0|line 5: expected indices that start at 1, found 0 in \"0\"",
+        "f 1 2 3/0|line 5: expected indices that start at 1, found 0 in \"3/0\"",
         "f 1 2 x|line 5: expected indices such as 1/2/3, found \"x\"",
         "f 1 2 1/2/3/4|line 5: expected indices such as 1/2/3, found \"1/2/3/4\"",
         "f 1 2 /3|line 5: expected indices such as 1/2/3, found \"/3\"",
         "f 1 2 -|line 5: expected indices such as 1/2/3, found \"-\"",
         "f 1 2 1.0|line 5: expected indices such as 1/2/3, found \"1.0\"",
         "f 1 2 4294967297|line 5: expected indices such as 1/2/3, found \"4294967297\"",
-        "f 1 2|line 5: expected at least 3 corners of a face, found 2",
+        "f 1 2|line 5: expected at least 3 corners per face, found 2",
         "vt 0 0;f 1/1 2/1 3/2|line 6: expected a vt from 1 to 1, found 2",
         "vn 0 0 1;f 1//1 2//1 3//2|line 6: expected a vn from 1 to 1, found 2",
         "v 1 2|line 5: expected a number, found the end of the line",
@@ -161,8 +161,8 @@ class ObjReaderTest {
         catchThrowableOfType(ObjFormatException.class, () -> ObjCensus.of(text, 2 << 20));
     assertThat(thrown)
         .hasMessage(
-            "line 120001: expected a mesh that takes at most 2097152 bytes of memory,"
-                + " found one that takes 2520000");
+            "line 120001: expected a mesh that needs at most 2097152 bytes of memory,"
+                + " found one that needs 2520000");
     assertThat(thrown.isTooLarge()).isTrue();
   }
 }

@@ -177,8 +177,8 @@ class ProceduralReaderTest {
     assertThat(file.warnings())
         .map(Object::toString)
         .containsExactly(
-            "scene.json: $.objects[0].bokehTextureId: the mask is not black and white; grey from"
-                + " .5 up counts as white");
+            "scene.json: $.objects[0].bokehTextureId: the mask is not black and white; values"
+                + " from 0.5 up count as white");
     Texture<Rgb> mask = glow(3, "'Voronoi', 'width': 64, 'height': 64, 'blackAndWhite': true");
     SobolSampler sampler = new SobolSampler(1);
     for (int i = 0; i < 256; i++) {

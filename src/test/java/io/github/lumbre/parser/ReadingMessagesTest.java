@@ -104,7 +104,7 @@ class ReadingMessagesTest {
               "scene.json: $.assets[0].file: expected a file inside the scene's folder, found the"
                   + " link \""
                   + name
-                  + "\", which leads out of it; copy the file into the folder");
+                  + "\", which points outside it; copy the file into the folder");
     }
   }
 

@@ -72,13 +72,13 @@ class SceneParserTest {
       value = {
         "``|$: expected an object, found an empty file",
         "[]|$: expected an object, found an array",
-        "{}|$.mainCameraId: expected the id of a camera, found nothing; there is none",
+        "{}|$.mainCameraId: expected the id of a camera, found nothing; none exists",
         "{'mainCameraId': null}"
-            + "|$.mainCameraId: expected the id of a camera, found nothing; there is none",
+            + "|$.mainCameraId: expected the id of a camera, found nothing; none exists",
         "{'mainCameraId': '1'}|$.mainCameraId: expected an integer, found '1'",
         "{'mainCameraId': 7, 'objects': [{'type': 'Camera', 'id': 9}, {'id': 7, 'children':"
             + " [{'type': 'Camera', 'id': 3}]}]}"
-            + "|$.mainCameraId: expected the id of a camera, found 7; there are 3, 9",
+            + "|$.mainCameraId: expected the id of a camera, found 7; existing ids: 3, 9",
       })
   void sceneMustBeSeenByACamera(String text, String message) {
     SceneFormatException refusal = fixture.refusal(json(text));
@@ -117,23 +117,23 @@ class SceneParserTest {
         "'type': 'Light', 'lightType': 'Spot', 'intensity': 1, 'penumbra': 61"
             + "|.penumbra: expected a number from 0 to 60, found 61",
         "'localScale': {'x': 0}"
-            + "|: singular transform: with its parents, it flattens or overflows the object",
+            + "|: singular transform: combined with those of its parents, it has no finite inverse",
         "'localScale': {'x': 0, 'y': 0, 'z': 0}"
-            + "|: singular transform: with its parents, it flattens or overflows the object",
+            + "|: singular transform: combined with those of its parents, it has no finite inverse",
         "'type': 'Shape', 'shapeType': 'Sphere', 'radius': 1e308"
             + "|.radius: expected a number <= 1e150, found 1e308",
         "'localPosition': {'x': 1e300}, 'type': 'Shape', 'shapeType': 'Sphere'"
-            + "|: expected a shape within 1e150 of the origin, found one that reaches beyond",
+            + "|: expected a shape within 1e150 of the origin, found one that extends beyond",
         "'localPosition': [1, 2, 3]|.localPosition: expected an object, found an array",
         "'children': {}|.children: expected an array, found an object",
         "'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 99"
-            + "|.materialID: expected the id of a Material, found 99; there are 2, 5",
+            + "|.materialID: expected the id of a Material, found 99; existing ids: 2, 5",
         "'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 4"
-            + "|.materialID: expected the id of a Material, found 4; there are 2, 5",
+            + "|.materialID: expected the id of a Material, found 4; existing ids: 2, 5",
         "'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2"
-            + "|.meshId: expected the id of a Mesh, found 2; there is none",
+            + "|.meshId: expected the id of a Mesh, found 2; none exists",
         "'type': 'Light', 'lightType': 'Dome', 'intensity': 1, 'textureId': 3"
-            + "|.textureId: expected the id of a Texture, found 3; there is 4",
+            + "|.textureId: expected the id of a Texture, found 3; existing id: 4",
         "'id': 1|.id: expected the main camera's id once, found 1 again",
       })
   void errorsInObjectsSayWhereAndWhat(String object, String message) {
@@ -189,10 +189,10 @@ class SceneParserTest {
     assertThat(file.warnings())
         .map(Object::toString)
         .containsExactly(
-            "scene.json: $.objects[2].meshId: expected the id of a Mesh, found 98; there is none",
+            "scene.json: $.objects[2].meshId: expected the id of a Mesh, found 98; none exists",
             "scene.json: $.objects[1].materialID: expected the id of a Material, found 99;"
-                + " there is none",
-            "scene.json: $.objects[2].meshId: names no mesh: there is nothing to show");
+                + " none exists",
+            "scene.json: $.objects[2].meshId: names no mesh; the object is not rendered");
   }
 
   @Test
@@ -243,8 +243,7 @@ class SceneParserTest {
     assertThat(fixture.parse(nested(2000)).scene().primitives()).hasSize(1);
     SceneFormatException refusal = fixture.refusal(nested(2001));
     assertThat(refusal.kind()).isEqualTo(Kind.LIMIT);
-    assertThat(refusal)
-        .hasMessageEndingWith("expected at most 2000 objects within each other, found more");
+    assertThat(refusal).hasMessageEndingWith("expected at most 2000 nested objects, found more");
     assertThat(fixture.refusal(nested(100_000)).kind()).isEqualTo(Kind.LIMIT);
   }
 
@@ -386,11 +385,11 @@ class SceneParserTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "QUJDR|expected base64, found a text that ends early",
-        "''|expected base64, found a text that ends early",
-        "QU%D|expected base64, found characters that are not",
-        "QÜJD|expected base64, found characters that are not",
-        "Zg==|line 1: expected at least 3 corners of a face, found 0"
+        "QUJDR|expected base64, found truncated text",
+        "''|expected base64, found truncated text",
+        "QU%D|expected base64, found invalid characters",
+        "QÜJD|expected base64, found invalid characters",
+        "Zg==|line 1: expected at least 3 corners per face, found 0"
       })
   void assetsThatCannotBeDecodedAreTold(String base64, String message) {
     SceneFormatException refusal =
@@ -484,7 +483,7 @@ class SceneParserTest {
         .containsExactly(
             "scene.json: $.assets[0].base64PNG: "
                 + bomb.length
-                + " bytes unfold to 1024x1024 pixels");
+                + " bytes decode to 1024x1024 pixels");
   }
 
   @Test
@@ -508,7 +507,7 @@ class SceneParserTest {
     assertThat(file.contents()).isEqualTo(new SceneContents("Pinhole", 3, 1, 4, 1, 2, 1));
     assertThat(file.warnings())
         .map(Object::toString)
-        .containsExactly("scene.json: $.assets[0].base64OBJ: triangles without area, left out: 1");
+        .containsExactly("scene.json: $.assets[0].base64OBJ: dropped triangles of zero area: 1");
     assertThat(file.scene().primitives()).hasSize(3);
   }
 
@@ -527,7 +526,7 @@ class SceneParserTest {
         "'materialType': 'CookTorrance', 'distribution': 'phong'"
             + "|.distribution: expected one of beckmann, ggx, found 'phong'",
         "'materialType': 'Diffuse', 'normalTextureId': 7"
-            + "|.normalTextureId: expected the id of a Texture, found 7; there is 3",
+            + "|.normalTextureId: expected the id of a Texture, found 7; existing id: 3",
         "'materialType': 'Refractive', 'ior': 0"
             + "|.ior: expected a number in (0, 1000000], found 0",
         "'materialType': 'Refractive', 'ior': -1.5"
@@ -535,7 +534,7 @@ class SceneParserTest {
         "'materialType': 'Refractive', 'roughness': 2"
             + "|.roughness: expected a number from 0 to 1, found 2",
         "'materialType': 'Diffuse', 'colorTextureId': 9"
-            + "|.colorTextureId: expected the id of a Texture, found 9; there is 3",
+            + "|.colorTextureId: expected the id of a Texture, found 9; existing id: 3",
         "'materialType': 'Diffuse', 'colorScale': 2" + "|.colorScale: expected an object, found 2",
       })
   void errorsInMaterialsInUseSayWhereAndWhat(String material, String message) {
