@@ -3,9 +3,9 @@ package io.github.lumbre.audit;
 import io.github.lumbre.parser.SceneFile;
 import java.util.List;
 
-/** Looks at a scene for one kind of thing. Without state. */
+/** Checks a scene for one kind of problem. Stateless. */
 @FunctionalInterface
 interface Check {
-  /** Returns the findings, the most severe first. */
+  /** Returns the findings; empty if there are none. */
   List<Finding> of(SceneFile file, Pilot pilot);
 }

@@ -8,7 +8,7 @@ import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.List;
 import java.util.Locale;
 
-/** How much light the paths' greatest depth cuts off. */
+/** Reports the energy lost to the path length limit. */
 final class DepthCheck implements Check {
   private static final double WORTH_A_NOTE = .01;
   private static final double WORTH_A_WARNING = .05;
@@ -35,12 +35,12 @@ final class DepthCheck implements Check {
             new Origin("$.renderOptions." + key, ""),
             String.format(
                 Locale.ROOT,
-                "about %.2g %% (± %.1g) of the light lies beyond the depth",
+                "about %.2g %% (± %.1g) of the energy is lost to the path length limit",
                 100 * cut.share(),
                 100 * cut.standardError()),
-            "the picture is too dark by as much, most of all in bright corners and behind glass",
+            "the image is too dark by this share, mostly in bright corners and behind glass",
             isPath
-                ? "raise maxTraceDepth: roulette keeps the time of long paths small"
+                ? "raise maxTraceDepth; roulette keeps the cost of long paths low"
                 : "raise reflectionTraceDepth and refractionTraceDepth"));
   }
 }

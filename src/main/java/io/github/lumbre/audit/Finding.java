@@ -4,14 +4,14 @@ import io.github.lumbre.parser.Origin;
 import java.util.Objects;
 
 /**
- * Something questionable in a scene.
+ * A questionable property of a scene.
  *
- * @param severity how much it matters
- * @param law a short name of what was looked at, for programs
- * @param path of the place in the file, and the name there, if there is one
- * @param found what was found
- * @param means what follows from it
- * @param advice what to do; empty if nothing
+ * @param severity its importance
+ * @param law short name of the check, for programs
+ * @param path place in the file, with the name there if there is one
+ * @param found what was found, as one sentence without a final period
+ * @param means its effect on the render
+ * @param advice how to fix it; empty if there is nothing to do
  */
 public record Finding(
     Severity severity, String law, Origin path, String found, String means, String advice) {
@@ -20,11 +20,11 @@ public record Finding(
     Objects.requireNonNull(path, "path");
   }
 
-  /** How much a finding matters. */
+  /** The importance of a finding. */
   public enum Severity {
-    /** The picture is probably not what was meant, or wrong. */
+    /** The image is probably wrong or not as intended. */
     WARNING,
-    /** Worth knowing; often as meant. */
+    /** Useful to know; often intended. */
     NOTE
   }
 

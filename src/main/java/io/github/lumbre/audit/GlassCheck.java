@@ -17,19 +17,19 @@ import io.github.lumbre.scene.Primitive;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Glass without an inside, and glass that other glass reaches into. */
+/** Reports glass on surfaces that are not closed, and glass objects that overlap. */
 final class GlassCheck implements Check {
   private static final String LAW = "glass";
 
-  /** Pairs of glass objects that are looked at; more would take long. */
+  /** The largest number of pairs of glass objects to compare; it limits the time. */
   private static final int MOST_PAIRS = 500;
 
   private static final int POINTS = 200;
 
-  /** More surfaces than that along one line are taken as endless. */
+  /** The largest number of surfaces to count along one ray. */
   private static final int MOST_CROSSINGS = 1000;
 
-  /** A glass object. */
+  /** A glass object with a closed surface, and a hierarchy over this object only. */
   private record Pane(int primitive, Shape shape, Bvh alone) {}
 
   @Override
@@ -48,9 +48,9 @@ final class GlassCheck implements Check {
             Finding.warning(
                 LAW,
                 file.origins().primitives().get(i),
-                "glass on a surface that encloses nothing",
-                "light that enters never leaves: all behind the surface counts as inside the glass",
-                "close the mesh, or give the pane a thickness, as a Cube; or set its ior to 1"));
+                "glass on a surface that is not closed",
+                "light that enters never leaves: all space behind the surface counts as glass",
+                "close the mesh, model the pane as a thin Cube, or set its ior to 1"));
       }
     }
     int pairs = 0;
@@ -78,7 +78,7 @@ final class GlassCheck implements Check {
         && b.min().z() <= a.max().z();
   }
 
-  /** Returns how the surface of one object lies in the other: partly or wholly inside. */
+  /** Adds a finding if the surface of one object lies partly or wholly inside the other. */
   private static void compare(Pane surface, Pane volume, SceneFile file, List<Finding> findings) {
     int inside = 0;
     int points = 0;
@@ -101,7 +101,7 @@ final class GlassCheck implements Check {
         inside += isInside(volume, point, hit) ? 1 : 0;
       }
     }
-    // Points of a common face are on either side by rounding: a few do not count.
+    // Rounding puts points of a common face on either side: tolerate 5 %.
     int few = points / 20;
     String other = file.origins().primitives().get(volume.primitive).toString();
     if (inside > few && inside < points - few) {
@@ -109,18 +109,18 @@ final class GlassCheck implements Check {
           Finding.warning(
               LAW,
               file.origins().primitives().get(surface.primitive),
-              "the glass reaches into that of " + other,
-              "each surface refracts light by its own ior, as if air were on its other side: in the"
-                  + " overlap that is neither glass",
-              "leave a gap between the two, or give the common border to one surface"));
+              "the glass overlaps that of " + other,
+              "each surface refracts as if its other side were air; in the overlap, this matches"
+                  + " neither glass",
+              "leave a gap between the two, or model their common boundary as one surface"));
     } else if (points > 0 && inside >= points - few) {
       findings.add(
           Finding.note(
               LAW,
               file.origins().primitives().get(surface.primitive),
-              "the glass lies wholly inside that of " + other,
-              "its ior is relative to what surrounds it, not to air",
-              "for water in glass write 1.33 / 1.5; for a bubble of air 1 / 1.5"));
+              "the glass lies entirely inside that of " + other,
+              "its ior is relative to the surrounding glass, not to air",
+              "use 1.33 / 1.5 for water in glass, or 1 / 1.5 for an air bubble"));
     }
   }
 
@@ -129,7 +129,7 @@ final class GlassCheck implements Check {
         new Point2(Hash.unit(Hash.of(1, number)), Hash.unit(Hash.of(2, number))));
   }
 
-  /** Counts surfaces on the way out: an odd number means inside. */
+  /** Returns whether a point is inside: a ray from it crosses an odd number of surfaces. */
   private static boolean isInside(Pane volume, Vec3 point, NearestHit hit) {
     Ray ray = new Ray(point, direction(-1));
     int crossings = 0;

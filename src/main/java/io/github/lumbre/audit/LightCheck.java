@@ -10,14 +10,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 
-/** Which lights the picture gets its light from, and which send it none. */
+/** Reports each light's share of the image, and lights that contribute nothing. */
 final class LightCheck implements Check {
   private static final String LAW = "light";
 
-  /** With more lights, only the strongest are reported one by one. */
+  /** The largest number of contributing lights to report, in descending order of their share. */
   private static final int MOST_SHARES = 8;
 
-  /** Lights of a smaller share of the power may be missed by few paths. */
+  /** Lights with a smaller fraction of the total power are not reported as unused. */
   private static final double LEAST_POWER = .01;
 
   @Override
@@ -29,8 +29,8 @@ final class LightCheck implements Check {
           Finding.warning(
               LAW,
               new Origin("$.objects", ""),
-              "nothing shines",
-              "the picture is black",
+              "the scene has no light",
+              "the image is black",
               "add a light, or set renderOptions.background"));
       return findings;
     }
@@ -40,9 +40,9 @@ final class LightCheck implements Check {
           Finding.warning(
               LAW,
               new Origin("$", ""),
-              "none of " + pilot.paths() + " paths found light",
-              "the picture is black or nearly so",
-              "look whether the lights face what the camera sees, and whether it sees anything"));
+              "none of " + pilot.paths() + " pilot paths found light",
+              "the image is black or almost black",
+              "check that the camera sees objects and that the lights face them"));
       return findings;
     }
     shares(file, pilot, findings);
@@ -54,7 +54,7 @@ final class LightCheck implements Check {
         .anyMatch(p -> p.emission().isPresent() && !p.emission().get().isBlack());
   }
 
-  /** An infinite emitter cannot be sampled. */
+  /** Reports infinite emitters, which cannot be sampled. */
   private static void unsampled(SceneFile file, List<Finding> findings) {
     for (int i = 0; i < file.scene().primitives().size(); i++) {
       Primitive primitive = file.scene().primitives().get(i);
@@ -65,7 +65,8 @@ final class LightCheck implements Check {
                 LAW,
                 file.origins().primitives().get(i),
                 "an infinite plane that emits",
-                "it lights objects only where a scattered ray happens to hit it, which adds noise",
+                "it cannot be sampled: only scattered rays that hit it carry its light, which adds"
+                    + " noise",
                 "make it finite, or use a Dome"));
       }
     }
@@ -90,18 +91,18 @@ final class LightCheck implements Check {
                 file.origins().emitters().get(i),
                 "none of "
                     + pilot.paths()
-                    + " paths found light of it, "
+                    + " pilot paths found its light; it has "
                     + percent(power)
                     + " of the power of all lights",
-                "it faces away from what the camera sees, is hidden, or is too small or far for so"
-                    + " few paths",
-                "turn or move it, or remove it: samples are spent on it"));
+                "it costs samples but seems to light nothing in view: it may face away, be hidden,"
+                    + " or be too small or too far for the pilot",
+                "turn, move or remove it"));
       } else if (pilot.share(i) > 0 && emitters.size() > 1 && shown++ < MOST_SHARES) {
         findings.add(
             Finding.note(
                 LAW,
                 file.origins().emitters().get(i),
-                percent(pilot.share(i)) + " of the picture's light comes from it",
+                percent(pilot.share(i)) + " of the image's light comes from it",
                 "it has " + percent(power) + " of the power of all lights",
                 ""));
       }

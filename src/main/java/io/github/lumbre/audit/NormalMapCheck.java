@@ -8,12 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Normal maps that look like pictures of something else. */
+/** Reports normal maps that look like color images or height maps. */
 final class NormalMapCheck implements Check {
-  /** Normals of maps in tangent space mostly point outward: blue. */
+  /** The smallest mean z: normals in tangent space mostly point outward, so the map is blue. */
   private static final double LEAST_OUTWARD = .3;
 
-  /** How far the length of most normals may be from 1. */
+  /** The largest deviation of a normal's length from 1. */
   private static final double LENGTH_TOLERANCE = .25;
 
   private static final double MOST_ODD = .5;
@@ -47,13 +47,13 @@ final class NormalMapCheck implements Check {
               used.origin(),
               String.format(
                   Locale.ROOT,
-                  "the normal map's mean height is %.2f, and %.0f %% of its vectors are not of"
+                  "the mean z of the normal map is %.2f, and %.0f %% of its vectors are not of"
                       + " unit length",
                   outward[0],
                   100 * oddShare),
-              "normal maps are bluish and of unit length: this looks like a picture or a height"
-                  + " map, and perturbs normals at random",
-              "name a map of normals in tangent space as normalTextureId"));
+              "the texture looks like a color image or a height map, and perturbs normals"
+                  + " arbitrarily",
+              "set normalTextureId to a normal map in tangent space"));
     }
   }
 }

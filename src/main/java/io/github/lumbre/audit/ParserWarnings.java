@@ -6,7 +6,7 @@ import io.github.lumbre.parser.SceneFile;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the parser warned of, and samples that are no radiance. */
+/** Reports the parser's warnings, and rejected samples (negative, NaN or infinite). */
 final class ParserWarnings implements Check {
   @Override
   public List<Finding> of(SceneFile file, Pilot pilot) {
@@ -17,9 +17,9 @@ final class ParserWarnings implements Check {
           Finding.warning(
               "radiance",
               new Origin("$", ""),
-              pilot.rejected() + " of " + pilot.paths() + " paths are negative or not finite",
-              "they count as black: the picture is too dark there",
-              "look for lights or factors near the limits of numbers; lumbre pixel shows a path"));
+              pilot.rejected() + " of " + pilot.paths() + " pilot paths are negative or not finite",
+              "they are rejected and count as black, so the image is too dark there",
+              "reduce extreme intensities and factors; lumbre pixel prints the path of a pixel"));
     }
     return findings;
   }
@@ -29,7 +29,7 @@ final class ParserWarnings implements Check {
         "format",
         new Origin(warning.path().isEmpty() ? "$" : warning.path(), ""),
         warning.message(),
-        "the render differs from what the scene states",
-        "correct the value, or accept what it is taken as");
+        "the render may differ from what the scene file states",
+        "correct the scene file, or accept the value used instead");
   }
 }

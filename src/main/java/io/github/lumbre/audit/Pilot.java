@@ -11,15 +11,16 @@ import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.List;
 
 /**
- * A few thousand paths, spread over the frame and deeper than the scene asks: what they meet, and
- * where their light comes from. The same for the same scene.
+ * A pilot render: a grid of 64 × 48 points over the full frame with 2 samples each, up to 32
+ * vertices deeper than the scene's path length limit. It counts the objects that its paths hit, and
+ * the light that they find. Deterministic for a scene.
  */
 final class Pilot {
   private static final int COLUMNS = 64;
   private static final int ROWS = 48;
   private static final int SAMPLES = 2;
 
-  /** How many more vertices its paths have than those of the scene. */
+  /** The number of vertices beyond the scene's path length limit. */
   private static final int DEEPER = 32;
 
   private final SceneFile file;
@@ -38,7 +39,7 @@ final class Pilot {
     lightOfEmitter = new double[file.scene().emitters().size()];
   }
 
-  /** Follows the paths. */
+  /** Traces the paths of the pilot render. */
   static Pilot of(SceneFile file) {
     Pilot pilot = new Pilot(file);
     pilot.run();
@@ -53,7 +54,7 @@ final class Pilot {
         int x = (int) ((column + .5) / COLUMNS * settings.width());
         int y = (int) ((row + .5) / ROWS * settings.height());
         for (int sample = 0; sample < SAMPLES; sample++) {
-          // Where the frame has fewer pixels than the grid, each time another sample.
+          // Unique numbers: grid points that share a pixel get different samples.
           int number = sample + SAMPLES * (column + COLUMNS * row);
           note(replay.sample(x, y, number), isPath ? settings.maxTraceDepth() : Integer.MAX_VALUE);
         }
@@ -69,9 +70,9 @@ final class Pilot {
   }
 
   /**
-   * Takes a path in.
+   * Adds a path to the counts.
    *
-   * @param depth how many of its vertices scatter in the scene's own settings
+   * @param depth the path length limit of the scene's own settings, in scattering vertices
    */
   private void note(PixelReplay.Sample sample, int depth) {
     paths++;
@@ -103,28 +104,28 @@ final class Pilot {
     return (colour.r() + colour.g() + colour.b()) / 3;
   }
 
-  /** Returns how many paths there were. */
+  /** Returns the number of paths. */
   int paths() {
     return paths;
   }
 
-  /** Returns how many of them had no radiance. */
+  /** Returns the number of rejected paths, whose radiance is negative, NaN or infinite. */
   int rejected() {
     return rejected;
   }
 
-  /** Returns how often a primitive was met. */
+  /** Returns how often a path hit a primitive. */
   long met(int primitive) {
     return met[primitive];
   }
 
-  /** Returns the share of the light found that comes from an emitter; 0 if there is no light. */
+  /** Returns a light's share of the light found, 0 to 1; 0 if there is none. */
   double share(int emitter) {
     double all = light + lightBeyond;
     return all > 0 ? lightOfEmitter[emitter] / all : 0;
   }
 
-  /** Returns whether any light was found. */
+  /** Returns whether any path found light within the scene's path length limit. */
   boolean sawLight() {
     return light > 0;
   }

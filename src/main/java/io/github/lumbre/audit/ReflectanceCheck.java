@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 
-/** Surfaces that were to reflect more light than they get: by how much they are held back. */
+/** Reports reflectances above 1, and the energy lost when they are limited to 1. */
 final class ReflectanceCheck implements Check {
   private static final String LAW = "reflectance";
 
@@ -45,7 +45,9 @@ final class ReflectanceCheck implements Check {
   }
 
   /**
-   * @param keepsHue whether all components are divided by the largest, instead of each cut to 1
+   * Adds a finding if the reflectance exceeds 1 anywhere.
+   *
+   * @param keepsHue whether all components are divided by the largest, instead of clamping each
    */
   private static void look(
       Surfaces.Used used,
@@ -72,14 +74,14 @@ final class ReflectanceCheck implements Check {
               used.origin(),
               String.format(
                   Locale.ROOT,
-                  "%.0f %% of the surface would reflect more than it gets, up to %.3g times",
+                  "the reflectance exceeds 1 on %.0f %% of the surface; its maximum is %.3g",
                   100.0 * above[0] / Surfaces.texturePoints(),
                   most[0]),
               String.format(
                   Locale.ROOT,
-                  "no surface does: the part above 1 is cut off, %.1f %% of what is written",
+                  "it is limited to 1, which removes %.1f %% of the stated reflectance",
                   100 * (1 - sums[1] / sums[0])),
-              "lower the colours, so that they and their textures stay at most 1 together"));
+              "lower the colors, so that their sum, with textures, is at most 1"));
     }
   }
 }

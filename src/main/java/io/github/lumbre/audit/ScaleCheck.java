@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Largest coordinate against smallest object: where double precision ends. */
+/** Reports objects that are too small, relative to the largest coordinate, for double precision. */
 final class ScaleCheck implements Check {
-  /** Up to this ratio the laws of light hold to the digits that a picture shows. */
+  /** Up to this ratio, rounding errors stay below the precision of an image. */
   private static final double ENVELOPE = 1e9;
 
   @Override
@@ -47,13 +47,13 @@ final class ScaleCheck implements Check {
             file.origins().primitives().get(small),
             String.format(
                 Locale.ROOT,
-                "the object is %.3g large, in a scene with coordinates up to %.3g (%s): 1 to %.3g",
+                "the object's size is %.3g, but coordinates reach %.3g (%s): a ratio of 1 to %.3g",
                 smallest,
                 farthest,
                 whose,
                 farthest / smallest),
-            "beyond 1 to 1e9 positions are too coarse for it: shadows and outlines may be wrong",
-            "bring the two nearer to each other, or the whole scene nearer to the origin"));
+            "beyond a ratio of 1 to 1e9, rounding may distort its shadows and outlines",
+            "move the objects closer together, or the whole scene closer to the origin"));
   }
 
   private static double cameraDistance(SceneFile file) {

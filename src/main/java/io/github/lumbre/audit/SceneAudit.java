@@ -5,7 +5,7 @@ import io.github.lumbre.parser.SceneFile;
 import java.util.Comparator;
 import java.util.List;
 
-/** Checks a scene for what is physically or numerically questionable. */
+/** Checks a valid scene for physically or numerically questionable properties. Stateless. */
 public final class SceneAudit {
   private static final List<Check> CHECKS =
       List.of(
@@ -22,7 +22,11 @@ public final class SceneAudit {
 
   private SceneAudit() {}
 
-  /** Returns the findings, warnings first. */
+  /**
+   * Returns the findings, warnings first; empty if there are none. Renders a small pilot, and is
+   * deterministic for a scene. If the calling thread is interrupted, findings may be missing and
+   * the interrupt status stays set.
+   */
   public static List<Finding> of(SceneFile file) {
     Pilot pilot = Pilot.of(file);
     return CHECKS.stream()
@@ -31,7 +35,7 @@ public final class SceneAudit {
         .toList();
   }
 
-  /** Returns how many of the findings are warnings. */
+  /** Returns the number of findings that are warnings. */
   public static long warnings(List<Finding> findings) {
     return findings.stream().filter(f -> f.severity() == Severity.WARNING).count();
   }

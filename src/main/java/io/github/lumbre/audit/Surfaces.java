@@ -12,17 +12,17 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 
-/** Ways through a scene's surfaces. */
+/** Iterates over a scene's materials and over texture coordinates. */
 final class Surfaces {
-  /** Points a side at which textures are looked at. */
+  /** The number of sampled points per side of the texture. */
   private static final int GRID = 48;
 
   private Surfaces() {}
 
-  /** A material and where it stands. */
+  /** A material and its place in the file. */
   record Used(Origin origin, Material material) {}
 
-  /** Returns the materials in use, each once, with the place of the first object that has it. */
+  /** Returns the distinct materials in use, each with its place in the file. */
   static List<Used> materials(SceneFile file) {
     Set<Material> known = new HashSet<>();
     List<Used> used = new ArrayList<>();
@@ -35,12 +35,12 @@ final class Surfaces {
     return used;
   }
 
-  /** Returns what a material is below its normal map. */
+  /** Returns a material without its normal map. */
   static Material flat(Material material) {
     return material instanceof NormalMapped mapped ? flat(mapped.material()) : material;
   }
 
-  /** Visits points spread evenly over the unit square. */
+  /** Visits a regular grid of points in the unit square, in texture coordinates. */
   static void forTexturePoints(Consumer<TexturePoint> visitor) {
     for (int i = 0; i < GRID * GRID; i++) {
       visitor.accept(
@@ -48,7 +48,7 @@ final class Surfaces {
     }
   }
 
-  /** Returns how many points are visited. */
+  /** Returns the number of points that {@link #forTexturePoints} visits. */
   static int texturePoints() {
     return GRID * GRID;
   }

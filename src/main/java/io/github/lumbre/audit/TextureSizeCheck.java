@@ -18,22 +18,22 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
-/** Pictures with more texels than the frame has pixels to show them, as the camera sees them. */
+/** Reports textures whose resolution exceeds the resolution at which the camera sees them. */
 final class TextureSizeCheck implements Check {
   private static final int GRID = 96;
 
-  /** Texels to the pixel, along a side, from which a picture is larger than it need be. */
+  /** Texels per pixel, along a side, above which a texture is reported. */
   private static final double MOST_TEXELS = 4;
 
-  /** Smaller pictures are not worth a word. */
+  /** Textures with fewer texels are not reported. */
   private static final long LEAST_TEXELS = 1L << 20;
 
-  /** The few pixels that see a surface nearest may be a corner of it. */
+  /** The quantile of the texels per pixel to compare: ignores the few closest pixels. */
   private static final double NEAREST_SHARE = .05;
 
   private static final int LEAST_PIXELS = 20;
 
-  /** Where in a texture a pixel sees a surface. */
+  /** The primitive and the texture coordinates that a pixel sees. */
   private record Seen(int primitive, TexturePoint point) {}
 
   @Override
@@ -69,29 +69,29 @@ final class TextureSizeCheck implements Check {
         use.texture(),
         String.format(
             Locale.ROOT,
-            "%dx%d texels as %s of %s, where the camera sees it nearest %.0f texels to a pixel's"
+            "%dx%d texels as %s of %s: at its closest, the camera sees %.0f texels per pixel's"
                 + " side",
             use.width(),
             use.height(),
             use.channel(),
             use.material(),
             texels),
-        "it takes memory and, unfiltered, noise without showing more",
+        "the extra texels cost memory and, without filtering, add noise but no detail",
         String.format(
             Locale.ROOT,
-            "%dx%d would do, unless mirrors or other pictures come nearer",
+            "reduce it to %dx%d, unless mirrors or other views show it closer",
             (int) Math.ceil(use.width() / texels * 2),
             (int) Math.ceil(use.height() / texels * 2)));
   }
 
-  /** Returns how many texels lie along a pixel's side. */
+  /** Returns the number of texels along a pixel's side. */
   private static double texels(double[] step, TextureUse use) {
     double x = Math.abs(use.scaleX()) * use.width();
     double y = Math.abs(use.scaleY()) * use.height();
     return Math.sqrt(Math.abs(step[0] * step[3] - step[1] * step[2]) * x * y);
   }
 
-  /** Returns du/dx, dv/dx, du/dy, dv/dy of pixels, by material. */
+  /** Returns du/dx, dv/dx, du/dy and dv/dy per pixel for sampled pixels, by material. */
   private static Map<Origin, List<double[]>> steps(SceneFile file) {
     int width = file.settings().width();
     int height = file.settings().height();
@@ -114,7 +114,7 @@ final class TextureSizeCheck implements Check {
         TexturePoint r = right.get().point;
         TexturePoint b = below.get().point;
         double[] step = {r.u() - p.u(), r.v() - p.v(), b.u() - p.u(), b.v() - p.v()};
-        // Across a seam the step is of another kind.
+        // Skip texture seams, where the coordinates jump.
         if (Arrays.stream(step).allMatch(s -> Math.abs(s) < .25)) {
           Origin material = file.origins().materials().get(primitive);
           steps.computeIfAbsent(material, m -> new ArrayList<>()).add(step);

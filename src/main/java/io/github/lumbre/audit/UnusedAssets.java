@@ -4,7 +4,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneOrigins;
 import java.util.List;
 
-/** Assets of the file that nothing of the scene uses. */
+/** Reports assets of the file that the rendered scene does not use. */
 final class UnusedAssets implements Check {
   @Override
   public List<Finding> of(SceneFile file, Pilot pilot) {
@@ -15,8 +15,8 @@ final class UnusedAssets implements Check {
     return Finding.note(
         "unused",
         unused.origin(),
-        "the " + unused.type() + " is used by nothing that is rendered",
-        "it is not decoded, so that errors in it go unnoticed",
-        "remove it, or look for a reference with another id");
+        "the " + unused.type() + " is not used by any rendered object",
+        "it is not decoded, so its errors stay unreported",
+        "remove it, or check for a reference with a wrong id");
   }
 }

@@ -4,14 +4,14 @@ import io.github.lumbre.parser.SceneFile;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Objects that neither the camera nor scattered light seems to hit. */
+/** Reports objects that no ray of the pilot render hits. */
 final class VisibilityCheck implements Check {
   @Override
   public List<Finding> of(SceneFile file, Pilot pilot) {
     List<Integer> unmet =
         IntStream.range(0, file.scene().primitives().size())
             .filter(i -> pilot.met(i) == 0)
-            // Lights are reported by their own check.
+            // LightCheck reports lights.
             .filter(i -> file.scene().primitives().get(i).emission().isEmpty())
             .boxed()
             .toList();
@@ -23,9 +23,9 @@ final class VisibilityCheck implements Check {
         Finding.note(
             "unseen",
             file.origins().primitives().get(unmet.get(0)),
-            "none of " + pilot.paths() + " paths met it" + others,
-            "it is outside the view and lights little, is behind the camera or inside something,"
-                + " turns its back (planes are one-way), or is very small",
-            "nothing, if that is meant; else turn it, or make a plane twoSided"));
+            "none of " + pilot.paths() + " pilot paths hit it" + others,
+            "it may be out of view, inside another object, very small, or a one-sided plane seen"
+                + " from behind",
+            "if this is not intended, move or turn it, or make a plane twoSided"));
   }
 }

@@ -1,9 +1,9 @@
 /**
- * Checks for what is physically or numerically questionable in a valid scene.
+ * Checks of valid scenes for physically or numerically questionable properties.
  *
- * <p>{@link io.github.lumbre.audit.SceneAudit} runs each check. What only light can tell (which
- * lamp arrives, what the depth cuts off, what no ray meets) comes from a {@link
- * io.github.lumbre.audit.Pilot}: a few thousand paths, spread over the frame, always the same for
- * the same scene.
+ * <p>{@link io.github.lumbre.audit.SceneAudit} runs the checks. Some need light transport: each
+ * light's share, energy lost to the path length limit, and objects that no ray hits. They use a
+ * {@link io.github.lumbre.audit.Pilot}, a deterministic pilot render of 64 × 48 points over the
+ * frame with 2 samples each.
  */
 package io.github.lumbre.audit;

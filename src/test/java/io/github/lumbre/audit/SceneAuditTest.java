@@ -110,7 +110,12 @@ class SceneAuditTest {
     String much = "\"color\": {\"r\": 0.9, \"g\": 0.9, \"b\": 0.9}, \"specularColor\": ";
     List<Finding> findings =
         auditOf(material("Phong", much + "{\"r\": 0.6, \"g\": 0.6, \"b\": 0.6}"), sphere(0, 1, 1));
-    assertFinds(findings, "reflectance", Severity.WARNING, "$.assets[0]", "100 % of the surface");
+    assertFinds(
+        findings,
+        "reflectance",
+        Severity.WARNING,
+        "$.assets[0]",
+        "exceeds 1 on 100 % of the surface");
     assertThat(findings).anyMatch(f -> f.means().contains("33.3 %"));
     assertSilent(
         auditOf(material("Phong", much + "{\"r\": 0.1, \"g\": 0.1, \"b\": 0.1}"), sphere(0, 1, 1)),
@@ -122,7 +127,7 @@ class SceneAuditTest {
     String unused =
         "{\"id\": 7, \"name\": \"old\", \"assetType\": \"Texture\", \"textureType\": \"Marble\"}";
     List<Finding> findings = auditOf(material("Diffuse", GREY) + ", " + unused, sphere(0, 1, 1));
-    assertFinds(findings, "unused", Severity.NOTE, "$.assets[1]", "texture is used by nothing");
+    assertFinds(findings, "unused", Severity.NOTE, "$.assets[1]", "texture is not used by any");
     assertThat(findings.get(0).path().name()).isEqualTo("old");
   }
 
@@ -136,7 +141,7 @@ class SceneAuditTest {
         "glass",
         Severity.WARNING,
         "$.objects[3]",
-        "encloses nothing");
+        "is not closed");
     assertSilent(auditOf(material("Refractive", "\"ior\": 1"), pane), "glass");
     assertSilent(auditOf(material("Refractive", GLASS), sphere(0, 1, 1)), "glass");
   }
@@ -152,7 +157,7 @@ class SceneAuditTest {
         "glass",
         Severity.WARNING,
         "$.objects[3]",
-        "encloses nothing");
+        "is not closed");
     String closed = obj(corners + three + "f 2 3 4\n");
     assertSilent(auditOf(material("Refractive", GLASS) + ", " + closed, mesh), "glass");
   }
@@ -170,13 +175,13 @@ class SceneAuditTest {
         "glass",
         Severity.WARNING,
         "$.objects[3]",
-        "reaches into that of $.objects[4]");
+        "overlaps that of $.objects[4]");
     assertFinds(
         auditOf(glass, sphere(0, 1, 1), sphere(0, 1, .5)),
         "glass",
         Severity.NOTE,
         "$.objects[4]",
-        "wholly inside");
+        "entirely inside");
     assertSilent(auditOf(glass, sphere(-1.1, 1, 1), sphere(1.1, 1, 1)), "glass");
   }
 
@@ -200,7 +205,7 @@ class SceneAuditTest {
         "normal-map",
         Severity.WARNING,
         "$.assets[0]",
-        "mean height is -0.54");
+        "mean z of the normal map is -0.54");
     assertSilent(auditOf(bump + ", " + png(8, 8, 0x8080ff), sphere(0, 1, 1)), "normal-map");
   }
 
@@ -235,20 +240,20 @@ class SceneAuditTest {
   @Test
   void lightsThatSendNothingAreFound() throws Exception {
     List<Finding> dark = audit("\"maxTraceDepth\": 50", "", FLOOR);
-    assertFinds(dark, "light", Severity.WARNING, "$.objects", "nothing shines");
+    assertFinds(dark, "light", Severity.WARNING, "$.objects", "has no light");
     String away =
         "{\"type\": \"Light\", \"lightType\": \"Rectangle\", \"unit\": \"radiance\","
             + " \"intensity\": 20, \"localPosition\": {\"x\": 0, \"y\": 3, \"z\": 0},"
             + " \"localRotation\": {\"x\": -90, \"y\": 0, \"z\": 0}}";
     List<Finding> findings = auditOf("", away);
-    assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "paths found light of it");
-    assertFinds(findings, "light", Severity.NOTE, "$.objects[2]", "100 % of the picture's light");
+    assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "pilot paths found its light");
+    assertFinds(findings, "light", Severity.NOTE, "$.objects[2]", "100 % of the image's light");
     String sky = "\"background\": {\"r\": 1, \"g\": 1, \"b\": 1}, \"maxTraceDepth\": 50";
-    String ofSky = "of the picture's light";
+    String ofSky = "of the image's light";
     assertFinds(
         audit(sky, "", FLOOR, LAMP), "light", Severity.NOTE, "$.renderOptions.background", ofSky);
     String towards = away.replace("-90", "90");
-    assertThat(auditOf("", towards)).noneMatch(f -> f.found().contains("found light of it"));
+    assertThat(auditOf("", towards)).noneMatch(f -> f.found().contains("found its light"));
   }
 
   @Test
@@ -278,7 +283,11 @@ class SceneAuditTest {
   void objectsThatNothingMeetsAreFound() throws Exception {
     String grey = material("Diffuse", GREY);
     assertFinds(
-        auditOf(grey, sphere(0, -3, 1)), "unseen", Severity.NOTE, "$.objects[3]", "paths met it");
+        auditOf(grey, sphere(0, -3, 1)),
+        "unseen",
+        Severity.NOTE,
+        "$.objects[3]",
+        "pilot paths hit it");
     assertSilent(auditOf(grey, sphere(0, 1, 1)), "unseen");
   }
 
@@ -289,6 +298,6 @@ class SceneAuditTest {
             + " \"localRotation\": {\"x\": 60, \"y\": 0, \"z\": 0}}";
     String[] many = new String[16];
     Arrays.fill(many, blinding);
-    assertFinds(auditOf("", many), "radiance", Severity.WARNING, "$", "paths are negative");
+    assertFinds(auditOf("", many), "radiance", Severity.WARNING, "$", "pilot paths are negative");
   }
 }
