@@ -17,6 +17,7 @@ module io.github.lumbre {
   exports io.github.lumbre.camera;
   exports io.github.lumbre.light;
   exports io.github.lumbre.scene;
+  exports io.github.lumbre.model;
   exports io.github.lumbre.path;
   exports io.github.lumbre.render;
   exports io.github.lumbre.checkpoint;

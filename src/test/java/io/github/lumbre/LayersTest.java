@@ -42,8 +42,8 @@ class LayersTest {
   private static final String BASIC = "math image sampling texture geometry";
   private static final String LIBRARY =
       BASIC
-          + " file path material camera light scene integrator render parser checkpoint stopping"
-          + " audit";
+          + " file path material camera light scene model integrator render parser checkpoint"
+          + " stopping audit";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -61,7 +61,8 @@ class LayersTest {
           Map.entry("scene", BASIC + " material camera light"),
           Map.entry("integrator", BASIC + " path material camera light scene"),
           Map.entry("render", "math image sampling geometry path camera scene integrator"),
-          Map.entry("parser", BASIC + " file material camera light scene"),
+          Map.entry("model", BASIC + " material camera light scene"),
+          Map.entry("parser", BASIC + " file material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
           Map.entry("stopping", "math image scene render"),
           Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),

@@ -1,0 +1,42 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.math.Transform;
+import java.util.Objects;
+import java.util.OptionalDouble;
+
+/**
+ * A camera of a model. It looks along its local -z, with +y up and +x to the right (glTF 2.0,
+ * section 3.10).
+ *
+ * @param name empty if it has none
+ * @param location in the file, such as {@code nodes[3].camera}
+ * @param toWorld from the camera's local space to the model's world space
+ */
+public record ModelCamera(String name, String location, Lens lens, Transform toWorld) {
+
+  /** The projection of a camera. */
+  public sealed interface Lens {}
+
+  /**
+   * A perspective projection.
+   *
+   * @param verticalFov the angle between the lower and the upper edge, in radians
+   * @param aspect width over height; empty if the frame decides it
+   */
+  public record Perspective(double verticalFov, OptionalDouble aspect) implements Lens {}
+
+  /**
+   * A parallel projection.
+   *
+   * @param halfWidth half the width of the frame, in units of the camera's local space
+   * @param halfHeight half the height of the frame, in units of the camera's local space
+   */
+  public record Parallel(double halfWidth, double halfHeight) implements Lens {}
+
+  public ModelCamera {
+    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(location, "location");
+    Objects.requireNonNull(lens, "lens");
+    Objects.requireNonNull(toWorld, "toWorld");
+  }
+}

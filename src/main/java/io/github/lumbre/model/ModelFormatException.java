@@ -1,0 +1,37 @@
+package io.github.lumbre.model;
+
+import java.util.Objects;
+
+/** Thrown if a model file is damaged, unsupported or too large. Its message states the place. */
+public final class ModelFormatException extends Exception {
+  private static final long serialVersionUID = 1;
+
+  /** Kinds of failures. */
+  public enum Kind {
+    /** The file breaks the rules of its format. */
+    MALFORMED,
+    /** The file requires a feature that is not supported. */
+    UNSUPPORTED,
+    /** The file exceeds a limit. */
+    TOO_LARGE,
+    /** A file that the model names cannot be read. */
+    ASSET
+  }
+
+  private final Kind kind;
+
+  /**
+   * @param location in the file, such as {@code nodes[3].mesh} or {@code line 12}; empty if the
+   *     whole file is meant
+   * @param message what was expected, and what was found
+   */
+  public ModelFormatException(Kind kind, String location, String message) {
+    super(location.isEmpty() ? message : location + ": " + message);
+    this.kind = Objects.requireNonNull(kind, "kind");
+  }
+
+  /** Returns the kind of failure. */
+  public Kind kind() {
+    return kind;
+  }
+}

@@ -1,0 +1,42 @@
+package io.github.lumbre.model;
+
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What to read from a model file, and how.
+ *
+ * @param pose the animation and time whose pose is used; empty for the rest pose
+ * @param variant the name of the material variant; empty for the default materials
+ * @param up the up axis of formats that state none: STL, PLY and OBJ
+ * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
+ */
+public record ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
+  /** The rest pose, default materials, +Y up, unit 1. */
+  public static final ModelOptions DEFAULT =
+      new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, 1);
+
+  /** The axis that points up. */
+  public enum Up {
+    /** +Y. */
+    Y,
+    /** +Z: readers map (x, y, z) to (x, z, -y). */
+    Z
+  }
+
+  /**
+   * A point in time of an animation.
+   *
+   * @param seconds at least 0; after the end, the last pose holds
+   */
+  public record Pose(String animation, double seconds) {}
+
+  public ModelOptions {
+    Objects.requireNonNull(pose, "pose");
+    Objects.requireNonNull(variant, "variant");
+    Objects.requireNonNull(up, "up");
+    if (!(unit > 0 && Double.isFinite(unit))) {
+      throw new IllegalArgumentException("unit: expected a finite number > 0, found " + unit);
+    }
+  }
+}

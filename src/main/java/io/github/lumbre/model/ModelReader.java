@@ -1,0 +1,29 @@
+package io.github.lumbre.model;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+
+/** Reads model files of all supported formats. Stateless. */
+public final class ModelReader {
+  /** The name endings of supported files, in lower case, without a dot. */
+  public static final List<String> ENDINGS = List.of("gltf", "glb", "obj", "ply", "stl");
+
+  private ModelReader() {}
+
+  /**
+   * Returns the content of a model file. The ending of its name chooses the format.
+   *
+   * @param name of the file
+   * @param content bytes of the file
+   * @param folder reads other files that the model names
+   * @throws ModelFormatException if the file is damaged, unsupported or too large
+   * @throws IOException if the thread is interrupted
+   */
+  public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+    throw new ModelFormatException(
+        ModelFormatException.Kind.UNSUPPORTED, "", "no reader of ." + ending + " files");
+  }
+}
