@@ -54,7 +54,7 @@ class LayersTest {
           Map.entry("path", "math image"),
           Map.entry("sampling", "math"),
           Map.entry("texture", "math image sampling"),
-          Map.entry("geometry", "math sampling texture"),
+          Map.entry("geometry", "math image sampling texture"),
           Map.entry("material", BASIC),
           Map.entry("camera", "math image sampling"),
           Map.entry("light", BASIC),

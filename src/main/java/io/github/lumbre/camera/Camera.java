@@ -13,7 +13,12 @@ import java.util.Optional;
  * rotation; its aspect ratio is that of the film.
  */
 public abstract sealed class Camera
-    permits PinholeCamera, ThinLensCamera, CylindricalCamera, FishEyeCamera, SphericalCamera {
+    permits PinholeCamera,
+        OrthographicCamera,
+        ThinLensCamera,
+        CylindricalCamera,
+        FishEyeCamera,
+        SphericalCamera {
   private final Vec3 position;
   private final Frame axes;
   private final double aspect;

@@ -18,6 +18,8 @@ final class MeshSurface {
   private final TriangleMesh mesh;
   private final Transform toWorld;
   private final boolean isInWorld;
+  private final boolean hasAttributes;
+  private final boolean hasTangents;
 
   /** The triangles' areas in world space; computed on first use, because few meshes are lights. */
   private volatile Distribution1d areas;
@@ -26,6 +28,8 @@ final class MeshSurface {
     this.mesh = mesh;
     this.toWorld = toWorld;
     isInWorld = toWorld == Transform.IDENTITY;
+    hasAttributes = mesh.attributes() != MeshAttributes.NONE;
+    hasTangents = mesh.attributes().tangents().length > 0;
   }
 
   /**
@@ -38,13 +42,17 @@ final class MeshSurface {
     Vec3 e2 = position(triangle, 2).minus(a);
     Vec3 normal = geometricNormal(triangle, e1, e2);
     Vec3 shadingNormal = shadingNormal(hit, normal);
-    return hit.surface.set(
-        a.plus(hit.b1, e1).plus(hit.b2, e2),
-        normal,
-        shadingFrame(triangle, e1, e2, shadingNormal),
-        texture(triangle, hit.b1, hit.b2),
-        hit.backwards(),
-        error(triangle, e1, e2, normal));
+    SurfaceHit surface =
+        hit.surface.set(
+            a.plus(hit.b1, e1).plus(hit.b2, e2),
+            normal,
+            hasTangents
+                ? tangentFrame(hit, shadingNormal)
+                : shadingFrame(triangle, e1, e2, shadingNormal),
+            texture(triangle, hit.b1, hit.b2),
+            hit.backwards(),
+            error(triangle, e1, e2, normal));
+    return hasAttributes ? surface.withAttributes(mesh, triangle, hit.b1, hit.b2) : surface;
   }
 
   private Vec3 position(int triangle, int corner) {
@@ -96,6 +104,18 @@ final class MeshSurface {
     Vec3 tangent = e1.times(sign * dv2).plus(-sign * dv1, e2);
     Vec3 bitangent = e2.times(sign * du1).plus(-sign * du2, e1);
     return Frame.around(normal, tangent, bitangent);
+  }
+
+  /** Returns the frame of the interpolated vertex tangents. */
+  private Frame tangentFrame(NearestHit hit, Vec3 normal) {
+    Vec3 local =
+        mesh.tangent(hit.element, 0)
+            .times(1 - hit.b1 - hit.b2)
+            .plus(hit.b1, mesh.tangent(hit.element, 1))
+            .plus(hit.b2, mesh.tangent(hit.element, 2));
+    Vec3 tangent = isInWorld ? local : toWorld.vector(local);
+    double sign = mesh.bitangentSign(hit.element) * (toWorld.isMirroring() ? -1 : 1);
+    return Frame.around(normal, tangent, normal.cross(tangent).times(sign));
   }
 
   private TexturePoint texture(int triangle, double b1, double b2) {

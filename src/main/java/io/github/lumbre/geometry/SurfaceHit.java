@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
@@ -24,6 +25,11 @@ public final class SurfaceHit {
   private double u, v;
   private double outX, outY, outZ;
   private double error;
+
+  /** Where further vertex attributes are; used only if {@link #hasAttributes}. */
+  private final MeshPoint meshPoint = new MeshPoint();
+
+  private boolean hasAttributes;
 
   /** Creates an empty hit; {@link #set} fills it. */
   public SurfaceHit() {}
@@ -61,6 +67,14 @@ public final class SurfaceHit {
     outY = wo.y();
     outZ = wo.z();
     error = newError;
+    hasAttributes = false;
+    return this;
+  }
+
+  /** Adds a mesh's further vertex attributes, at barycentric weights (1 − b1 − b2, b1, b2). */
+  SurfaceHit withAttributes(TriangleMesh mesh, int triangle, double b1, double b2) {
+    meshPoint.moveTo(mesh, triangle, b1, b2);
+    hasAttributes = true;
     return this;
   }
 
@@ -174,6 +188,35 @@ public final class SurfaceHit {
   /** Returns the second texture coordinate. */
   public double v() {
     return v;
+  }
+
+  /**
+   * Returns the first texture coordinate of a set; of the first set if the surface has no second.
+   *
+   * @param set 0 or 1
+   */
+  public double u(int set) {
+    return set == 1 && hasAttributes && meshPoint.hasSecondUv() ? meshPoint.secondUv(0) : u;
+  }
+
+  /** Returns the second texture coordinate of a set; see {@link #u(int)}. */
+  public double v(int set) {
+    return set == 1 && hasAttributes && meshPoint.hasSecondUv() ? meshPoint.secondUv(1) : v;
+  }
+
+  /** Returns the linear vertex color; white if the surface has none. */
+  public Rgb vertexColor() {
+    return hasAttributes ? meshPoint.color() : Rgb.WHITE;
+  }
+
+  /** Returns the vertex alpha; 1 if the surface has none. */
+  public double vertexAlpha() {
+    return hasAttributes ? meshPoint.alpha() : 1;
+  }
+
+  /** Returns whether the ray hit the side that the geometric normal points to. */
+  public boolean isFrontal() {
+    return outX * geometricX + outY * geometricY + outZ * geometricZ > 0;
   }
 
   /** Returns the unit direction back along the ray. */

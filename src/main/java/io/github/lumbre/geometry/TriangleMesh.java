@@ -17,6 +17,7 @@ public final class TriangleMesh {
   private final double[] normals;
   private final double[] uvs;
   private final int[] indices;
+  private final MeshAttributes attributes;
   private final int droppedTriangles;
 
   /** For each triangle, whether its cross product points inward; empty without vertex normals. */
@@ -26,11 +27,17 @@ public final class TriangleMesh {
   private final boolean mirrored;
 
   private TriangleMesh(
-      double[] positions, double[] normals, double[] uvs, int[] indices, int droppedTriangles) {
+      double[] positions,
+      double[] normals,
+      double[] uvs,
+      int[] indices,
+      MeshAttributes attributes,
+      int droppedTriangles) {
     this.positions = positions;
     this.normals = normals;
     this.uvs = uvs;
     this.indices = indices;
+    this.attributes = attributes;
     this.droppedTriangles = droppedTriangles;
     turned = findTurned();
     mirrored = false;
@@ -41,6 +48,7 @@ public final class TriangleMesh {
     normals = new double[source.normals.length];
     uvs = source.uvs;
     indices = source.indices;
+    attributes = source.attributes.mapped(toWorld);
     droppedTriangles = source.droppedTriangles;
     turned = source.turned;
     mirrored = source.mirrored ^ toWorld.isMirroring();
@@ -64,6 +72,19 @@ public final class TriangleMesh {
    *     index is out of range
    */
   public static TriangleMesh of(double[] positions, double[] normals, double[] uvs, int[] indices) {
+    return of(positions, normals, uvs, indices, MeshAttributes.NONE);
+  }
+
+  /**
+   * Returns a mesh with further vertex attributes; see {@link #of(double[], double[], double[],
+   * int[])}.
+   */
+  public static TriangleMesh of(
+      double[] positions,
+      double[] normals,
+      double[] uvs,
+      int[] indices,
+      MeshAttributes attributes) {
     requireMultiple("positions", positions.length, 3);
     requireMultiple("indices", indices.length, 3);
     int vertices = positions.length / 3;
@@ -72,6 +93,11 @@ public final class TriangleMesh {
     requireFinite("positions", positions);
     requireFinite("normals", normals);
     requireFinite("uvs", uvs);
+    requireLength("tangents", attributes.tangents().length, 4 * vertices);
+    requireLength("uv1", attributes.uv1().length, 2 * vertices);
+    requireLength("colors", attributes.colors().length, 4 * vertices);
+    requireFinite("tangents", attributes.tangents());
+    requireFinite("uv1", attributes.uv1());
     for (int i = 0; i < indices.length; i++) {
       if (indices[i] < 0 || indices[i] >= vertices) {
         throw new IllegalArgumentException(
@@ -80,7 +106,8 @@ public final class TriangleMesh {
     }
     int[] kept = withArea(positions, indices);
     int dropped = (indices.length - kept.length) / 3;
-    return new TriangleMesh(positions.clone(), normals.clone(), uvs.clone(), kept, dropped);
+    return new TriangleMesh(
+        positions.clone(), normals.clone(), uvs.clone(), kept, attributes, dropped);
   }
 
   private static void requireMultiple(String name, int length, int of) {
@@ -205,6 +232,27 @@ public final class TriangleMesh {
 
   Vec3 normal(int vertex) {
     return load(normals, vertex);
+  }
+
+  /** Returns the vertex tangent at a corner, 0 to 2, of a triangle. */
+  Vec3 tangent(int triangle, int corner) {
+    double[] tangents = attributes.tangents();
+    int i = 4 * vertex(triangle, corner);
+    return new Vec3(tangents[i], tangents[i + 1], tangents[i + 2]);
+  }
+
+  /** Returns the sign of the bitangents of a triangle. */
+  double bitangentSign(int triangle) {
+    double[] tangents = attributes.tangents();
+    return Math.signum(
+        tangents[4 * vertex(triangle, 0) + 3]
+            + tangents[4 * vertex(triangle, 1) + 3]
+            + tangents[4 * vertex(triangle, 2) + 3]);
+  }
+
+  /** Returns the further vertex attributes. */
+  MeshAttributes attributes() {
+    return attributes;
   }
 
   /** Returns the texture coordinates at a corner, 0 to 2, of a triangle. */

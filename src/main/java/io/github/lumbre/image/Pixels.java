@@ -7,10 +7,11 @@ import java.awt.image.DataBufferUShort;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.util.Objects;
+import java.util.stream.IntStream;
 
 /**
  * A decoded picture file: the encoded channel values as the file has them, 8 or 16 bits each, row 0
- * at the top. Whether they are sRGB or data is not known here. Alpha is not accessible.
+ * at the top. Whether they are sRGB or data is not known here.
  *
  * <p>Immutable and safe for use by any thread, as long as nobody changes the arrays it was made of.
  * It takes at most 4 bytes a texel for 8 bits and 8 for 16.
@@ -29,6 +30,9 @@ public final class Pixels {
   private final int green;
   private final int blue;
 
+  /** Offset of alpha in a pixel; -1 without alpha. */
+  private final int alpha;
+
   private Pixels(
       int width, int height, byte[] bytes, short[] shorts, int pixelStride, int[] bandOffsets) {
     this.width = width;
@@ -41,12 +45,13 @@ public final class Pixels {
     red = bandOffsets[0];
     green = bandOffsets[grey ? 0 : 1];
     blue = bandOffsets[grey ? 0 : 2];
+    alpha = bandOffsets.length % 2 == 0 ? bandOffsets[bandOffsets.length - 1] : -1;
   }
 
   /**
    * Returns the picture of 8-bit values, which are shared with the caller.
    *
-   * @param channels 1 for grey or 3 for red, green and blue
+   * @param channels 1 for gray, 2 for gray and alpha, 3 for red, green and blue, or 4 with alpha
    * @param values row by row from the top, channel after channel in each texel
    * @throws IllegalArgumentException if the sizes do not fit together
    */
@@ -85,7 +90,8 @@ public final class Pixels {
 
   private static Pixels looked(Raster raster, IndexColorModel palette) {
     int width = raster.getWidth();
-    byte[] rgb = new byte[3 * width * raster.getHeight()];
+    int channels = palette.hasAlpha() ? 4 : 3;
+    byte[] rgb = new byte[channels * width * raster.getHeight()];
     int[] row = new int[width];
     int i = 0;
     for (int y = 0; y < raster.getHeight(); y++) {
@@ -95,15 +101,18 @@ public final class Pixels {
         rgb[i++] = (byte) palette.getRed(index);
         rgb[i++] = (byte) palette.getGreen(index);
         rgb[i++] = (byte) palette.getBlue(index);
+        if (channels == 4) {
+          rgb[i++] = (byte) palette.getAlpha(index);
+        }
       }
     }
-    return of(width, raster.getHeight(), 3, rgb);
+    return of(width, raster.getHeight(), channels, rgb);
   }
 
   private static void check(int width, int height, int channels, int values) {
-    if (width < 1 || height < 1 || (channels != 1 && channels != 3)) {
+    if (width < 1 || height < 1 || channels < 1 || channels > 4) {
       throw new IllegalArgumentException(
-          "pixels: expected at least 1x1 and 1 or 3 channels, found %dx%d and %d"
+          "pixels: expected at least 1x1 and 1 to 4 channels, found %dx%d and %d"
               .formatted(width, height, channels));
     }
     if (values != (long) width * height * channels) {
@@ -113,7 +122,7 @@ public final class Pixels {
   }
 
   private static int[] natural(int channels) {
-    return channels == 1 ? new int[] {0} : new int[] {0, 1, 2};
+    return IntStream.range(0, channels).toArray();
   }
 
   public int width() {
@@ -134,10 +143,23 @@ public final class Pixels {
    *
    * @param x the column, counted from the left
    * @param y the row, counted from the top
-   * @param channel 0 red, 1 green, 2 blue; in a grey picture all are the same
+   * @param channel 0 red, 1 green, 2 blue; in a gray picture all are the same
    */
   public int raw(int x, int y, int channel) {
-    int offset = channel == 0 ? red : channel == 1 ? green : blue;
+    return at(x, y, channel == 0 ? red : channel == 1 ? green : blue);
+  }
+
+  /** Returns an encoded alpha from 0 to {@link #max}, which is the result without alpha. */
+  public int alpha(int x, int y) {
+    return alpha < 0 ? max() : at(x, y, alpha);
+  }
+
+  /** Returns whether the picture has alpha. */
+  public boolean hasAlpha() {
+    return alpha >= 0;
+  }
+
+  private int at(int x, int y, int offset) {
     int i = y * rowStride + x * pixelStride + offset;
     return bytes.length == 0 ? shorts[i] & 0xffff : bytes[i] & 0xff;
   }

@@ -12,6 +12,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.LightSampler;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
+import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
@@ -51,6 +52,12 @@ public final class PathTracer implements Integrator {
 
   private final boolean hasAmbient;
 
+  /** Whether rays may pass straight through some surface. */
+  private final boolean hasTransparency;
+
+  /** Whether some medium absorbs light. */
+  private final boolean hasAbsorption;
+
   /**
    * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
    *     visible, with 1 direct light
@@ -76,6 +83,8 @@ public final class PathTracer implements Integrator {
     selects = !scene.takes(Specialization.ONE_EMITTER);
     samplesLights = heuristic.samplesLights(scene.emitters());
     hasAmbient = !scene.ambient().isBlack();
+    hasTransparency = scene.hasTransparency();
+    hasAbsorption = scene.primitives().stream().anyMatch(p -> !p.material().absorption().isBlack());
   }
 
   @Override
@@ -125,6 +134,9 @@ public final class PathTracer implements Integrator {
     // Trace the ray. If it leaves the scene, add the environment.
     context.rays++;
     boolean isHit = scene.intersect(hit);
+    if (isHit && hasTransparency) {
+      isHit = passTransparency(depth, sampler, context);
+    }
     if (context.isRecorded) {
       path.reportRay(hit, context.listener);
     }
@@ -143,10 +155,15 @@ public final class PathTracer implements Integrator {
     }
     SurfaceHit surface = scene.surfaceAt(hit);
 
-    // Add emission. An emitter scatters nothing.
+    // Add emission. Most emitters scatter nothing.
     if (emits) {
       addEmission(primitive.emission().get(), surface, context);
-      return end(End.EMITTER, context);
+      if (depth == maxDepth || !primitive.scatters()) {
+        return end(End.EMITTER, context);
+      }
+    }
+    if (hasAbsorption) {
+      absorb(primitive.material(), hit.t(), surface, path);
     }
 
     // Sample one light (next-event estimation), and the BSDF for the next direction.
@@ -173,6 +190,26 @@ public final class PathTracer implements Integrator {
       direct(vertex, sampler, dimension, context);
     }
     return scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, context);
+  }
+
+  /** Moves the hit beyond transparent surfaces; returns whether one stops the ray. */
+  private boolean passTransparency(int depth, Sampler sampler, RenderContext context) {
+    Passing passing = context.passing;
+    boolean stops = passing.stops(scene, context.hit, depth, sampler);
+    context.rays += passing.rays();
+    context.path.scale(passing.red(), passing.green(), passing.blue());
+    return stops;
+  }
+
+  /** Applies the absorption of a medium that the ray leaves (Beer 1852; PBRT 4e, sec. 11.2). */
+  private static void absorb(Material material, double length, SurfaceHit surface, Path path) {
+    Rgb absorption = material.absorption();
+    if (!absorption.isBlack() && !surface.isFrontal()) {
+      path.scale(
+          Elementary.exp(-absorption.r() * length),
+          Elementary.exp(-absorption.g() * length),
+          Elementary.exp(-absorption.b() * length));
+    }
   }
 
   /**
@@ -254,6 +291,12 @@ public final class PathTracer implements Integrator {
     double b = value.b() * light.b();
     boolean isBlack = r == 0 && g == 0 && b == 0;
     boolean isBlocked = !isBlack && context.isOccluded(scene, vertex.surface());
+    if (hasTransparency && !isBlocked) {
+      // The shadow ray has dimmed the light.
+      r = value.r() * light.r();
+      g = value.g() * light.g();
+      b = value.b() * light.b();
+    }
     if ((isBlack || isBlocked) && !context.isRecorded) {
       return;
     }

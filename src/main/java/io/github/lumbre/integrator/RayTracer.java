@@ -51,7 +51,12 @@ public final class RayTracer implements Integrator {
   }
 
   /** A ray still to be traced, its throughput, and how many surfaces it has left. */
-  record Branch(Ray ray, Rgb throughput, int reflections, int refractions) {}
+  record Branch(Ray ray, Rgb throughput, int reflections, int refractions) {
+    /** Returns this branch with its throughput multiplied. */
+    Branch scaled(Rgb factor) {
+      return new Branch(ray, throughput.times(factor), reflections, refractions);
+    }
+  }
 
   @Override
   public Rgb radiance(Ray cameraRay, Sampler sampler, RenderContext context) {
@@ -79,24 +84,40 @@ public final class RayTracer implements Integrator {
     NearestHit hit = context.hit;
     context.rays++;
     boolean isHit = scene.intersect(branch.ray(), hit);
+    Rgb passed = Rgb.WHITE;
+    if (isHit && scene.hasTransparency()) {
+      isHit = context.passing.stops(scene, hit, number, sampler);
+      context.rays += context.passing.rays();
+      passed = context.passing.factor();
+    }
+    return shadeHit(branch.scaled(passed), number, isHit, sampler, context).times(passed);
+  }
+
+  private Rgb shadeHit(
+      Branch branch, int number, boolean isHit, Sampler sampler, RenderContext context) {
+    NearestHit hit = context.hit;
     if (context.isRecorded) {
       Rgb throughput = branch.throughput();
       context.listener.rayTraced(hit, throughput.r(), throughput.g(), throughput.b());
     }
     if (!isHit) {
-      return environment(branch.ray().direction(), context);
+      return environment(hit.direction(), context);
     }
     context.hitSomething = true;
     SurfaceHit surface = scene.surfaceAt(hit);
     Primitive primitive = scene.primitiveAt(hit);
+    Rgb emitted = Rgb.BLACK;
     if (primitive.emission().isPresent()) {
-      return emission(primitive.emission().get(), surface, context);
+      emitted = emission(primitive.emission().get(), surface, primitive.scatters(), context);
+      if (!primitive.scatters()) {
+        return emitted;
+      }
     }
     context.vertex.moveTo(surface, primitive.material());
     if (context.isRecorded) {
       context.listener.vertexReached(hit.shape(), surface, context.vertex.bsdf());
     }
-    return shade(branch, number, sampler, context);
+    return emitted.plus(shade(branch, number, sampler, context));
   }
 
   /** Returns the light scattered from the lights at a vertex, and pushes what continues there. */
@@ -132,13 +153,16 @@ public final class RayTracer implements Integrator {
     return light;
   }
 
-  private Rgb emission(Emission emission, SurfaceHit surface, RenderContext context) {
+  private Rgb emission(
+      Emission emission, SurfaceHit surface, boolean continues, RenderContext context) {
     Rgb light = emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
     if (context.isRecorded) {
       context.listener.surfaceHit(context.hit.shape(), surface);
       reportFound(Source.EMISSION, scene.emitterAt(context.hit), light, context);
       context.listener.lightAdded(light.r(), light.g(), light.b());
-      context.listener.pathEnded(End.EMITTER);
+      if (!continues) {
+        context.listener.pathEnded(End.EMITTER);
+      }
     }
     return light;
   }
@@ -189,6 +213,12 @@ public final class RayTracer implements Integrator {
     double b = value.b() * light.b();
     boolean isBlack = r == 0 && g == 0 && b == 0;
     boolean isBlocked = !isBlack && context.isOccluded(scene, vertex.surface());
+    if (scene.hasTransparency() && !isBlocked) {
+      // The shadow ray has dimmed the light.
+      r = value.r() * light.r();
+      g = value.g() * light.g();
+      b = value.b() * light.b();
+    }
     if (context.isRecorded) {
       double pdf = light.isDelta() ? 1 : light.pdf();
       int emitter = scene.emitterOfLight(number);

@@ -2,10 +2,12 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
+import io.github.lumbre.material.Material;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.UnreadablePoints;
 import java.util.ArrayDeque;
@@ -28,6 +30,7 @@ public final class RenderContext {
   final BsdfValue value = new BsdfValue();
   final LightChoice choice = new LightChoice();
   final LightSample light = new LightSample();
+  final Passing passing = new Passing();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
@@ -65,11 +68,31 @@ public final class RenderContext {
     return kept;
   }
 
-  /** Returns whether anything blocks the light that was sampled last from a surface. */
+  /**
+   * Returns whether anything blocks the light that was sampled last from a surface. Surfaces that
+   * let a part of it pass straight through dim the light.
+   */
   boolean isOccluded(Scene scene, SurfaceHit surface) {
     shadowRays++;
     light.aimShadowRay(surface, shadow);
-    return scene.isOccluded(shadow);
+    return scene.hasTransparency() ? isBlocked(scene) : scene.isOccluded(shadow);
+  }
+
+  private boolean isBlocked(Scene scene) {
+    for (int layer = 0; scene.intersect(shadow); layer++) {
+      Material material = scene.primitiveAt(shadow).material();
+      if (material.isOpaque() || layer == Passing.MAX_LAYERS) {
+        return true;
+      }
+      SurfaceHit surface = scene.surfaceAt(shadow);
+      Rgb passed = material.transmittance(surface);
+      if (passed.isBlack()) {
+        return true;
+      }
+      light.dim(passed);
+      light.aimShadowRay(surface, shadow);
+    }
+    return false;
   }
 
   /** Returns how many rays were traced to their nearest hit. */

@@ -33,7 +33,7 @@ final class Vertex {
       surface.shadeFlat();
       lookBack();
     }
-    bsdf = material.at(surface.u(), surface.v());
+    bsdf = material.at(surface);
   }
 
   private void lookBack() {

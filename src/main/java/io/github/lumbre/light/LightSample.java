@@ -87,6 +87,13 @@ public final class LightSample {
     }
   }
 
+  /** Weakens the light, if there is any, by a factor for each color. */
+  public void dim(Rgb factor) {
+    r *= factor.r();
+    g *= factor.g();
+    b *= factor.b();
+  }
+
   /** Returns the point of the light's surface: memory for sampling it. */
   SurfaceSample surface() {
     return surface;

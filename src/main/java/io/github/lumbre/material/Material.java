@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.TexturePoint;
 
 /** What a surface is made of: reads its textures at a hit. Immutable. */
@@ -16,6 +17,35 @@ public interface Material {
   /** Returns how the surface scatters at a point of it, in the hit's shading frame. */
   default Bsdf at(TexturePoint point) {
     return at(point.u(), point.v());
+  }
+
+  /**
+   * Returns how the surface scatters at a hit, in its shading frame. Materials that read only the
+   * first texture coordinates implement {@link #at(double, double)} alone.
+   */
+  default Bsdf at(SurfaceHit hit) {
+    return at(hit.u(), hit.v());
+  }
+
+  /** Returns whether no ray passes straight through the surface. */
+  default boolean isOpaque() {
+    return true;
+  }
+
+  /**
+   * Returns the fraction of light, per color, that passes straight through the surface at a hit: in
+   * [0,1]. {@link #at(SurfaceHit)} scatters the rest.
+   */
+  default Rgb transmittance(SurfaceHit hit) {
+    return Rgb.BLACK;
+  }
+
+  /**
+   * Returns the absorption coefficient of the medium behind the surface, per world unit; black if
+   * it absorbs nothing.
+   */
+  default Rgb absorption() {
+    return Rgb.BLACK;
   }
 
   /** Returns whether the surface is known to scatter everywhere alike, in its frame. */

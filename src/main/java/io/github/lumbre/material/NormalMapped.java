@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
@@ -20,6 +21,26 @@ public record NormalMapped(Material material, NormalMap map) implements Material
   @Override
   public Bsdf at(double u, double v) {
     return material.at(u, v);
+  }
+
+  @Override
+  public Bsdf at(SurfaceHit hit) {
+    return material.at(hit);
+  }
+
+  @Override
+  public boolean isOpaque() {
+    return material.isOpaque();
+  }
+
+  @Override
+  public Rgb transmittance(SurfaceHit hit) {
+    return material.transmittance(hit);
+  }
+
+  @Override
+  public Rgb absorption() {
+    return material.absorption();
   }
 
   @Override

@@ -38,9 +38,22 @@ public interface Sampler {
   int FIRST_VERTEX = 8;
   int VERTEX_STRIDE = 7;
 
+  /** Beyond the dimensions of all vertices that a path can have. */
+  int FIRST_PASSING = 1 << 30;
+
   /** Returns the first dimension of a path's vertex; the one that the camera sees is 0. */
   static int vertex(int number) {
     return FIRST_VERTEX + number * VERTEX_STRIDE;
+  }
+
+  /**
+   * Returns the dimension that decides whether a ray passes straight through a surface.
+   *
+   * @param vertex number of the path's next vertex
+   * @param layer how many surfaces the ray has passed since the last vertex
+   */
+  static int passing(int vertex, int layer) {
+    return FIRST_PASSING + (vertex << 8) + layer;
   }
 
   /** Moves to a sample of a pixel of the full frame. */

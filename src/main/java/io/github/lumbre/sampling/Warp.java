@@ -49,6 +49,12 @@ public final class Warp {
     return direction(1 - 2 * u.x(), 2 * Math.sqrt(u.x() * (1 - u.x())), u.y());
   }
 
+  /** Returns a unit vector, uniform on the hemisphere around +z. */
+  public static Vec3 uniformHemisphere(Point2 u) {
+    double z = u.x();
+    return direction(z, Math.sqrt((1 - z) * (1 + z)), u.y());
+  }
+
   /**
    * Returns a uniform direction of the cone around +z.
    *

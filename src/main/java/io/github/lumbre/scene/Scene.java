@@ -47,6 +47,9 @@ public final class Scene {
 
   private final Set<Specialization> shortcuts;
 
+  /** Whether rays may pass straight through some surface. */
+  private final boolean hasTransparency;
+
   Scene(SceneBuilder built) {
     camera = built.camera;
     primitives = List.copyOf(built.primitives);
@@ -72,6 +75,7 @@ public final class Scene {
       emitterOfPrimitive[i] = built.emitterOfPrimitive.getOrDefault(i, -1);
     }
     shortcuts = shortcuts();
+    hasTransparency = primitives.stream().anyMatch(primitive -> !primitive.material().isOpaque());
     primitiveOfShape = primitivesOfShapes();
   }
 
@@ -87,6 +91,7 @@ public final class Scene {
     ambient = other.ambient;
     radius = other.radius;
     emitterOfPrimitive = other.emitterOfPrimitive;
+    hasTransparency = other.hasTransparency;
     this.shortcuts = Set.copyOf(shortcuts);
     primitiveOfShape = primitivesOfShapes();
   }
@@ -254,6 +259,11 @@ public final class Scene {
    */
   public int emitterOfLight(int light) {
     return emitterOfLight[light];
+  }
+
+  /** Returns whether rays may pass straight through some surface. */
+  public boolean hasTransparency() {
+    return hasTransparency;
   }
 
   /** Returns whether any shape blocks a ray. */

@@ -67,11 +67,19 @@ public final class SceneBuilder {
    * light. An infinite plane cannot be sampled; it contributes only to paths that hit it.
    */
   public SceneBuilder addEmissive(Shape shape, Emission emission) {
+    return add(shape, Unlit.INSTANCE, emission);
+  }
+
+  /**
+   * Adds a surface that scatters and emits light. In path mode, it is also sampled as a light; see
+   * {@link #addEmissive}.
+   */
+  public SceneBuilder add(Shape shape, Material material, Emission emission) {
     if (!emission.isBlack() && Double.isFinite(shape.area())) {
       emitterOfPrimitive.put(primitives.size(), emitters.size());
       emitters.add(new AreaLight(shape, emission));
     }
-    primitives.add(new Primitive(shape, Unlit.INSTANCE, Optional.of(emission)));
+    primitives.add(new Primitive(shape, material, Optional.of(emission)));
     return this;
   }
 

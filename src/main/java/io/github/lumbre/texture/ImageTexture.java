@@ -76,7 +76,7 @@ public final class ImageTexture implements Texture<Rgb> {
     this.tint = tint;
   }
 
-  private static double[] table(Role role, int max) {
+  static double[] table(Role role, int max) {
     double[] table = new double[max + 1];
     for (int raw = 0; raw <= max; raw++) {
       table[raw] = role.decode(raw, max);

@@ -1,0 +1,36 @@
+package io.github.lumbre.camera;
+
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Sampler;
+
+/**
+ * A camera with parallel projection: all rays have the direction of its view, and the size of an
+ * object in the picture does not depend on its distance.
+ */
+public final class OrthographicCamera extends Camera {
+  private final double halfHeight;
+
+  /**
+   * Creates a camera.
+   *
+   * @param position the center of the film, in world space; what lies behind it is invisible
+   * @param axes the orthonormal world-space directions right, up and forward
+   * @param aspect the width of the film divided by its height, &gt; 0 and finite
+   * @param height the height of the film, in world units, &gt; 0 and finite
+   * @throws IllegalArgumentException if a number is out of range
+   */
+  public OrthographicCamera(Vec3 position, Frame axes, double aspect, double height) {
+    super(position, axes, aspect);
+    if (!(height > 0) || Double.isInfinite(height)) {
+      throw new IllegalArgumentException("height: expected a finite number > 0, found " + height);
+    }
+    halfHeight = .5 * height;
+  }
+
+  @Override
+  boolean aimLocally(double u, double v, Sampler sampler, CameraRay ray) {
+    ray.set(new Vec3((2 * u - 1) * aspect() * halfHeight, (1 - 2 * v) * halfHeight, 0), Vec3.Z);
+    return true;
+  }
+}

@@ -1,0 +1,43 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.Texture;
+import java.util.Objects;
+
+/** A color that varies over a surface, and may depend on any vertex attribute. Immutable. */
+@FunctionalInterface
+public interface ColorChannel {
+  /** Returns the linear color at a hit; each component is at least 0. */
+  Rgb at(SurfaceHit hit);
+
+  /** Returns whether the color is known to be the same everywhere. */
+  default boolean isConstant() {
+    return false;
+  }
+
+  /** Returns a channel with the same color everywhere. */
+  static ColorChannel of(Rgb color) {
+    return of(Texture.constant(color), 0);
+  }
+
+  /**
+   * Returns the channel of a texture.
+   *
+   * @param uvSet 0 or 1: the set of texture coordinates
+   */
+  static ColorChannel of(Texture<Rgb> texture, int uvSet) {
+    Objects.requireNonNull(texture, "texture");
+    return new ColorChannel() {
+      @Override
+      public Rgb at(SurfaceHit hit) {
+        return texture.at(hit.u(uvSet), hit.v(uvSet));
+      }
+
+      @Override
+      public boolean isConstant() {
+        return texture.isConstant();
+      }
+    };
+  }
+}

@@ -1,0 +1,46 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+
+/**
+ * A BSDF times a factor: the scattering of a partly transparent surface.
+ *
+ * @param factor in [0,1]
+ */
+record Faded(Bsdf bsdf, double factor) implements Bsdf {
+  @Override
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    bsdf.evaluate(woX, woY, woZ, wiX, wiY, wiZ, result);
+    result.set(result.f().times(factor), result.pdf());
+  }
+
+  @Override
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    bsdf.sample(woX, woY, woZ, uLobe, u, v, result);
+    if (!result.isAbsorbed()) {
+      result.set(result.wi(), result.weight().times(factor), result.pdf());
+    }
+  }
+
+  @Override
+  public boolean choosesLobe() {
+    return bsdf.choosesLobe();
+  }
+
+  @Override
+  public boolean isSpecular() {
+    return bsdf.isSpecular();
+  }
+
+  @Override
+  public boolean isTransmissive() {
+    return bsdf.isTransmissive();
+  }
+
+  @Override
+  public Rgb diffuseAlbedo() {
+    return bsdf.diffuseAlbedo().times(factor);
+  }
+}

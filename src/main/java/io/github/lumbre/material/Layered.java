@@ -1,0 +1,73 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Vec3;
+
+/**
+ * A layer above another BSDF: f = layer + base · min(1 - E(o), 1 - E(i)), where E is the layer's
+ * directional albedo. The minimum keeps the sum reciprocal and at most 1.
+ *
+ * @param albedo of the layer, by the cosine of a direction
+ */
+record Layered(Lobe layer, Bsdf base, Albedo albedo) implements Bsdf {
+  /** The directional albedo of a layer. */
+  @FunctionalInterface
+  interface Albedo {
+    /** Returns the fraction of light that the layer reflects, in [0,1]. */
+    double at(double cosine);
+  }
+
+  private double passed(double woZ, double wiZ) {
+    return 1 - Math.max(albedo.at(Math.abs(woZ)), albedo.at(Math.abs(wiZ)));
+  }
+
+  /** Returns the probability of sampling the layer. */
+  private double share(double woZ) {
+    return Math.min(.9, Math.max(.1, albedo.at(Math.abs(woZ))));
+  }
+
+  @Override
+  public boolean choosesLobe() {
+    return true;
+  }
+
+  @Override
+  public boolean isTransmissive() {
+    return base.isTransmissive();
+  }
+
+  @Override
+  public Rgb diffuseAlbedo() {
+    return base.diffuseAlbedo();
+  }
+
+  @Override
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    double share = share(woZ);
+    layer.evaluate(woX, woY, woZ, wiX, wiY, wiZ, result);
+    Rgb f = result.f();
+    double pdf = share * result.pdf();
+    base.evaluate(woX, woY, woZ, wiX, wiY, wiZ, result);
+    result.set(f.plus(result.f().times(passed(woZ, wiZ))), pdf + (1 - share) * result.pdf());
+  }
+
+  @Override
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    double share = share(woZ);
+    if (uLobe < share) {
+      layer.sample(woX, woY, woZ, uLobe / share, u, v, result);
+    } else {
+      base.sample(woX, woY, woZ, (uLobe - share) / (1 - share), u, v, result);
+    }
+    if (result.isAbsorbed()) {
+      return;
+    }
+    if (result.isSpecular()) {
+      result.setSpecular(result.wi(), result.weight().times(passed(woZ, result.z()) / (1 - share)));
+    } else {
+      result.weighBy(this, new Vec3(woX, woY, woZ));
+    }
+  }
+}

@@ -1,0 +1,56 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Warp;
+
+/**
+ * Diffuse reflection below a dielectric layer of albedo E: f = albedo / π · (1 - E(o)) (1 - E(i)) /
+ * (1 - mean E), which is reciprocal and reflects, together with the layer, at most 1 (Kelemen and
+ * Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model").
+ *
+ * @param albedo each component in [0,1]
+ * @param f0 largest reflectance of the layer at normal incidence
+ * @param f90 reflectance of the layer at grazing incidence
+ * @param alpha roughness of the layer
+ */
+record LayeredDiffuse(Rgb albedo, double f0, double f90, double alpha) implements Lobe {
+  private double passed(double cosine) {
+    return 1 - GgxAlbedo.of(f0, f90, Math.abs(cosine), alpha);
+  }
+
+  @Override
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    if (!(woZ * wiZ > 0)) {
+      result.clear();
+      return;
+    }
+    double pdf = Warp.cosineHemispherePdf(Math.abs(wiZ));
+    double layer = passed(woZ) * passed(wiZ) / (1 - GgxAlbedo.mean(f0, f90, alpha));
+    result.set(albedo.times(layer * pdf), pdf);
+  }
+
+  @Override
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 up = Warp.cosineHemisphere(new Point2(u, v));
+    if (up.z() == 0 || woZ == 0) {
+      result.absorb();
+      return;
+    }
+    result.setDirection(up.x(), up.y(), Math.copySign(up.z(), woZ));
+    result.weighBy(this, new Vec3(woX, woY, woZ));
+  }
+
+  @Override
+  public double importance(double cosine) {
+    return albedo.max() * passed(cosine);
+  }
+
+  @Override
+  public Rgb diffuseAlbedo() {
+    return albedo;
+  }
+}

@@ -1,0 +1,353 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.Objects;
+
+/**
+ * The metallic-roughness material of glTF 2.0, Appendix B, with the layers of the {@code
+ * KHR_materials_} extensions: specular, ior, transmission, volume, clearcoat and sheen.
+ *
+ * <p>The lobes are those of the specification. Unlike there, a layer's albedo weights what lies
+ * below it, so that the material is reciprocal and never reflects more light than arrives. Smooth
+ * thin transmission and partial opacity let rays pass straight through; see {@link #transmittance}.
+ *
+ * <p>Immutable; {@link #builder} builds it.
+ */
+public final class MetallicRoughness implements Material {
+  /** The smallest α of reflections; smoother surfaces reflect as this one. */
+  private static final double MIN_ALPHA = 1e-3;
+
+  /** The index of refraction of the clear coat. */
+  private static final double COAT_F0 = .04;
+
+  private final Builder values;
+  private final boolean isUniform;
+  private final boolean isOpaque;
+
+  private MetallicRoughness(Builder builder) {
+    values = new Builder(builder);
+    isUniform =
+        values.baseColor.isConstant()
+            && values.metallic.isConstant()
+            && values.roughness.isConstant()
+            && values.specular.isConstant()
+            && values.specularColor.isConstant()
+            && values.transmission.isConstant()
+            && values.clearcoat.isConstant()
+            && values.clearcoatRoughness.isConstant()
+            && values.sheenColor.isConstant()
+            && values.sheenRoughness.isConstant()
+            && values.opacity.isConstant();
+    isOpaque = !values.isTransparent && values.isDoubleSided && !values.isThinlyTransmissive();
+  }
+
+  /** Returns a builder of a white, rough metal that is opaque and double-sided. */
+  public static Builder builder() {
+    return new Builder();
+  }
+
+  @Override
+  public boolean isUniform() {
+    return isUniform;
+  }
+
+  @Override
+  public Material simplified() {
+    return isUniform && isOpaque && absorption().isBlack() ? new UniformMaterial(at(0, 0)) : this;
+  }
+
+  @Override
+  public boolean isOpaque() {
+    return isOpaque;
+  }
+
+  /** {@inheritDoc} Back faces of a single-sided surface are invisible. */
+  @Override
+  public Rgb transmittance(SurfaceHit hit) {
+    if (!values.isDoubleSided && !hit.isFrontal()) {
+      return Rgb.WHITE;
+    }
+    double opacity = opacity(hit);
+    Rgb straight = Rgb.grey(1 - opacity);
+    return opacity == 0 ? straight : straight.plus(smoothlyTransmitted(hit).times(opacity));
+  }
+
+  private double opacity(SurfaceHit hit) {
+    return values.isTransparent ? Math.max(0, Math.min(1, values.opacity.at(hit))) : 1;
+  }
+
+  /** Returns what smooth thin transmission passes; black for other surfaces. */
+  private Rgb smoothlyTransmitted(SurfaceHit hit) {
+    if (!values.isThinlyTransmissive() || alpha(hit) >= CookTorrance.SMOOTH) {
+      return Rgb.BLACK;
+    }
+    double share = glassShare(hit);
+    double cosine = Math.abs(hit.wo().dot(hit.shadingNormal()));
+    Rgb reflected = SchlickReflection.fresnel(dielectricF0(hit), f90(hit), cosine);
+    Rgb tint = baseColor(hit).times(share);
+    return new Rgb(
+        tint.r() * (1 - reflected.r()),
+        tint.g() * (1 - reflected.g()),
+        tint.b() * (1 - reflected.b()));
+  }
+
+  /** Returns the fraction of the surface that transmits light. */
+  private double glassShare(SurfaceHit hit) {
+    return (1 - unit(values.metallic.at(hit))) * unit(values.transmission.at(hit));
+  }
+
+  @Override
+  public Rgb absorption() {
+    return values.absorption;
+  }
+
+  private static double unit(double x) {
+    return x > 0 ? Math.min(1, x) : 0;
+  }
+
+  private double alpha(SurfaceHit hit) {
+    double roughness = unit(values.roughness.at(hit));
+    return roughness * roughness;
+  }
+
+  private Rgb baseColor(SurfaceHit hit) {
+    return values.baseColor.at(hit).clampedToOne();
+  }
+
+  private Rgb dielectricF0(SurfaceHit hit) {
+    double ratio = values.ior == 0 ? 1 : (values.ior - 1) / (values.ior + 1);
+    Rgb color = values.specularColor.at(hit).times(ratio * ratio);
+    return color.clampedToOne().times(unit(values.specular.at(hit)));
+  }
+
+  private double f90(SurfaceHit hit) {
+    return unit(values.specular.at(hit));
+  }
+
+  @Override
+  public Bsdf at(double u, double v) {
+    Frame frame = Frame.WORLD;
+    return at(new SurfaceHit().set(Vec3.ZERO, Vec3.Z, frame, new TexturePoint(u, v), Vec3.Z, 0));
+  }
+
+  @Override
+  public Bsdf at(SurfaceHit hit) {
+    Bsdf bsdf = base(hit);
+    Rgb sheenColor = values.sheenColor.at(hit).clampedToOne();
+    if (!sheenColor.isBlack()) {
+      double roughness = unit(values.sheenRoughness.at(hit));
+      double most = sheenColor.max();
+      bsdf =
+          new Layered(
+              new Sheen(sheenColor, roughness), bsdf, c -> most * Sheen.albedo(c, roughness));
+    }
+    double coat = unit(values.clearcoat.at(hit));
+    if (coat > 0) {
+      double roughness = unit(values.clearcoatRoughness.at(hit));
+      double alpha = Math.max(MIN_ALPHA, roughness * roughness);
+      Lobe lobe = new SchlickReflection(Rgb.grey(coat * COAT_F0), coat, new Ggx(alpha));
+      bsdf = new Layered(lobe, bsdf, c -> GgxAlbedo.of(coat * COAT_F0, coat, c, alpha));
+    }
+    double opacity = opacity(hit);
+    return opacity < 1 ? new Faded(bsdf, opacity) : bsdf;
+  }
+
+  /** Returns the BSDF without sheen and clear coat. */
+  private Bsdf base(SurfaceHit hit) {
+    double metallic = unit(values.metallic.at(hit));
+    double transmission = unit(values.transmission.at(hit));
+    double glass = (1 - metallic) * transmission;
+    Rgb color = baseColor(hit);
+    double alpha = alpha(hit);
+    if (glass == 1) {
+      return glass(hit, color, alpha);
+    }
+    Bsdf solid = solid(hit, color, metallic * 1 / (1 - glass), alpha);
+    return glass == 0 ? solid : new Blend(glass(hit, color, alpha), solid, glass);
+  }
+
+  /** Returns a mixture of metal and plastic. */
+  private Bsdf solid(SurfaceHit hit, Rgb color, double metallic, double alpha) {
+    Rgb f0 = dielectricF0(hit);
+    double f90 = f90(hit);
+    Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
+    // Schlick's approximation is linear in F0 and F90: the mean of both reflections is one lobe.
+    Rgb mixedF0 = f0.times(1 - metallic).plus(color.times(metallic));
+    double mixedF90 = f90 * (1 - metallic) + metallic;
+    Lobe reflection = new SchlickReflection(mixedF0, mixedF90, facets);
+    if (metallic == 1 || color.isBlack()) {
+      return reflection;
+    }
+    Rgb albedo = color.times(1 - metallic);
+    return new Mixture(new LayeredDiffuse(albedo, f0.max(), f90, facets.alpha()), reflection);
+  }
+
+  private Bsdf glass(SurfaceHit hit, Rgb tint, double alpha) {
+    if (values.isThin) {
+      Rgb f0 = dielectricF0(hit);
+      Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
+      return alpha < CookTorrance.SMOOTH
+          ? new SchlickReflection(f0, f90(hit), facets)
+          : new ThinGlass(tint, f0, f90(hit), facets);
+    }
+    double ior = values.ior == 0 ? 1e6 : Math.max(1, values.ior);
+    return alpha < CookTorrance.SMOOTH || ior - 1 < 1e-8
+        ? new Dielectric(Rgb.WHITE, tint, ior)
+        : new RoughDielectric(Rgb.WHITE, tint, ior, new Ggx(alpha));
+  }
+
+  /** Builds a {@link MetallicRoughness}. Mutable. */
+  public static final class Builder {
+    private ColorChannel baseColor = ColorChannel.of(Rgb.WHITE);
+    private ScalarChannel opacity = ScalarChannel.of(1);
+    private ScalarChannel metallic = ScalarChannel.of(1);
+    private ScalarChannel roughness = ScalarChannel.of(1);
+    private ScalarChannel specular = ScalarChannel.of(1);
+    private ColorChannel specularColor = ColorChannel.of(Rgb.WHITE);
+    private ScalarChannel transmission = ScalarChannel.of(0);
+    private ScalarChannel clearcoat = ScalarChannel.of(0);
+    private ScalarChannel clearcoatRoughness = ScalarChannel.of(0);
+    private ColorChannel sheenColor = ColorChannel.of(Rgb.BLACK);
+    private ScalarChannel sheenRoughness = ScalarChannel.of(0);
+    private double ior = 1.5;
+    private boolean isTransparent;
+    private boolean isDoubleSided = true;
+    private boolean isThin = true;
+    private boolean isTransmissive;
+    private Rgb absorption = Rgb.BLACK;
+
+    private Builder() {}
+
+    private Builder(Builder other) {
+      baseColor = other.baseColor;
+      opacity = other.opacity;
+      metallic = other.metallic;
+      roughness = other.roughness;
+      specular = other.specular;
+      specularColor = other.specularColor;
+      transmission = other.transmission;
+      clearcoat = other.clearcoat;
+      clearcoatRoughness = other.clearcoatRoughness;
+      sheenColor = other.sheenColor;
+      sheenRoughness = other.sheenRoughness;
+      ior = other.ior;
+      isTransparent = other.isTransparent;
+      isDoubleSided = other.isDoubleSided;
+      isThin = other.isThin;
+      isTransmissive = other.isTransmissive;
+      absorption = other.absorption;
+    }
+
+    private boolean isThinlyTransmissive() {
+      return isTransmissive && isThin;
+    }
+
+    /** Sets the albedo of dielectrics and the reflectance of metals; the default is white. */
+    public Builder baseColor(ColorChannel value) {
+      baseColor = Objects.requireNonNull(value, "baseColor");
+      return this;
+    }
+
+    /** Sets the fraction of light that the surface stops, in [0,1]; the default is 1. */
+    public Builder opacity(ScalarChannel value) {
+      opacity = Objects.requireNonNull(value, "opacity");
+      isTransparent = true;
+      return this;
+    }
+
+    /** Sets the metalness: 0 for dielectrics to 1 for metals, the default. */
+    public Builder metallic(ScalarChannel value) {
+      metallic = Objects.requireNonNull(value, "metallic");
+      return this;
+    }
+
+    /** Sets the perceptual roughness, in [0,1]: the square root of α; the default is 1. */
+    public Builder roughness(ScalarChannel value) {
+      roughness = Objects.requireNonNull(value, "roughness");
+      return this;
+    }
+
+    /** Sets the strength of the dielectric reflection, in [0,1]; the default is 1. */
+    public Builder specular(ScalarChannel value) {
+      specular = Objects.requireNonNull(value, "specular");
+      return this;
+    }
+
+    /** Sets the tint of the dielectric reflection at normal incidence; the default is white. */
+    public Builder specularColor(ColorChannel value) {
+      specularColor = Objects.requireNonNull(value, "specularColor");
+      return this;
+    }
+
+    /** Sets the fraction of non-reflected light that is transmitted, in [0,1]. */
+    public Builder transmission(ScalarChannel value) {
+      transmission = Objects.requireNonNull(value, "transmission");
+      isTransmissive = true;
+      return this;
+    }
+
+    /** Sets the strength of the clear coat, in [0,1]; the default is 0. */
+    public Builder clearcoat(ScalarChannel value) {
+      clearcoat = Objects.requireNonNull(value, "clearcoat");
+      return this;
+    }
+
+    /** Sets the perceptual roughness of the clear coat, in [0,1]. */
+    public Builder clearcoatRoughness(ScalarChannel value) {
+      clearcoatRoughness = Objects.requireNonNull(value, "clearcoatRoughness");
+      return this;
+    }
+
+    /** Sets the color of the sheen; black, the default, means none. */
+    public Builder sheenColor(ColorChannel value) {
+      sheenColor = Objects.requireNonNull(value, "sheenColor");
+      return this;
+    }
+
+    /** Sets the perceptual roughness of the sheen, in [0,1]. */
+    public Builder sheenRoughness(ScalarChannel value) {
+      sheenRoughness = Objects.requireNonNull(value, "sheenRoughness");
+      return this;
+    }
+
+    /**
+     * Sets the index of refraction; the default is 1.5.
+     *
+     * @param value at least 1, or 0 for a dielectric that reflects everything
+     */
+    public Builder ior(double value) {
+      if (!(value == 0 || value >= 1 && value <= 1e6)) {
+        throw new IllegalArgumentException("ior: expected 0 or 1 to 1e6, found " + value);
+      }
+      ior = value;
+      return this;
+    }
+
+    /** Makes back faces invisible. */
+    public Builder singleSided() {
+      isDoubleSided = false;
+      return this;
+    }
+
+    /**
+     * Makes the surface the boundary of a volume, which refracts: the mesh must be closed.
+     *
+     * @param newAbsorption absorption coefficient inside, per world unit, each component at least 0
+     */
+    public Builder volume(Rgb newAbsorption) {
+      absorption = Objects.requireNonNull(newAbsorption, "absorption");
+      isThin = false;
+      isDoubleSided = true;
+      return this;
+    }
+
+    /** Returns the material. */
+    public MetallicRoughness build() {
+      return new MetallicRoughness(this);
+    }
+  }
+}

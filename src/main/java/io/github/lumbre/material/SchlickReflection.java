@@ -1,0 +1,73 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+
+/**
+ * Reflection by GGX facets with Schlick's approximation of Fresnel's equations, F = F0 + (F90 - F0)
+ * (1 - cos)^5 (Schlick 1994; glTF 2.0, Appendix B.3), on both sides of the surface. Light that hits
+ * more than one facet is lost.
+ *
+ * @param f0 reflectance at normal incidence, each component in [0,1]
+ * @param f90 reflectance at grazing incidence, in [0,1]
+ */
+record SchlickReflection(Rgb f0, double f90, Ggx facets) implements Lobe {
+  /** Returns (1 - cos)^5. */
+  static double grazing(double cosine) {
+    double c = 1 - cosine;
+    double c2 = c * c;
+    return c2 * c2 * c;
+  }
+
+  /** Returns the reflectance of a facet. */
+  static Rgb fresnel(Rgb f0, double f90, double cosine) {
+    double s = grazing(Math.min(1, cosine));
+    return new Rgb(
+        f0.r() + (f90 - f0.r()) * s, f0.g() + (f90 - f0.g()) * s, f0.b() + (f90 - f0.b()) * s);
+  }
+
+  @Override
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    if (!(woZ * wiZ > 0)) {
+      result.clear();
+      return;
+    }
+    double side = Math.signum(woZ);
+    Vec3 o = new Vec3(woX, woY, woZ).times(side);
+    Vec3 i = new Vec3(wiX, wiY, wiZ).times(side);
+    Vec3 sum = o.plus(i);
+    double visible = facets.visible(o.z());
+    double pdf = facets.density(sum.normalized()) / (4 * visible);
+    // Half the sum is as long as the cosine at the facet.
+    Rgb fresnel = fresnel(f0, f90, .5 * sum.length());
+    result.set(fresnel.times(facets.maskingRatio(o.z(), visible, i.z()) * pdf), pdf);
+  }
+
+  @Override
+  public boolean draw(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    double side = woZ > 0 ? 1 : -1;
+    Vec3 o = new Vec3(woX, woY, woZ).times(side);
+    Vec3 m = facets.sampleVisible(o, new Point2(u, v));
+    Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
+    result.setDirection(i.times(side));
+    return woZ != 0 && i.z() > 0;
+  }
+
+  @Override
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    if (draw(woX, woY, woZ, uLobe, u, v, result)) {
+      result.weighBy(this, new Vec3(woX, woY, woZ));
+    } else {
+      result.absorb();
+    }
+  }
+
+  @Override
+  public double importance(double cosine) {
+    return GgxAlbedo.of(f0.max(), f90, Math.abs(cosine), facets.alpha());
+  }
+}

@@ -1,0 +1,116 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.sampling.Warp;
+
+/**
+ * The sheen of cloth: fibers with the Charlie distribution (Estevez and Kulla 2017, "Production
+ * Friendly Microfacet Sheen BRDF") and the visibility of Ashikhmin and Premoze 2007, on both sides
+ * of the surface (KHR_materials_sheen). Divided by its largest albedo where that exceeds 1.
+ *
+ * @param color albedo factor, each component in [0,1]
+ * @param roughness perceptual roughness in [0,1]; the exponent of the distribution is the inverse
+ *     of its square
+ */
+record Sheen(Rgb color, double roughness) implements Lobe {
+  private static final int SIDE = 17;
+  private static final int POINTS = 24;
+  private static final double MIN_ROUGHNESS = .07;
+  private static final double[] ALBEDO = new double[SIDE * SIDE];
+
+  /** The largest albedo of each row, at least 1. */
+  private static final double[] MOST = new double[SIDE];
+
+  static {
+    for (int r = 0; r < SIDE; r++) {
+      double roughness = (double) r / (SIDE - 1);
+      MOST[r] = 1;
+      for (int c = 0; c < SIDE; c++) {
+        ALBEDO[r * SIDE + c] = integrated((double) c / (SIDE - 1), roughness);
+        MOST[r] = Math.max(MOST[r], ALBEDO[r * SIDE + c]);
+      }
+    }
+  }
+
+  private static double integrated(double cosine, double roughness) {
+    double mu = Math.max(1e-3, cosine);
+    Vec3 wo = new Vec3(Math.sqrt((1 - mu) * (1 + mu)), 0, mu);
+    double sum = 0;
+    for (int i = 0; i < POINTS; i++) {
+      for (int j = 0; j < POINTS; j++) {
+        Vec3 wi = Warp.uniformHemisphere(new Point2((i + .5) / POINTS, (j + .5) / POINTS));
+        sum += unscaled(wo, wi, roughness) * Elementary.TWO_PI;
+      }
+    }
+    return sum / (POINTS * POINTS);
+  }
+
+  /** Returns f·cos θi for two directions above the surface, without color. */
+  private static double unscaled(Vec3 o, Vec3 i, double roughness) {
+    double exponent = 1 / square(Math.max(MIN_ROUGHNESS, roughness));
+    double cosine = Math.min(1, o.plus(i).normalized().z());
+    double sine = Math.sqrt((1 - cosine) * (1 + cosine));
+    double density = (2 + exponent) * Elementary.pow(sine, exponent) / Elementary.TWO_PI;
+    return density * i.z() / (4 * (o.z() + i.z() - o.z() * i.z()));
+  }
+
+  private static double square(double x) {
+    return x * x;
+  }
+
+  /** Returns the albedo of white sheen for light from one direction. */
+  static double albedo(double cosine, double roughness) {
+    double x = Math.min(1, cosine) * (SIDE - 1);
+    double y = roughness * (SIDE - 1);
+    int c = Math.min(SIDE - 2, (int) x);
+    int r = Math.min(SIDE - 2, (int) y);
+    double low = mix(ALBEDO[r * SIDE + c], ALBEDO[r * SIDE + c + 1], x - c);
+    double high = mix(ALBEDO[(r + 1) * SIDE + c], ALBEDO[(r + 1) * SIDE + c + 1], x - c);
+    return mix(low, high, y - r) * scale(roughness);
+  }
+
+  /** Returns the factor that keeps the albedo at most 1. */
+  private static double scale(double roughness) {
+    double y = roughness * (SIDE - 1);
+    int r = Math.min(SIDE - 2, (int) y);
+    return 1 / Math.max(MOST[r], MOST[r + 1]);
+  }
+
+  private static double mix(double a, double b, double t) {
+    return a + t * (b - a);
+  }
+
+  @Override
+  public void evaluate(
+      double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
+    if (!(woZ * wiZ > 0)) {
+      result.clear();
+      return;
+    }
+    double side = Math.signum(woZ);
+    double value =
+        unscaled(
+            new Vec3(woX, woY, woZ).times(side), new Vec3(wiX, wiY, wiZ).times(side), roughness);
+    result.set(color.times(value * scale(roughness)), .5 * Elementary.INV_PI);
+  }
+
+  @Override
+  public void sample(
+      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
+    Vec3 up = Warp.uniformHemisphere(new Point2(u, v));
+    if (up.z() == 0 || woZ == 0) {
+      result.absorb();
+      return;
+    }
+    result.setDirection(up.x(), up.y(), Math.copySign(up.z(), woZ));
+    result.weighBy(this, new Vec3(woX, woY, woZ));
+  }
+
+  @Override
+  public double importance(double cosine) {
+    return color.max() * albedo(Math.abs(cosine), roughness);
+  }
+}
