@@ -1,0 +1,227 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.ColorChannel;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.MetallicRoughness;
+import io.github.lumbre.material.NormalMapped;
+import io.github.lumbre.material.ScalarChannel;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.ImageTexture;
+import io.github.lumbre.texture.NormalMap;
+import io.github.lumbre.texture.SampledTexture;
+import io.github.lumbre.texture.Texture;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/** Makes the materials of a model; each picture is decoded once. */
+final class ModelMaterials {
+  private final double unit;
+  private final Map<ModelImage, Pixels> pictures = new IdentityHashMap<>();
+  private final Map<ModelMaterial, Map<Boolean, Material>> made = new IdentityHashMap<>();
+
+  /**
+   * @param toWorld from the model's world space to the scene's
+   */
+  ModelMaterials(Transform toWorld) {
+    Vec3 x = toWorld.vector(Vec3.X);
+    unit = x.length();
+  }
+
+  /**
+   * Returns the scattering of a material.
+   *
+   * @param isClosed whether its surface is closed, so that rays from outside meet no back face
+   * @throws ModelFormatException if a texture cannot be decoded
+   */
+  Material of(ModelMaterial material, boolean isClosed) throws ModelFormatException {
+    Map<Boolean, Material> both = made.computeIfAbsent(material, m -> new HashMap<>());
+    Material known = both.get(isClosed);
+    if (known == null) {
+      known = material(material, isClosed);
+      both.put(isClosed, known);
+    }
+    return known;
+  }
+
+  private Material material(ModelMaterial m, boolean isClosed) throws ModelFormatException {
+    MetallicRoughness.Builder builder = MetallicRoughness.builder();
+    if (m.unlit()) {
+      builder.baseColor(ColorChannel.of(Rgb.BLACK)).specular(ScalarChannel.of(0));
+      builder.metallic(ScalarChannel.of(0));
+    } else {
+      addLobes(m, builder);
+    }
+    switch (m.alphaMode()) {
+      case OPAQUE -> {}
+      case MASK -> builder.opacity(mask(opacity(m), m.alphaCutoff()));
+      case BLEND -> builder.opacity(opacity(m));
+    }
+    if (!m.doubleSided() && !isClosed) {
+      builder.singleSided();
+    }
+    if (m.volume().isPresent() && m.transmission().factor() > 0) {
+      builder.volume(absorption(m.volume().get()));
+    }
+    Material material = builder.build();
+    if (m.normalMap().isPresent() && !m.unlit()) {
+      return mapped(material, m.normalMap().get());
+    }
+    return material;
+  }
+
+  private void addLobes(ModelMaterial m, MetallicRoughness.Builder builder)
+      throws ModelFormatException {
+    builder
+        .baseColor(timesVertexColor(color(m.baseColor())))
+        .metallic(scalar(m.metallic()))
+        .roughness(scalar(m.roughness()))
+        .specular(scalar(m.specular()))
+        .specularColor(color(m.specularColor()))
+        .ior(m.ior());
+    if (m.transmission().factor() > 0) {
+      builder.transmission(scalar(m.transmission()));
+    }
+    if (m.clearcoat().factor() > 0) {
+      builder.clearcoat(scalar(m.clearcoat()));
+      builder.clearcoatRoughness(scalar(m.clearcoatRoughness()));
+    }
+    if (!m.sheenColor().factor().isBlack()) {
+      builder.sheenColor(color(m.sheenColor())).sheenRoughness(scalar(m.sheenRoughness()));
+    }
+  }
+
+  private static ColorChannel timesVertexColor(ColorChannel color) {
+    return hit -> color.at(hit).times(hit.vertexColor());
+  }
+
+  private ScalarChannel opacity(ModelMaterial m) throws ModelFormatException {
+    ScalarChannel opacity = scalar(m.opacity());
+    return hit -> opacity.at(hit) * hit.vertexAlpha();
+  }
+
+  private static ScalarChannel mask(ScalarChannel opacity, double cutoff) {
+    return hit -> opacity.at(hit) >= cutoff ? 1 : 0;
+  }
+
+  /** Returns the absorption coefficient per unit of the scene. */
+  private Rgb absorption(ModelMaterial.Volume volume) {
+    double distance = volume.attenuationDistance() * unit;
+    return new Rgb(
+        absorption(volume.attenuationColor().r(), distance),
+        absorption(volume.attenuationColor().g(), distance),
+        absorption(volume.attenuationColor().b(), distance));
+  }
+
+  private static double absorption(double color, double distance) {
+    return color >= 1 ? 0 : -Elementary.log(Math.max(color, 1e-9)) / distance;
+  }
+
+  private Material mapped(Material material, NormalInput input) throws ModelFormatException {
+    Texture<Rgb> texture = texture(input.texture(), ImageTexture.Role.NORMAL);
+    int set = input.texture().uvSet();
+    return set == 0 ? new NormalMapped(material, new NormalMap(texture, input.scale())) : material;
+  }
+
+  /**
+   * Returns the emission of a material; empty if it emits nothing.
+   *
+   * @throws ModelFormatException if a texture cannot be decoded
+   */
+  Optional<Emission> emission(ModelMaterial m) throws ModelFormatException {
+    ColorInput input = m.unlit() ? m.baseColor() : m.emission();
+    if (input.factor().isBlack()) {
+      return Optional.empty();
+    }
+    Texture<Rgb> radiance = Texture.constant(input.factor());
+    if (input.texture().isPresent()) {
+      Texture<Rgb> texture = texture(input.texture().get(), ImageTexture.Role.COLOUR);
+      radiance = (u, v) -> texture.at(u, v).times(input.factor());
+    }
+    if (m.alphaMode() == ModelMaterial.AlphaMode.OPAQUE) {
+      return Optional.of(new Emission(radiance, m.doubleSided()));
+    }
+    Texture<Rgb> full = radiance;
+    ScalarChannel opacity = scalar(m.opacity());
+    boolean isMask = m.alphaMode() == ModelMaterial.AlphaMode.MASK;
+    ScalarChannel used = isMask ? mask(opacity, m.alphaCutoff()) : opacity;
+    return Optional.of(
+        new Emission((u, v) -> full.at(u, v).times(used.at(at(u, v))), m.doubleSided()));
+  }
+
+  private static SurfaceHit at(double u, double v) {
+    return new SurfaceHit()
+        .set(
+            Vec3.ZERO,
+            Vec3.Z,
+            io.github.lumbre.math.Frame.WORLD,
+            new io.github.lumbre.texture.TexturePoint(u, v),
+            Vec3.Z,
+            0);
+  }
+
+  private ColorChannel color(ColorInput input) throws ModelFormatException {
+    if (input.texture().isEmpty()) {
+      return ColorChannel.of(input.factor());
+    }
+    ModelTexture source = input.texture().get();
+    Texture<Rgb> texture = texture(source, ImageTexture.Role.COLOUR);
+    Rgb factor = input.factor();
+    return ColorChannel.of((u, v) -> texture.at(u, v).times(factor), source.uvSet());
+  }
+
+  private ScalarChannel scalar(ScalarInput input) throws ModelFormatException {
+    if (input.texture().isEmpty()) {
+      return ScalarChannel.of(input.factor());
+    }
+    ModelTexture source = input.texture().get();
+    SampledTexture texture = sampled(source, ImageTexture.Role.DATA);
+    UvTransform map = source.uvTransform();
+    double factor = input.factor();
+    int channel = input.channel();
+    return ScalarChannel.of(
+        (u, v) -> factor * texture.channel(map.u(u, v), map.v(u, v), channel), source.uvSet());
+  }
+
+  private Texture<Rgb> texture(ModelTexture source, ImageTexture.Role role)
+      throws ModelFormatException {
+    SampledTexture texture = sampled(source, role);
+    UvTransform map = source.uvTransform();
+    return map.equals(UvTransform.IDENTITY)
+        ? texture
+        : (u, v) -> texture.at(map.u(u, v), map.v(u, v));
+  }
+
+  private SampledTexture sampled(ModelTexture source, ImageTexture.Role role)
+      throws ModelFormatException {
+    Pixels pixels = pictures.get(source.image());
+    if (pixels == null) {
+      try {
+        pixels = ImageReader.decode(source.image().encoded());
+      } catch (ImageFormatException e) {
+        throw new ModelFormatException(
+            ModelFormatException.Kind.ASSET, source.image().location(), e.getMessage());
+      }
+      pictures.put(source.image(), pixels);
+    }
+    return new SampledTexture(
+        pixels,
+        role,
+        source.nearest() ? ImageTexture.Filter.NEAREST : ImageTexture.Filter.BILINEAR,
+        wrap(source.wrapU()),
+        wrap(source.wrapV()));
+  }
+
+  private static SampledTexture.Wrap wrap(ModelTexture.Wrap wrap) {
+    return SampledTexture.Wrap.valueOf(wrap.name());
+  }
+}

@@ -1,0 +1,179 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.OrthographicCamera;
+import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshAttributes;
+import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SharedMesh;
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.light.SpotLight;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * Turns a model into parts of a scene. Models are right-handed and scenes left-handed, so that the
+ * transform into the scene includes a reflection of z; see {@link #TO_LEFT_HANDED}.
+ */
+public final class ModelScene {
+  /** Maps a right-handed space to a left-handed one: (x, y, -z). */
+  public static final Transform TO_LEFT_HANDED = Transform.scale(new Vec3(1, 1, -1));
+
+  private final Model model;
+  private final Transform toWorld;
+  private final Kernel kernel;
+  private final ModelMaterials materials;
+
+  /** Whether the geometry of parts with normal maps needs tangents. */
+  private record MeshKey(ModelGeometry geometry, boolean needsTangents) {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof MeshKey key
+          && key.geometry == geometry
+          && key.needsTangents == needsTangents;
+    }
+
+    @Override
+    public int hashCode() {
+      return 2 * System.identityHashCode(geometry) + (needsTangents ? 1 : 0);
+    }
+  }
+
+  private final Map<MeshKey, TriangleMesh> meshes = new java.util.HashMap<>();
+  private final Map<TriangleMesh, SharedMesh> shared = new IdentityHashMap<>();
+
+  /**
+   * @param toWorld from the model's world space to the scene's, invertible
+   * @param kernel traversal kernel of shared meshes
+   */
+  public ModelScene(Model model, Transform toWorld, Kernel kernel) {
+    this.model = Objects.requireNonNull(model, "model");
+    this.toWorld = Objects.requireNonNull(toWorld, "toWorld");
+    this.kernel = Objects.requireNonNull(kernel, "kernel");
+    materials = new ModelMaterials(toWorld);
+  }
+
+  /**
+   * Returns the surfaces, in the order of the model's parts. Parts without a triangle of positive
+   * area are left out.
+   *
+   * @throws ModelFormatException if a texture cannot be decoded
+   */
+  public List<ModelSurface> surfaces() throws ModelFormatException {
+    Map<ModelGeometry, Integer> uses = new IdentityHashMap<>();
+    model.parts().forEach(part -> uses.merge(part.geometry(), 1, Integer::sum));
+    List<ModelSurface> surfaces = new ArrayList<>();
+    for (ModelPart part : model.parts()) {
+      TriangleMesh mesh = mesh(part);
+      if (mesh.triangleCount() > 0) {
+        Shape shape = shape(mesh, toWorld.times(part.toWorld()), uses.get(part.geometry()) > 1);
+        boolean isClosed = !part.material().doubleSided() && shape.isClosed();
+        surfaces.add(
+            new ModelSurface(
+                part,
+                shape,
+                materials.of(part.material(), isClosed),
+                materials.emission(part.material())));
+      }
+    }
+    return surfaces;
+  }
+
+  private TriangleMesh mesh(ModelPart part) {
+    ModelGeometry geometry = part.geometry();
+    ModelMaterial material = part.material();
+    boolean mapped = material.normalMap().isPresent() || material.clearcoatNormalMap().isPresent();
+    boolean computes =
+        mapped
+            && geometry.tangents().length == 0
+            && geometry.normals().length > 0
+            && geometry.uv0().length > 0;
+    return meshes.computeIfAbsent(
+        new MeshKey(geometry, computes),
+        key -> {
+          double[] tangents = computes ? MikkTangents.of(geometry) : geometry.tangents();
+          boolean isPlain =
+              tangents.length == 0 && geometry.uv1().length == 0 && geometry.colors().length == 0;
+          return TriangleMesh.of(
+              geometry.positions(),
+              geometry.normals(),
+              geometry.uv0(),
+              geometry.indices(),
+              isPlain
+                  ? MeshAttributes.NONE
+                  : new MeshAttributes(tangents, geometry.uv1(), geometry.colors()));
+        });
+  }
+
+  private Shape shape(TriangleMesh mesh, Transform partToWorld, boolean isShared) {
+    return isShared
+        ? new MeshInstance(
+            shared.computeIfAbsent(mesh, m -> new SharedMesh(m, kernel)), partToWorld)
+        : Mesh.baked(mesh, partToWorld);
+  }
+
+  /** Returns the lights, in the order of the file. Their range is ignored: light never ends. */
+  public List<Light> lights() {
+    return model.lights().stream().map(this::light).toList();
+  }
+
+  private Light light(ModelLight light) {
+    Transform transform = toWorld.times(light.toWorld());
+    Vec3 axis = transform.vector(new Vec3(0, 0, -1)).normalized();
+    PointLight point =
+        new PointLight(transform.point(Vec3.ZERO), light.intensity(), Falloff.INVERSE_SQUARE);
+    return switch (light.kind()) {
+      case DIRECTIONAL -> new DirectionalLight(axis, light.intensity());
+      case POINT -> point;
+      case SPOT -> {
+        double outer = Math.toDegrees(light.outerCone());
+        double inner = Math.min(outer, Math.toDegrees(light.innerCone()));
+        yield new SpotLight(point, axis, outer, outer - inner);
+      }
+    };
+  }
+
+  /**
+   * Returns a camera of the model.
+   *
+   * @param aspect width of the film over its height; the camera's vertical size stays
+   */
+  public Camera camera(ModelCamera camera, double aspect) {
+    Transform transform = toWorld.times(camera.toWorld());
+    Vec3 position = transform.point(Vec3.ZERO);
+    Frame axes = axes(transform);
+    if (camera.lens() instanceof ModelCamera.Parallel lens) {
+      double scale = transform.vector(Vec3.Y).length();
+      return new OrthographicCamera(position, axes, aspect, 2 * lens.halfHeight() * scale);
+    }
+    ModelCamera.Perspective lens = (ModelCamera.Perspective) camera.lens();
+    return new PinholeCamera(position, axes, aspect, Math.toDegrees(lens.verticalFov()));
+  }
+
+  /** Returns the right, up and forward directions of a camera's space. */
+  public static Frame axes(Transform cameraToWorld) {
+    Vec3 forward = cameraToWorld.vector(new Vec3(0, 0, -1)).normalized();
+    Vec3 up = cameraToWorld.vector(Vec3.Y);
+    Vec3 upright = up.plus(-up.dot(forward), forward).normalized();
+    return new Frame(upright.cross(forward), upright, forward);
+  }
+
+  /** Returns the sum of what unlit surfaces and emitters need no light for. */
+  static boolean emits(Rgb color) {
+    return !color.isBlack();
+  }
+}
