@@ -2,6 +2,7 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
@@ -43,6 +44,25 @@ public final class MetallicRoughness implements Material {
             && values.sheenRoughness.isConstant()
             && values.opacity.isConstant();
     isOpaque = !values.isTransparent && values.isDoubleSided && !values.isThinlyTransmissive();
+  }
+
+  /**
+   * Returns the absorption coefficient of a medium in which white light has a color after some
+   * distance (Beer's law).
+   *
+   * @param color components in [0,1]; 0 counts as 1e-9
+   * @param distance &gt; 0; infinite for a clear medium
+   * @return per unit of the distance
+   */
+  public static Rgb absorption(Rgb color, double distance) {
+    return new Rgb(
+        absorption(color.r(), distance),
+        absorption(color.g(), distance),
+        absorption(color.b(), distance));
+  }
+
+  private static double absorption(double color, double distance) {
+    return color >= 1 ? 0 : -Elementary.log(Math.max(color, 1e-9)) / distance;
   }
 
   /** Returns a builder of a white, rough metal that is opaque and double-sided. */

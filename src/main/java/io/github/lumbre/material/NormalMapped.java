@@ -6,8 +6,17 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
 
-/** Any material on a surface whose normals a map perturbs. */
-public record NormalMapped(Material material, NormalMap map) implements Material {
+/**
+ * Any material on a surface whose normals a map perturbs.
+ *
+ * @param uvSet 0 or 1: the texture coordinates of the map
+ */
+public record NormalMapped(Material material, NormalMap map, int uvSet) implements Material {
+  /** Creates a material whose map has the first texture coordinates. */
+  public NormalMapped(Material material, NormalMap map) {
+    this(material, map, 0);
+  }
+
   public NormalMapped {
     Objects.requireNonNull(material, "material");
     Objects.requireNonNull(map, "map");
@@ -46,7 +55,7 @@ public record NormalMapped(Material material, NormalMap map) implements Material
   @Override
   public void bend(SurfaceHit hit) {
     material.bend(hit);
-    Vec3 local = map.normal(hit.u(), hit.v());
+    Vec3 local = map.normal(hit.u(uvSet), hit.v(uvSet));
     if (local.maxAbs() != 0) {
       // Normalize first, so that sums of huge components do not overflow.
       Vec3 normal = hit.toWorld(local.normalized()).normalized();
@@ -56,6 +65,6 @@ public record NormalMapped(Material material, NormalMap map) implements Material
 
   @Override
   public Material simplified() {
-    return new NormalMapped(material.simplified(), map);
+    return new NormalMapped(material.simplified(), map, uvSet);
   }
 }

@@ -19,6 +19,8 @@ public final class ModelFormatException extends Exception {
   }
 
   private final Kind kind;
+  private final String location;
+  private final String detail;
 
   /**
    * @param location in the file, such as {@code nodes[3].mesh} or {@code line 12}; empty if the
@@ -28,6 +30,18 @@ public final class ModelFormatException extends Exception {
   public ModelFormatException(Kind kind, String location, String message) {
     super(location.isEmpty() ? message : location + ": " + message);
     this.kind = Objects.requireNonNull(kind, "kind");
+    this.location = location;
+    detail = message;
+  }
+
+  /** Returns the place in the file; empty if the whole file is meant. */
+  public String location() {
+    return location;
+  }
+
+  /** Returns the message without the place. */
+  public String detail() {
+    return detail;
   }
 
   /** Returns the kind of failure. */

@@ -11,13 +11,14 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.ScalarChannel;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.ImageTexture;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.SampledTexture;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
@@ -70,7 +71,10 @@ final class ModelMaterials {
       builder.singleSided();
     }
     if (m.volume().isPresent() && m.transmission().factor() > 0) {
-      builder.volume(absorption(m.volume().get()));
+      ModelMaterial.Volume volume = m.volume().get();
+      builder.volume(
+          MetallicRoughness.absorption(
+              volume.attenuationColor(), volume.attenuationDistance() * unit));
     }
     Material material = builder.build();
     if (m.normalMap().isPresent() && !m.unlit()) {
@@ -113,23 +117,10 @@ final class ModelMaterials {
     return hit -> opacity.at(hit) >= cutoff ? 1 : 0;
   }
 
-  /** Returns the absorption coefficient per unit of the scene. */
-  private Rgb absorption(ModelMaterial.Volume volume) {
-    double distance = volume.attenuationDistance() * unit;
-    return new Rgb(
-        absorption(volume.attenuationColor().r(), distance),
-        absorption(volume.attenuationColor().g(), distance),
-        absorption(volume.attenuationColor().b(), distance));
-  }
-
-  private static double absorption(double color, double distance) {
-    return color >= 1 ? 0 : -Elementary.log(Math.max(color, 1e-9)) / distance;
-  }
-
   private Material mapped(Material material, NormalInput input) throws ModelFormatException {
     Texture<Rgb> texture = texture(input.texture(), ImageTexture.Role.NORMAL);
-    int set = input.texture().uvSet();
-    return set == 0 ? new NormalMapped(material, new NormalMap(texture, input.scale())) : material;
+    NormalMap map = new NormalMap(texture, input.scale());
+    return new NormalMapped(material, map, input.texture().uvSet());
   }
 
   /**
@@ -159,14 +150,7 @@ final class ModelMaterials {
   }
 
   private static SurfaceHit at(double u, double v) {
-    return new SurfaceHit()
-        .set(
-            Vec3.ZERO,
-            Vec3.Z,
-            io.github.lumbre.math.Frame.WORLD,
-            new io.github.lumbre.texture.TexturePoint(u, v),
-            Vec3.Z,
-            0);
+    return new SurfaceHit().set(Vec3.ZERO, Vec3.Z, Frame.WORLD, new TexturePoint(u, v), Vec3.Z, 0);
   }
 
   private ColorChannel color(ColorInput input) throws ModelFormatException {

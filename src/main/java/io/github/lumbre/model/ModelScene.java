@@ -10,7 +10,6 @@ import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SharedMesh;
 import io.github.lumbre.geometry.TriangleMesh;
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
@@ -20,6 +19,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -53,7 +53,7 @@ public final class ModelScene {
     }
   }
 
-  private final Map<MeshKey, TriangleMesh> meshes = new java.util.HashMap<>();
+  private final Map<MeshKey, TriangleMesh> meshes = new HashMap<>();
   private final Map<TriangleMesh, SharedMesh> shared = new IdentityHashMap<>();
 
   /**
@@ -170,10 +170,5 @@ public final class ModelScene {
     Vec3 up = cameraToWorld.vector(Vec3.Y);
     Vec3 upright = up.plus(-up.dot(forward), forward).normalized();
     return new Frame(upright.cross(forward), upright, forward);
-  }
-
-  /** Returns the sum of what unlit surfaces and emitters need no light for. */
-  static boolean emits(Rgb color) {
-    return !color.isBlack();
   }
 }

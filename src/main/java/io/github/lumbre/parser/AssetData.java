@@ -1,6 +1,10 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
@@ -88,6 +92,53 @@ final class AssetData {
           .ifPresent(files::add);
     }
     return files;
+  }
+
+  /**
+   * Returns access to the files that a model names, relative to the model's own folder.
+   *
+   * @param object the object that names the model; errors are reported there
+   * @param model name of the model file, relative to the scene's folder
+   */
+  ModelFolder folderOf(JsonNode object, String model) {
+    String parent = model.substring(0, model.lastIndexOf('/') + 1);
+    return (name, location) ->
+        file(object, parent + name)
+            .map(Content::bytes)
+            .orElseThrow(
+                () ->
+                    new ModelFormatException(
+                        ModelFormatException.Kind.ASSET,
+                        location,
+                        "the file " + Problems.quoted(name) + " cannot be used"));
+  }
+
+  /** Returns the model files that objects name, and the files that these name, if they exist. */
+  Set<Path> modelFiles(List<JsonNode> models) throws IOException {
+    Set<Path> all = new LinkedHashSet<>(files(models));
+    for (Path model : List.copyOf(all)) {
+      Path folder = model.getParent();
+      ModelFolder recording =
+          (name, location) -> {
+            Path file = folder.resolve(name).normalize();
+            if (Files.isRegularFile(file) && file.startsWith(folder())) {
+              all.add(file);
+              return Files.readAllBytes(file);
+            }
+            throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, name);
+          };
+      try {
+        ModelReader.read(
+            model.getFileName().toString(),
+            Files.readAllBytes(model),
+            recording,
+            ModelOptions.DEFAULT);
+      } catch (ModelFormatException | InvalidPathException e) {
+        // Reading the scene reports the error.
+        continue;
+      }
+    }
+    return all;
   }
 
   private static Optional<Path> validRelative(String name) {

@@ -4,6 +4,7 @@ import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.CylindricalCamera;
 import io.github.lumbre.camera.FishEyeCamera;
+import io.github.lumbre.camera.OrthographicCamera;
 import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.camera.SphericalCamera;
 import io.github.lumbre.camera.ThinLensCamera;
@@ -34,6 +35,7 @@ final class CameraReader {
               "focusDistance",
               "aperture",
               "bokehTextureId")
+          .with("Orthographic", this::orthographic, "height")
           .with("Cylindrical", this::cylindrical, "height")
           .with("Spherical", this::spherical)
           .with("FishEye", this::fishEye, "angle");
@@ -74,6 +76,11 @@ final class CameraReader {
         camera.node().number("focusDistance", 5, Range.POSITIVE),
         camera.node().number("aperture", .2, Range.NOT_NEGATIVE),
         textures.mask(camera.node(), "bokehTextureId").orElse(Aperture.DISK));
+  }
+
+  private Camera orthographic(Placed camera, double aspect) {
+    double height = camera.node().number("height", 2, Range.POSITIVE);
+    return new OrthographicCamera(camera.position(), camera.axes(), aspect, height);
   }
 
   private Camera cylindrical(Placed camera, double aspect) {

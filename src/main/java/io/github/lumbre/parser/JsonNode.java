@@ -399,6 +399,16 @@ final class JsonNode {
         number("b", 1, Range.NOT_NEGATIVE));
   }
 
+  /** Returns the collection of problems that this node's methods add to. */
+  Problems problems() {
+    return problems;
+  }
+
+  /** Returns the keys of an object, in the order of the file. */
+  List<String> keys() {
+    return List.copyOf(members().keySet());
+  }
+
   /** Warns of every key that is not in {@code known}, and suggests a similar one. */
   void warnUnknown(Set<String> known) {
     for (JsonNode member : members().values()) {

@@ -2,14 +2,17 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.MicrofacetDistribution.Kind;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
+import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -51,7 +54,8 @@ final class MaterialReader {
               keys("refractionColor", "reflectivityColor", "ior", "normal", "roughness"))
           .with("None", material -> Surface.DEFAULT)
           .with("Phong", this::phong, keys("color", "specularColor", "exponent", "normal"))
-          .with("CookTorrance", this::cookTorrance, cookTorranceKeys());
+          .with("CookTorrance", this::cookTorrance, cookTorranceKeys())
+          .with("MetallicRoughness", this::metallicRoughness, metallicRoughnessKeys());
 
   MaterialReader(AssetTable assets, TextureReader textures) {
     this.assets = assets;
@@ -99,6 +103,13 @@ final class MaterialReader {
     return assets.has(object, "materialID", AssetTable.Type.MATERIAL)
         ? assets.find(object, "materialID", AssetTable.Type.MATERIAL)
         : Optional.empty();
+  }
+
+  /** Returns the surface of the material asset with an id that a node states; empty if none. */
+  Optional<Surface> named(JsonNode node, String key) {
+    return assets
+        .find(node, key, AssetTable.Type.MATERIAL)
+        .map(a -> surfaces.computeIfAbsent(a, this::read));
   }
 
   /** Returns whether any object uses a material. */
@@ -166,6 +177,69 @@ final class MaterialReader {
             textures.scalar(material, "roughness", 1, ROUGHNESS, 0, 1),
             textures.scalar(material, "ior", CookTorrance.DEFAULT_IOR, IOR, 1, MAX_IOR),
             material.choice("distribution", DISTRIBUTIONS, Kind.BECKMANN)));
+  }
+
+  private static String[] metallicRoughnessKeys() {
+    List<String> all =
+        new ArrayList<>(
+            List.of(
+                keys(
+                    "baseColor",
+                    "metallic",
+                    "roughness",
+                    "opacity",
+                    "specular",
+                    "specularColor",
+                    "transmission",
+                    "clearcoat",
+                    "clearcoatRoughness",
+                    "sheenColor",
+                    "sheenRoughness",
+                    "normal")));
+    all.addAll(List.of("ior", "twoSided", "attenuationColor", "attenuationDistance"));
+    return all.toArray(String[]::new);
+  }
+
+  private Surface metallicRoughness(JsonNode material) {
+    MetallicRoughness.Builder builder =
+        MetallicRoughness.builder()
+            .baseColor(color(material, "baseColor", Rgb.WHITE))
+            .metallic(scalar(material, "metallic", 1))
+            .roughness(scalar(material, "roughness", 1))
+            .specular(scalar(material, "specular", 1))
+            .specularColor(color(material, "specularColor", Rgb.WHITE))
+            .clearcoat(scalar(material, "clearcoat", 0))
+            .clearcoatRoughness(scalar(material, "clearcoatRoughness", 0))
+            .sheenColor(color(material, "sheenColor", Rgb.BLACK))
+            .sheenRoughness(scalar(material, "sheenRoughness", 0))
+            .ior(material.number("ior", 1.5, Range.closed(1, MAX_IOR)));
+    if (material.has("opacity") || material.has("opacityTextureId")) {
+      builder.opacity(scalar(material, "opacity", 1));
+    }
+    if (material.has("transmission")) {
+      builder.transmission(scalar(material, "transmission", 0));
+    }
+    if (!material.flag("twoSided", true)) {
+      builder.singleSided();
+    }
+    if (material.has("attenuationDistance")) {
+      double distance = material.number("attenuationDistance", 1, Range.POSITIVE);
+      builder.volume(MetallicRoughness.absorption(material.rgb("attenuationColor"), distance));
+      hasGlass = true;
+    }
+    return surface(material, builder.build());
+  }
+
+  private ColorChannel color(JsonNode material, String channel, Rgb missing) {
+    Rgb constant = material.has(channel) ? material.rgb(channel) : missing;
+    if (constant.max() > 1) {
+      material.warn(channel, "the reflectance exceeds 1; it is clamped to 1");
+    }
+    return ColorChannel.of(textures.reflectance(material, channel, constant), 0);
+  }
+
+  private ScalarChannel scalar(JsonNode material, String channel, double missing) {
+    return ScalarChannel.of(textures.scalar(material, channel, missing, ROUGHNESS, 0, 1), 0);
   }
 
   /** Returns the surface of a material, with its normal map if it has one. */

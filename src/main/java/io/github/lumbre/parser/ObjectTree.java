@@ -29,6 +29,7 @@ final class ObjectTree {
     NONE,
     CAMERA,
     SHAPE,
+    MODEL,
     LIGHT
   }
 
@@ -38,6 +39,7 @@ final class ObjectTree {
     TYPES.put("None", Type.NONE);
     TYPES.put("Camera", Type.CAMERA);
     TYPES.put("Shape", Type.SHAPE);
+    TYPES.put("Model", Type.MODEL);
     TYPES.put("Light", Type.LIGHT);
   }
 
@@ -85,6 +87,14 @@ final class ObjectTree {
 
   List<Placed> objects() {
     return objects;
+  }
+
+  /** Returns the nodes of all models. */
+  List<JsonNode> models() {
+    return objects.stream()
+        .filter(object -> object.type() == Type.MODEL)
+        .map(Placed::node)
+        .toList();
   }
 
   /** Returns the second object with an id; empty if there is none. */

@@ -14,6 +14,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.HexFormat;
+import java.util.LinkedHashSet;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -204,7 +205,10 @@ public final class SceneParser {
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
-    return new AssetData(file, Sha256.digest()).files(root.objects("assets"));
+    AssetData data = new AssetData(file, Sha256.digest());
+    Set<Path> files = new LinkedHashSet<>(data.files(root.objects("assets")));
+    files.addAll(data.modelFiles(ObjectTree.of(root).models()));
+    return files;
   }
 
   private static byte[] read(Path file, Problems problems)
@@ -239,7 +243,14 @@ public final class SceneParser {
     AssetTable assets = new AssetTable(root, lenient);
     AssetData data = new AssetData(file, digest);
     SceneReader world =
-        new SceneReader(root, assets, data, settings.seed(), textures, kernel.orElse(Kernel.AUTO));
+        new SceneReader(
+            root,
+            assets,
+            data,
+            settings.seed(),
+            textures,
+            kernel.orElse(Kernel.AUTO),
+            String.valueOf(file.getFileName()));
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene();

@@ -27,6 +27,7 @@ final class SceneReader {
   private final MaterialReader materials;
   private final ShapeReader shapes;
   private final CameraReader cameras;
+  private final ModelObjects models;
   private final List<Addition> additions = new ArrayList<>();
   private final List<Origin> primitives = new ArrayList<>();
   private final List<Origin> materialsOfPrimitives = new ArrayList<>();
@@ -36,12 +37,13 @@ final class SceneReader {
   private int lightCount;
 
   /** An action that adds a part of the file to the scene. */
-  private record Addition(JsonNode origin, Consumer<SceneBuilder> action) {}
+  private record Addition(Origin origin, Origin material, Consumer<SceneBuilder> action) {}
 
   /**
    * @param seed seed of the procedural textures
    * @param change overrides for all textures
    * @param kernel traversal kernel of the bounding volume hierarchies
+   * @param sceneName name of the scene file
    */
   SceneReader(
       JsonNode root,
@@ -49,7 +51,8 @@ final class SceneReader {
       AssetData data,
       long seed,
       TextureChange change,
-      Kernel kernel) {
+      Kernel kernel,
+      String sceneName) {
     this.root = root;
     this.kernel = kernel;
     this.assets = assets;
@@ -59,6 +62,7 @@ final class SceneReader {
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
     cameras = new CameraReader(textures);
+    models = new ModelObjects(data, materials, sceneName, kernel);
   }
 
   private List<Placed> objects(ObjectTree.Type type) {
@@ -78,6 +82,7 @@ final class SceneReader {
     objects(ObjectTree.Type.NONE).forEach(o -> o.node().warnUnknown(ObjectTree.COMMON_KEYS));
     readCamera(aspect);
     objects(ObjectTree.Type.SHAPE).forEach(this::readShape);
+    objects(ObjectTree.Type.MODEL).forEach(this::readModel);
     readLights(background);
   }
 
@@ -127,23 +132,37 @@ final class SceneReader {
     Surface surface = materials.of(object.node());
     Optional<Shape> shape = shapes.read(object);
     shape.ifPresent(
-        made -> additions.add(new Addition(object.node(), scene -> surface.add(made, scene))));
+        made ->
+            additions.add(
+                new Addition(
+                    Origin.of(object.node()),
+                    materials.asset(object.node()).map(Origin::of).orElse(Origin.NONE),
+                    scene -> surface.add(made, scene))));
+  }
+
+  private void readModel(Placed object) {
+    Interrupts.check();
+    for (ModelObjects.Part part : models.read(object)) {
+      additions.add(new Addition(part.origin(), part.material(), part.action()));
+    }
   }
 
   private void readLights(Optional<Rgb> background) {
     LightReader lights = new LightReader(textures, materials.hasGlass());
     for (Placed light : objects(ObjectTree.Type.LIGHT)) {
-      lights.read(light).ifPresent(made -> additions.add(new Addition(light.node(), made)));
+      Origin origin = Origin.of(light.node());
+      lights.read(light).ifPresent(made -> additions.add(new Addition(origin, Origin.NONE, made)));
     }
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
       root.object("renderOptions")
           .ifPresent(o -> o.warn("background", "is ignored, because the scene has a Dome"));
     } else {
-      JsonNode origin =
-          root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root);
+      Origin origin =
+          Origin.of(root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root));
       background.ifPresent(
-          radiance -> additions.add(new Addition(origin, s -> s.addBackground(radiance))));
+          radiance ->
+              additions.add(new Addition(origin, Origin.NONE, s -> s.addBackground(radiance))));
     }
   }
 
@@ -153,19 +172,19 @@ final class SceneReader {
     for (Addition addition : additions) {
       Interrupts.check();
       addition.action.accept(scene);
-      note(addition.origin, scene);
+      note(addition, scene);
     }
     return scene.build();
   }
 
-  /** Records a node as the origin of a primitive or light that was just added. */
-  private void note(JsonNode node, SceneBuilder scene) {
+  /** Records the origin of a primitive or light that was just added. */
+  private void note(Addition addition, SceneBuilder scene) {
     if (scene.primitiveCount() > primitives.size()) {
-      primitives.add(Origin.of(node));
-      materialsOfPrimitives.add(materials.asset(node).map(Origin::of).orElse(Origin.NONE));
+      primitives.add(addition.origin);
+      materialsOfPrimitives.add(addition.material);
     }
     if (scene.emitterCount() > emitters.size()) {
-      emitters.add(Origin.of(node));
+      emitters.add(addition.origin);
     }
   }
 
@@ -192,9 +211,9 @@ final class SceneReader {
   SceneContents contents() {
     return new SceneContents(
         cameraType,
-        shapes.count(),
+        shapes.count() + models.count(),
         meshes.count(),
-        shapes.triangles(),
+        shapes.triangles() + models.triangles(),
         lightCount,
         materials.count(),
         textures.count());

@@ -34,6 +34,11 @@ public final class NormalMap {
     this.strength = strength;
   }
 
+  /** Creates a normal map without a mapping. */
+  public NormalMap(Texture<Rgb> normals, double strength) {
+    this(normals, UvMapping.IDENTITY, strength);
+  }
+
   /** Returns the map's stored value at a point of the texture, without mapping and strength. */
   public Rgb value(TexturePoint p) {
     return normals.at(p);
