@@ -83,6 +83,19 @@ public final class Transform {
     return new Transform(matrix, Vec3.ZERO, matrix.inverseNear(matrix.transposed()), 1);
   }
 
+  /**
+   * Returns the map that takes the local axes to three vectors and the local origin to a point. It
+   * is not {@linkplain #isInvertible invertible} if the vectors lie in one plane.
+   */
+  public static Transform ofAxes(Vec3 x, Vec3 y, Vec3 z, Vec3 origin) {
+    Matrix3 matrix = new Matrix3(x, y, z).transposed();
+    double determinant = x.dot(y.cross(z));
+    double factor = 1 / determinant;
+    Matrix3 cofactors =
+        new Matrix3(y.cross(z).times(factor), z.cross(x).times(factor), x.cross(y).times(factor));
+    return new Transform(matrix, origin, matrix.inverseNear(cofactors), determinant);
+  }
+
   /** Returns the map that applies {@code inner} first and then this. */
   public Transform times(Transform inner) {
     Matrix3 product = matrix().times(inner.matrix());

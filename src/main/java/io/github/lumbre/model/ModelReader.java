@@ -23,7 +23,11 @@ public final class ModelReader {
   public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-    throw new ModelFormatException(
-        ModelFormatException.Kind.UNSUPPORTED, "", "no reader of ." + ending + " files");
+    return switch (ending) {
+      case "gltf", "glb" -> GltfReader.read(content, folder, options);
+      default ->
+          throw new ModelFormatException(
+              ModelFormatException.Kind.UNSUPPORTED, "", "no reader of ." + ending + " files");
+    };
   }
 }

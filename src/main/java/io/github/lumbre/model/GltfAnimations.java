@@ -1,0 +1,120 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.model.ModelFormatException.Kind;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+
+/** The animations of a glTF file (glTF 2.0, section 3.11). */
+final class GltfAnimations {
+  private final GltfDocument document;
+  private final GltfAccessors accessors;
+
+  GltfAnimations(GltfDocument document, GltfAccessors accessors) {
+    this.document = document;
+    this.accessors = accessors;
+  }
+
+  /** Returns the names of all animations; the index of one that has no name. */
+  List<String> names() throws ModelFormatException {
+    List<String> names = new ArrayList<>();
+    for (GltfJson json : document.section("animations")) {
+      names.add(json.text("name", Integer.toString(names.size())));
+    }
+    return names;
+  }
+
+  /**
+   * Returns the values of animated properties at a time.
+   *
+   * @throws ModelFormatException if the file has no such animation
+   */
+  GltfPose pose(ModelOptions.Pose wanted, GltfNodes nodes)
+      throws ModelFormatException, IOException {
+    GltfJson json = document.section("animations").get(find(wanted.animation()));
+    List<GltfJson> samplers = json.objects("samplers");
+    GltfPose pose = new GltfPose();
+    for (GltfJson channel : json.objects("channels")) {
+      GltfJson target = channel.requireObject("target");
+      OptionalInt node = target.index("node", nodes.size());
+      if (node.isPresent()) {
+        GltfJson sampler = samplers.get(channel.requireIndex("sampler", samplers.size()));
+        set(pose, nodes.get(node.getAsInt()), node.getAsInt(), target, sampler, wanted.seconds());
+      }
+    }
+    return pose;
+  }
+
+  private int find(String wanted) throws ModelFormatException {
+    List<String> names = names();
+    if (names.isEmpty()) {
+      throw new ModelFormatException(
+          Kind.MALFORMED,
+          "animations",
+          "expected an animation " + GltfText.quoted(wanted) + ", found none in the model");
+    }
+    if (names.contains(wanted)) {
+      return names.indexOf(wanted);
+    }
+    for (int i = 0; i < names.size(); i++) {
+      if (wanted.equals(Integer.toString(i))) {
+        return i;
+      }
+    }
+    Set<String> choices = new HashSet<>(names);
+    throw new ModelFormatException(
+        Kind.MALFORMED,
+        "animations",
+        "expected "
+            + GltfText.choice(choices.stream().sorted().toList())
+            + ", found "
+            + GltfText.quoted(wanted));
+  }
+
+  private void set(
+      GltfPose pose, GltfNode node, int index, GltfJson target, GltfJson sampler, double seconds)
+      throws ModelFormatException, IOException {
+    String path = target.text("path", "");
+    if (node.matrix().isPresent() && !path.equals("weights")) {
+      document
+          .warnings()
+          .add(target.location("node"), "a node with a matrix is not animated; left at rest");
+      return;
+    }
+    switch (path) {
+      case "translation" -> pose.translate(index, sampler(sampler, 3).at(seconds));
+      case "rotation" -> pose.rotate(index, sampler(sampler, 4).rotationAt(seconds));
+      case "scale" -> pose.scale(index, sampler(sampler, 3).at(seconds));
+      case "weights" -> {
+        int width = node.mesh().isPresent() ? targets(node.mesh().getAsInt()) : 0;
+        if (width > 0) {
+          pose.weigh(index, sampler(sampler, width).at(seconds));
+        }
+      }
+      default ->
+          document
+              .warnings()
+              .add(
+                  target.location("path"),
+                  "expected translation, rotation, scale or weights, found "
+                      + GltfText.quoted(path)
+                      + "; left at rest");
+    }
+  }
+
+  private GltfSampler sampler(GltfJson json, int width) throws ModelFormatException, IOException {
+    return new GltfSampler(json, accessors, width);
+  }
+
+  /** Returns the number of morph targets of a mesh. */
+  private int targets(int mesh) throws ModelFormatException {
+    int most = 0;
+    for (GltfJson primitive : document.section("meshes").get(mesh).objects("primitives")) {
+      most = Math.max(most, primitive.objects("targets").size());
+    }
+    return most;
+  }
+}

@@ -1,0 +1,87 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.model.ModelFormatException.Kind;
+
+/** Limits on the memory that the content of one glTF file may use. Mutable. */
+final class GltfBudget {
+  /** The largest number of elements of an accessor, and of all vertices or indices. */
+  static final long MAX_COUNT = 1 << 27;
+
+  /** The largest number of elements of an accessor that consists of zeros. */
+  static final long MAX_ZEROS = 1 << 24;
+
+  /** The largest number of nodes, and of parts. */
+  static final int MAX_PARTS = 1 << 20;
+
+  /** The largest depth of the node hierarchy. */
+  static final int MAX_DEPTH = 2000;
+
+  /** Heap bytes of a part: its two objects and its transform. */
+  private static final int BYTES_PER_PART = 400;
+
+  private static final long MAX_TOKENS = 100_000_000;
+
+  /** Heap bytes per token of JSON, plus headroom for the garbage collector. */
+  private static final long BYTES_PER_TOKEN = 160;
+
+  private final long maxBytes;
+  private long bytes;
+  private long vertices;
+  private long indices;
+  private long parts;
+
+  /**
+   * @param maxBytes of arrays and objects that are made of the file
+   */
+  GltfBudget(long maxBytes) {
+    this.maxBytes = maxBytes;
+  }
+
+  /** Returns the limits that suit the heap of this process. */
+  static GltfBudget ofHeap() {
+    return new GltfBudget(Runtime.getRuntime().maxMemory() / 4 * 3);
+  }
+
+  /** Returns the largest number of tokens of JSON. */
+  long maxTokens() {
+    return Math.min(MAX_TOKENS, maxBytes / BYTES_PER_TOKEN);
+  }
+
+  /** Adds vertices of a mesh, whose arrays {@link #allocate} counts. */
+  void addVertices(String location, long count) throws ModelFormatException {
+    vertices += count;
+    require(location, "vertices in the model", MAX_COUNT, vertices);
+  }
+
+  /** Adds indices, and the bytes that they need. */
+  void addIndices(String location, long count) throws ModelFormatException {
+    indices += count;
+    require(location, "indices in the model", MAX_COUNT, indices);
+    allocate(location, Integer.BYTES * count);
+  }
+
+  /** Adds a part, and the bytes that it needs. */
+  void addPart(String location) throws ModelFormatException {
+    require(location, "parts in the model", MAX_PARTS, ++parts);
+    allocate(location, BYTES_PER_PART);
+  }
+
+  /**
+   * Adds memory that is about to be allocated.
+   *
+   * @throws ModelFormatException if the sum exceeds the limit
+   */
+  void allocate(String location, long more) throws ModelFormatException {
+    bytes += more;
+    require(location, "bytes of memory for the model", maxBytes, bytes);
+  }
+
+  /** Checks a number of things against a limit. */
+  static void require(String location, String things, long max, long found)
+      throws ModelFormatException {
+    if (found > max) {
+      throw new ModelFormatException(
+          Kind.TOO_LARGE, location, "expected at most " + max + " " + things + ", found " + found);
+    }
+  }
+}

@@ -1,0 +1,87 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.model.ModelFormatException.Kind;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** Checks the version and the extensions of a glTF file against those that are supported. */
+final class GltfExtensions {
+  private static final Set<String> SUPPORTED =
+      Set.of(
+          "KHR_lights_punctual",
+          "KHR_materials_clearcoat",
+          "KHR_materials_emissive_strength",
+          "KHR_materials_ior",
+          "KHR_materials_sheen",
+          "KHR_materials_specular",
+          "KHR_materials_transmission",
+          "KHR_materials_unlit",
+          "KHR_materials_variants",
+          "KHR_materials_volume",
+          "KHR_mesh_quantization",
+          "KHR_texture_transform");
+
+  private static final String DECOMPRESS = "decompress the model, for example with gltf-transform";
+  private static final String CONVERT = "convert its textures to PNG or JPEG";
+
+  private static final Map<String, String> ADVICE =
+      Map.of(
+          "KHR_draco_mesh_compression", DECOMPRESS,
+          "KHR_meshopt_compression", DECOMPRESS,
+          "EXT_meshopt_compression", DECOMPRESS,
+          "KHR_texture_basisu", CONVERT,
+          "EXT_texture_webp", CONVERT,
+          "EXT_texture_avif", CONVERT,
+          "MSFT_texture_dds", CONVERT,
+          "KHR_materials_pbrSpecularGlossiness",
+              "convert the materials to metallic-roughness, for example with gltf-transform");
+
+  private GltfExtensions() {}
+
+  /**
+   * Checks the version and the extensions of a file; warns of extensions that are ignored.
+   *
+   * @throws ModelFormatException if the file requires what is not supported
+   */
+  static void check(GltfDocument document) throws ModelFormatException {
+    GltfJson root = document.root();
+    checkVersion(root.requireObject("asset"));
+    List<String> required = root.texts("extensionsRequired");
+    for (String name : required) {
+      if (!SUPPORTED.contains(name)) {
+        throw new ModelFormatException(
+            Kind.UNSUPPORTED,
+            "extensionsRequired",
+            GltfText.shortened(name)
+                + " is required; "
+                + ADVICE.getOrDefault(name, "export the model without it"));
+      }
+    }
+    for (String name : new TreeSet<>(root.texts("extensionsUsed"))) {
+      if (!SUPPORTED.contains(name)) {
+        document
+            .warnings()
+            .add(
+                "extensionsUsed",
+                GltfText.shortened(name) + " is not supported; the model may look different");
+      }
+    }
+  }
+
+  private static void checkVersion(GltfJson asset) throws ModelFormatException {
+    String version = asset.text("version", "");
+    if (!version.matches("[0-9]{1,9}\\.[0-9]{1,9}")) {
+      throw asset.expected("version", "a version such as 2.0");
+    }
+    String min = asset.text("minVersion", "2.0");
+    String member = min.equals("2.0") ? "version" : "minVersion";
+    if (!version.startsWith("2.") || !min.equals("2.0")) {
+      throw new ModelFormatException(
+          Kind.UNSUPPORTED,
+          asset.location(member),
+          "expected 2.0, found " + GltfText.quoted(asset.text(member, "")));
+    }
+  }
+}

@@ -1,0 +1,150 @@
+package io.github.lumbre.model;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The meshes of a glTF file (glTF 2.0, section 3.7). Mutable: each mesh is built once. */
+final class GltfMeshes {
+  private static final int MAX_MODE = 6;
+
+  private final GltfDocument document;
+  private final GltfAccessors accessors;
+  private final GltfAttributes attributes;
+  private final GltfMorph morph;
+  private final Map<Form, Optional<ModelGeometry>> forms = new HashMap<>();
+  private final Map<Corners, int[]> corners = new HashMap<>();
+
+  /** A primitive with weights of its morph targets. */
+  private record Form(String primitive, List<Double> weights) {}
+
+  /** Which vertices the triangles of a primitive use. */
+  private record Corners(Optional<GltfAccessor> indices, int mode, int vertices) {}
+
+  GltfMeshes(GltfDocument document, GltfAccessors accessors, GltfAttributes attributes) {
+    this.document = document;
+    this.accessors = accessors;
+    this.attributes = attributes;
+    morph = new GltfMorph(document, attributes);
+  }
+
+  /**
+   * Returns the triangles of a primitive; empty if it has none.
+   *
+   * @param weights of its morph targets; may be fewer
+   */
+  Optional<ModelGeometry> geometry(GltfJson primitive, double... weights)
+      throws ModelFormatException, IOException {
+    boolean isRest = Arrays.stream(weights).allMatch(w -> w == 0) || !primitive.has("targets");
+    List<Double> applied = isRest ? List.of() : Arrays.stream(weights).boxed().toList();
+    Form form = new Form(primitive.location(), applied);
+    Optional<ModelGeometry> geometry = forms.get(form);
+    if (geometry == null) {
+      geometry = isRest ? rest(primitive) : morphed(primitive, weights);
+      forms.put(form, geometry);
+    }
+    return geometry;
+  }
+
+  private Optional<ModelGeometry> morphed(GltfJson primitive, double... weights)
+      throws ModelFormatException, IOException {
+    Optional<ModelGeometry> rest = geometry(primitive);
+    return rest.isPresent()
+        ? Optional.of(morph.applied(primitive, rest.get(), weights))
+        : Optional.empty();
+  }
+
+  private Optional<ModelGeometry> rest(GltfJson primitive)
+      throws ModelFormatException, IOException {
+    GltfInterrupts.check();
+    int mode = (int) primitive.whole("mode", GltfTriangles.LIST, 0, MAX_MODE);
+    GltfJson json = primitive.requireObject("attributes");
+    if (mode < GltfTriangles.LIST || !json.has("POSITION")) {
+      warn(
+          primitive,
+          mode == 0
+              ? "points are left out"
+              : mode < GltfTriangles.LIST
+                  ? "lines are left out"
+                  : "a mesh without positions is left out");
+      return Optional.empty();
+    }
+    double[] positions = attributes.positions(accessors.require(json, "POSITION"));
+    int vertices = positions.length / 3;
+    int[] indices = indices(primitive, mode, vertices);
+    if (indices.length == 0) {
+      warn(primitive, "a mesh without triangles is left out");
+      return Optional.empty();
+    }
+    double[] normals = attributes.normals(json, vertices);
+    return Optional.of(
+        new ModelGeometry(
+            positions,
+            normals,
+            normals.length == 0 ? normals : attributes.tangents(json, vertices),
+            attributes.uvs(json, "TEXCOORD_0", vertices),
+            attributes.uvs(json, "TEXCOORD_1", vertices),
+            attributes.colors(json, vertices),
+            indices));
+  }
+
+  private void warn(GltfJson primitive, String message) {
+    document.warnings().add(primitive.location(), message);
+  }
+
+  private int[] indices(GltfJson primitive, int mode, int vertices)
+      throws ModelFormatException, IOException {
+    Optional<GltfAccessor> accessor =
+        primitive.has("indices")
+            ? Optional.of(accessors.require(primitive, "indices"))
+            : Optional.empty();
+    int count = accessor.isPresent() ? accessor.get().count() : vertices;
+    if (mode == GltfTriangles.LIST && count % 3 != 0) {
+      warn(primitive, "expected three corners per triangle, found " + count + " corners in all");
+    }
+    Corners key = new Corners(accessor, mode, vertices);
+    int[] found = corners.get(key);
+    if (found == null) {
+      found = triangles(primitive, accessor, mode, count, vertices);
+      corners.put(key, found);
+    }
+    return found;
+  }
+
+  private int[] triangles(
+      GltfJson primitive, Optional<GltfAccessor> accessor, int mode, int count, int vertices)
+      throws ModelFormatException {
+    GltfBudget budget = document.budget();
+    budget.addIndices(primitive.location(), 3L * GltfTriangles.count(mode, count));
+    budget.allocate(primitive.location(), (long) Integer.BYTES * count);
+    int[] read = new int[count];
+    if (accessor.isPresent()) {
+      GltfAccessor indices = accessor.get().requireComponents(1);
+      if (!indices.component().isUnsigned()) {
+        throw indices.error("componentType", "expected 5121, 5123 or 5125 for indices");
+      }
+      indices.readIndices(read);
+      requireVertices(primitive, read, vertices);
+    } else {
+      Arrays.setAll(read, i -> i);
+    }
+    return GltfTriangles.list(mode, read);
+  }
+
+  private static void requireVertices(GltfJson primitive, int[] indices, int vertices)
+      throws ModelFormatException {
+    for (int index : indices) {
+      if (index < 0 || index >= vertices) {
+        throw primitive.malformed(
+            "indices",
+            "expected vertices from 0 to "
+                + (vertices - 1)
+                + ", found "
+                + Integer.toUnsignedString(index));
+      }
+    }
+  }
+}

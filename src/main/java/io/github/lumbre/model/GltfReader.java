@@ -1,0 +1,159 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.math.Transform;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Reads glTF 2.0, as .gltf or .glb. Not reusable.
+ *
+ * <p>A transform with a negative determinant reverses the winding of triangles (glTF 2.0, section
+ * 3.7.4). That agrees with {@link ModelGeometry}: triangles are counterclockwise, seen from
+ * outside, in local space, and outside stays outside in a mirroring {@link Transform}. So indices
+ * change in skinned meshes only, which are in world space.
+ */
+final class GltfReader {
+  private final GltfDocument document;
+  private final GltfAccessors accessors;
+  private final GltfAttributes attributes;
+  private final GltfMeshes meshes;
+  private final GltfMaterials materials;
+  private final GltfVariants variants;
+  private final GltfAnimations animations;
+  private final GltfLights lights;
+  private final GltfCameras cameras;
+  private final GltfNodes nodes;
+  private final GltfPose pose;
+  private final Map<Integer, GltfSkin> skins = new HashMap<>();
+  private final List<ModelPart> parts = new ArrayList<>();
+  private final List<ModelCamera> placedCameras = new ArrayList<>();
+  private final List<ModelLight> placedLights = new ArrayList<>();
+
+  private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
+      throws ModelFormatException, IOException {
+    this.document = document;
+    accessors = new GltfAccessors(document, buffers);
+    attributes = new GltfAttributes(document, accessors);
+    meshes = new GltfMeshes(document, accessors, attributes);
+    materials = new GltfMaterials(document, new GltfTextures(document, buffers));
+    variants = new GltfVariants(document, options.variant());
+    animations = new GltfAnimations(document, accessors);
+    lights = new GltfLights(document);
+    cameras = new GltfCameras(document);
+    nodes = new GltfNodes(document, lights.size());
+    pose =
+        options.pose().isPresent() ? animations.pose(options.pose().get(), nodes) : new GltfPose();
+  }
+
+  /**
+   * Returns the content of a file.
+   *
+   * @throws ModelFormatException if the file is damaged, unsupported or too large
+   * @throws IOException if the thread is interrupted
+   */
+  static Model read(byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return read(content, folder, options, GltfBudget.ofHeap());
+  }
+
+  static Model read(byte[] content, ModelFolder folder, ModelOptions options, GltfBudget budget)
+      throws ModelFormatException, IOException {
+    GltfContainer container = GltfContainer.of(content);
+    GltfJson root = GltfJsonReader.read(container.json(), budget);
+    GltfDocument document = new GltfDocument(root, budget);
+    GltfExtensions.check(document);
+    GltfBuffers buffers = new GltfBuffers(document, container.binary(), folder);
+    return new GltfReader(document, buffers, options).read();
+  }
+
+  private Model read() throws ModelFormatException, IOException {
+    nodes.place(pose);
+    for (int index : nodes.visible()) {
+      GltfNode node = nodes.get(index);
+      GltfInterrupts.check();
+      if (node.mesh().isPresent() && node.skin().isPresent()) {
+        addSkinned(index, node);
+      }
+      if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
+        addPlaced(index, node);
+      }
+    }
+    return new Model(
+        parts,
+        placedCameras,
+        placedLights,
+        variants.names(),
+        animations.names(),
+        document.warnings().list());
+  }
+
+  private void addPlaced(int index, GltfNode node) throws ModelFormatException, IOException {
+    Transform toWorld = nodes.toWorld(index).toTransform();
+    boolean hasPlainMesh = node.mesh().isPresent() && node.skin().isEmpty();
+    if (!toWorld.isInvertible()) {
+      if (hasPlainMesh || node.camera().isPresent() || node.light().isPresent()) {
+        document
+            .warnings()
+            .add(node.location(), "its transform is not invertible; its content is left out");
+      }
+      return;
+    }
+    if (node.camera().isPresent()) {
+      placedCameras.add(cameras.camera(node, toWorld));
+    }
+    if (node.light().isPresent()) {
+      placedLights.add(lights.light(node, toWorld));
+    }
+    if (hasPlainMesh) {
+      addMesh(index, node, toWorld, Optional.empty());
+    }
+  }
+
+  private void addSkinned(int index, GltfNode node) throws ModelFormatException, IOException {
+    int number = node.skin().getAsInt();
+    GltfSkin skin = skins.get(number);
+    if (skin == null) {
+      GltfJson json = document.section("skins").get(number);
+      skin = new GltfSkin(json, document, accessors, attributes, nodes);
+      skins.put(number, skin);
+    }
+    addMesh(index, node, nodes.toWorld(index).toTransform(), Optional.of(skin));
+  }
+
+  private void addMesh(int index, GltfNode node, Transform toWorld, Optional<GltfSkin> skin)
+      throws ModelFormatException, IOException {
+    GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
+    List<GltfJson> primitives = mesh.objects("primitives");
+    double[] weights = weights(index, node, mesh);
+    String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
+    for (int i = 0; i < primitives.size(); i++) {
+      GltfJson primitive = primitives.get(i);
+      String location = node.location() + ".mesh.primitives[" + i + "]";
+      document.budget().addPart(location);
+      Optional<ModelGeometry> found = meshes.geometry(primitive, weights);
+      if (found.isEmpty()) {
+        continue;
+      }
+      ModelGeometry geometry = found.get();
+      Transform placement = toWorld;
+      if (skin.isPresent() && primitive.requireObject("attributes").has("JOINTS_0")) {
+        geometry = skin.get().applied(primitive, geometry, toWorld.isMirroring());
+        placement = Transform.IDENTITY;
+      }
+      ModelMaterial material = materials.get(variants.material(primitive));
+      parts.add(new ModelPart(name, location, geometry, material, placement));
+    }
+  }
+
+  private double[] weights(int index, GltfNode node, GltfJson mesh) throws ModelFormatException {
+    Optional<double[]> animated = pose.weights(index);
+    if (animated.isPresent()) {
+      return animated.get();
+    }
+    return node.weights().length > 0 ? node.weights() : mesh.numbers("weights");
+  }
+}
