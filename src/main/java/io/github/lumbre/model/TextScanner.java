@@ -1,12 +1,13 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.model;
 
+import io.github.lumbre.model.ModelFormatException.Kind;
 import java.nio.charset.StandardCharsets;
 
 /**
  * Splits an OBJ text into lines and words. Lines end with LF, CR LF or CR. Comments and a UTF-8
  * byte order mark are skipped. A backslash at the end of a line joins it with the next. Mutable.
  */
-final class ObjScanner {
+final class TextScanner {
   /** Lines between two checks for an interrupt; a power of two. */
   private static final int LINES_PER_CHECK = 1 << 14;
 
@@ -19,7 +20,7 @@ final class ObjScanner {
   private int start;
   private int end;
 
-  ObjScanner(byte[] text) {
+  TextScanner(byte[] text) {
     this.text = text;
     at = beginsWithMark(text) ? 3 : 0;
   }
@@ -124,7 +125,7 @@ final class ObjScanner {
   }
 
   /** Returns the next word of the line as a finite number; the decimal separator is a point. */
-  double nextNumber() throws ObjFormatException {
+  double nextNumber() throws ModelFormatException {
     if (!nextWord()) {
       throw error("expected a number, found the end of the line");
     }
@@ -145,13 +146,13 @@ final class ObjScanner {
       throw notANumber();
     }
     if (Math.abs(number) > MAX_NUMBER) {
-      throw error("expected a number of at most 1e150, found " + Problems.quoted(word()));
+      throw error("expected a number of at most 1e150, found " + PrintableText.quoted(word()));
     }
     return number;
   }
 
   /** Returns the next word of the line as a finite number; 0 if the line ends. */
-  double nextNumberOrZero() throws ObjFormatException {
+  double nextNumberOrZero() throws ModelFormatException {
     int before = at;
     if (!nextWord()) {
       return 0;
@@ -160,8 +161,8 @@ final class ObjScanner {
     return nextNumber();
   }
 
-  private ObjFormatException notANumber() {
-    return error("expected a finite number, found " + Problems.quoted(word()));
+  private ModelFormatException notANumber() {
+    return error("expected a finite number, found " + PrintableText.quoted(word()));
   }
 
   /**
@@ -170,7 +171,7 @@ final class ObjScanner {
    *
    * @param indices receives three numbers as written in the file; 0 for a missing one
    */
-  void readIndices(int[] indices) throws ObjFormatException {
+  void readIndices(int[] indices) throws ModelFormatException {
     int i = start;
     for (int k = 0; k < 3; k++) {
       int from = i;
@@ -187,7 +188,7 @@ final class ObjScanner {
     }
   }
 
-  private int index(int from, int to) throws ObjFormatException {
+  private int index(int from, int to) throws ModelFormatException {
     boolean negative = text[from] == '-';
     int first = negative || text[from] == '+' ? from + 1 : from;
     long value = 0;
@@ -201,13 +202,13 @@ final class ObjScanner {
       throw notIndices();
     }
     if (value == 0) {
-      throw error("expected indices that start at 1, found 0 in " + Problems.quoted(word()));
+      throw error("expected indices that start at 1, found 0 in " + PrintableText.quoted(word()));
     }
     return (int) (negative ? -value : value);
   }
 
-  private ObjFormatException notIndices() {
-    return error("expected indices such as 1/2/3, found " + Problems.quoted(word()));
+  private ModelFormatException notIndices() {
+    return error("expected indices such as 1/2/3, found " + PrintableText.quoted(word()));
   }
 
   private static boolean isDigit(byte c) {
@@ -215,12 +216,17 @@ final class ObjScanner {
   }
 
   /** Returns an exception that names the line, for a value beyond a limit. */
-  ObjFormatException tooLarge(String message) {
-    return new ObjFormatException(line, message, true);
+  ModelFormatException tooLarge(String message) {
+    return new ModelFormatException(Kind.TOO_LARGE, location(), message);
   }
 
   /** Returns an exception that names the line. */
-  ObjFormatException error(String message) {
-    return new ObjFormatException(line, message);
+  ModelFormatException error(String message) {
+    return new ModelFormatException(Kind.MALFORMED, location(), message);
+  }
+
+  /** Returns the current line, for messages. */
+  String location() {
+    return "line " + line;
   }
 }
