@@ -1,5 +1,7 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -15,6 +17,8 @@ public record ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up,
   /** The rest pose, default materials, +Y up, unit 1. */
   public static final ModelOptions DEFAULT =
       new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, 1);
+
+  private static final double QUARTER_TURN_DEGREES = 90;
 
   /** The axis that points up. */
   public enum Up {
@@ -38,5 +42,13 @@ public record ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up,
     if (!(unit > 0 && Double.isFinite(unit))) {
       throw new IllegalArgumentException("unit: expected a finite number > 0, found " + unit);
     }
+  }
+
+  /** Returns the map from the space of a file that states no axes and units to +Y up. */
+  Transform toWorld() {
+    Transform scale = Transform.scale(new Vec3(unit, unit, unit));
+    return up == Up.Y
+        ? scale
+        : Transform.rotationDegrees(new Vec3(-QUARTER_TURN_DEGREES, 0, 0)).times(scale);
   }
 }

@@ -1,8 +1,10 @@
 package io.github.lumbre.model;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CancellationException;
 
 /** Reads model files of all supported formats. Stateless. */
 public final class ModelReader {
@@ -23,11 +25,19 @@ public final class ModelReader {
   public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-    return switch (ending) {
-      case "gltf", "glb" -> GltfReader.read(content, folder, options);
-      default ->
-          throw new ModelFormatException(
-              ModelFormatException.Kind.UNSUPPORTED, "", "no reader of ." + ending + " files");
-    };
+    try {
+      return switch (ending) {
+        case "gltf", "glb" -> GltfReader.read(content, folder, options);
+        case "ply" -> PlyReader.read(content, options);
+        case "stl" -> StlReader.read(content, options);
+        default ->
+            throw new ModelFormatException(
+                ModelFormatException.Kind.UNSUPPORTED,
+                "",
+                "no reader of ." + PrintableText.shortened(ending) + " files");
+      };
+    } catch (CancellationException e) {
+      throw (IOException) new InterruptedIOException(e.getMessage()).initCause(e);
+    }
   }
 }

@@ -1,6 +1,9 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ObjMesh;
+import io.github.lumbre.model.ObjReader;
 import io.github.lumbre.parser.AssetTable.Type;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.util.HashMap;
@@ -62,8 +65,10 @@ final class MeshReader {
     ObjMesh obj;
     try {
       obj = ObjReader.read(content.bytes());
-    } catch (ObjFormatException e) {
-      content.error(e.isTooLarge() ? Kind.LIMIT : Kind.ASSET, e.getMessage());
+    } catch (ModelFormatException e) {
+      content.error(
+          e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET,
+          e.getMessage());
       return Optional.empty();
     }
     TriangleMesh mesh = TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());

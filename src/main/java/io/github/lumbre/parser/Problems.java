@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.model.PrintableText;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,8 +13,6 @@ final class Problems {
 
   /** Longer paths, in characters, are shortened in the middle. */
   private static final int MAX_PATH = 200;
-
-  private static final int MAX_TEXT = 60;
 
   private final String file;
   private final List<Problem> errors = new ArrayList<>();
@@ -88,32 +87,16 @@ final class Problems {
 
   /** Returns a text from a scene that is safe to print: quoted, escaped and shortened. */
   static String quoted(String text) {
-    return '"' + shortened(text) + '"';
+    return PrintableText.quoted(text);
   }
 
   /** Returns a text from a scene that is safe to print: escaped and shortened. */
   static String shortened(String text) {
-    return text.length() <= MAX_TEXT ? escaped(text) : escaped(text.substring(0, MAX_TEXT)) + "…";
+    return PrintableText.shortened(text);
   }
 
   /** Returns a text with invisible characters written as JSON escapes. */
   static String escaped(String text) {
-    StringBuilder out = new StringBuilder(text.length());
-    text.codePoints().forEach(c -> append(out, c));
-    return out.toString();
-  }
-
-  private static void append(StringBuilder out, int codePoint) {
-    switch (Character.getType(codePoint)) {
-      case Character.CONTROL,
-              Character.FORMAT,
-              Character.SURROGATE,
-              Character.LINE_SEPARATOR,
-              Character.PARAGRAPH_SEPARATOR,
-              Character.PRIVATE_USE,
-              Character.UNASSIGNED ->
-          out.append(String.format("\\u%04x", codePoint));
-      default -> out.appendCodePoint(codePoint);
-    }
+    return PrintableText.escaped(text);
   }
 }

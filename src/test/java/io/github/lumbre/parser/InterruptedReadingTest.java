@@ -9,6 +9,7 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ObjReader;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.model;
 
 /** The number of positions, texture coordinates, normals and triangles in an OBJ text. */
 record ObjCensus(int positions, int uvs, int normals, long triangles) {
@@ -9,14 +9,14 @@ record ObjCensus(int positions, int uvs, int normals, long triangles) {
   private static final long BYTES_PER_VECTOR = 3L * Double.BYTES;
 
   /**
-   * @throws ObjFormatException if the mesh does not fit into memory
+   * @throws ModelFormatException if the mesh does not fit into memory
    */
-  static ObjCensus of(byte[] text) throws ObjFormatException {
+  static ObjCensus of(byte[] text) throws ModelFormatException {
     return of(text, Runtime.getRuntime().maxMemory());
   }
 
-  static ObjCensus of(byte[] text, long maxHeapBytes) throws ObjFormatException {
-    ObjScanner scanner = new ObjScanner(text);
+  static ObjCensus of(byte[] text, long maxHeapBytes) throws ModelFormatException {
+    TextScanner scanner = new TextScanner(text);
     int positions = 0;
     int uvs = 0;
     int normals = 0;
@@ -40,7 +40,7 @@ record ObjCensus(int positions, int uvs, int normals, long triangles) {
     return census;
   }
 
-  private void requireRoom(ObjScanner scanner, long maxHeapBytes) throws ObjFormatException {
+  private void requireRoom(TextScanner scanner, long maxHeapBytes) throws ModelFormatException {
     long most = Math.max(Math.max(positions, uvs), Math.max(normals, triangles));
     if (most > MAX_COUNT) {
       throw scanner.tooLarge(
@@ -56,7 +56,7 @@ record ObjCensus(int positions, int uvs, int normals, long triangles) {
     }
   }
 
-  private static int words(ObjScanner scanner) {
+  private static int words(TextScanner scanner) {
     int count = 0;
     while (scanner.nextWord()) {
       count++;

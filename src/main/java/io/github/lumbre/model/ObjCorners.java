@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.model;
 
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.model;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -15,16 +15,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ObjReaderTest {
   private static final String CORNERS = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-  private static ObjMesh read(String text) throws ObjFormatException {
+  private static ObjMesh read(String text) throws ModelFormatException {
     return ObjReader.read(text.getBytes(StandardCharsets.UTF_8));
   }
 
   private static String refusal(String text) {
-    return catchThrowableOfType(ObjFormatException.class, () -> read(text)).getMessage();
+    return catchThrowableOfType(ModelFormatException.class, () -> read(text)).getMessage();
   }
 
   @Test
-  void trianglesAreRead() throws ObjFormatException {
+  void trianglesAreRead() throws ModelFormatException {
     ObjMesh mesh = read(CORNERS + "f 1 2 3\nf 1 3 4\n");
     assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
     assertThat(mesh.indices()).containsExactly(0, 1, 2, 0, 2, 3);
@@ -46,7 +46,7 @@ class ObjReaderTest {
         "f 1/ 2/ 3/ 4/",
         "f +1 +2 +3 +4"
       })
-  void quadsBecomeFansHoweverTheyAreWritten(String face) throws ObjFormatException {
+  void quadsBecomeFansHoweverTheyAreWritten(String face) throws ModelFormatException {
     ObjMesh mesh = read(CORNERS + face);
     assertThat(mesh.positions()).hasSize(12);
     assertThat(mesh.indices()).containsExactly(0, 1, 2, 0, 2, 3);
@@ -54,7 +54,7 @@ class ObjReaderTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"\n", "\r\n", "\r"})
-  void linesEndInThreeWays(String end) throws ObjFormatException {
+  void linesEndInThreeWays(String end) throws ModelFormatException {
     String text = "# of a tool\n" + CORNERS + "f 1 2 \\\n3\n\no up # up\nf 1 3 4 # end\nf 1 2";
     text = text.replace("\n", end);
     assertThat(refusal(text)).isEqualTo("line 11: expected at least 3 corners per face, found 2");
@@ -63,13 +63,13 @@ class ObjReaderTest {
   }
 
   @Test
-  void byteOrderMarksAreNotPartOfTheFirstWord() throws ObjFormatException {
+  void byteOrderMarksAreNotPartOfTheFirstWord() throws ModelFormatException {
     ObjMesh mesh = read("\ufeff" + CORNERS + "f 1 2 3 4");
     assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
   }
 
   @Test
-  void cornersThatDifferAreDifferentVertices() throws ObjFormatException {
+  void cornersThatDifferAreDifferentVertices() throws ModelFormatException {
     ObjMesh mesh =
         read(
             CORNERS
@@ -81,7 +81,7 @@ class ObjReaderTest {
   }
 
   @Test
-  void trianglesWithoutNormalsAndUvsInAFileThatHasThemGetTheirOwn() throws ObjFormatException {
+  void trianglesWithoutNormalsAndUvsInAFileThatHasThemGetTheirOwn() throws ModelFormatException {
     ObjMesh mesh = read(CORNERS + "vt .5 .5\nvn 1 0 0\nf 1/1/1 2/1/1 3/1/1\nf 1 2 3\n");
     assertThat(mesh.indices()).containsExactly(0, 1, 2, 3, 4, 5);
     assertThat(mesh.normals()).startsWith(1, 0, 0).endsWith(0, 0, 1, 0, 0, 1, 0, 0, 1);
@@ -89,12 +89,12 @@ class ObjReaderTest {
   }
 
   @Test
-  void facesMayComeBeforeTheirVertices() throws ObjFormatException {
+  void facesMayComeBeforeTheirVertices() throws ModelFormatException {
     assertThat(read("f 1 2 3\n" + CORNERS).indices()).containsExactly(0, 1, 2);
   }
 
   @Test
-  void numbersHaveDecimalPointsInEveryCountry() throws ObjFormatException {
+  void numbersHaveDecimalPointsInEveryCountry() throws ModelFormatException {
     Locale before = Locale.getDefault();
     try {
       Locale.setDefault(Locale.GERMANY);
@@ -106,7 +106,7 @@ class ObjReaderTest {
   }
 
   @Test
-  void manyCornersKeepTheirNumbers() throws ObjFormatException {
+  void manyCornersKeepTheirNumbers() throws ModelFormatException {
     StringBuilder text = new StringBuilder();
     int count = 3000;
     for (int i = 0; i < count; i++) {
@@ -154,15 +154,15 @@ class ObjReaderTest {
   }
 
   @Test
-  void meshLargerThanTheHeapIsRefusedByItsCensus() throws ObjFormatException {
+  void meshLargerThanTheHeapIsRefusedByItsCensus() throws ModelFormatException {
     byte[] text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(30_000).getBytes(US_ASCII);
     assertThat(ObjCensus.of(text, 3 << 20).positions()).isEqualTo(90_000);
-    ObjFormatException thrown =
-        catchThrowableOfType(ObjFormatException.class, () -> ObjCensus.of(text, 2 << 20));
+    ModelFormatException thrown =
+        catchThrowableOfType(ModelFormatException.class, () -> ObjCensus.of(text, 2 << 20));
     assertThat(thrown)
         .hasMessage(
             "line 120001: expected a mesh that needs at most 2097152 bytes of memory,"
                 + " found one that needs 2520000");
-    assertThat(thrown.isTooLarge()).isTrue();
+    assertThat(thrown.kind()).isEqualTo(ModelFormatException.Kind.TOO_LARGE);
   }
 }

@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.model;
 
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
@@ -8,7 +8,7 @@ import java.util.Arrays;
  * fans. All other statements are ignored. If a file has no {@code vt} or no {@code vn}, indices
  * into that list are ignored; otherwise they are checked. Not reusable.
  */
-final class ObjReader {
+public final class ObjReader {
   private static final int POSITION = 0;
   private static final int UV = 1;
   private static final int NORMAL = 2;
@@ -17,7 +17,7 @@ final class ObjReader {
   /** Texture coordinates of triangles that have none, in a file that has some. */
   private static final double[] BARYCENTRIC = {0, 0, 1, 0, 0, 1};
 
-  private final ObjScanner scanner;
+  private final TextScanner scanner;
   private final int[] totals;
   private final int[] counts = new int[3];
   private final double[] positions;
@@ -29,9 +29,9 @@ final class ObjReader {
   private final ObjCorners corners = new ObjCorners();
   private int[] face = new int[12];
 
-  private ObjReader(byte[] text) throws ObjFormatException {
+  private ObjReader(byte[] text) throws ModelFormatException {
     ObjCensus census = ObjCensus.of(text);
-    scanner = new ObjScanner(text);
+    scanner = new TextScanner(text);
     totals = new int[] {census.positions(), census.uvs(), census.normals()};
     positions = new double[Math.multiplyExact(3, totals[POSITION])];
     uvs = Arrays.copyOf(BARYCENTRIC, BARYCENTRIC.length + 2 * totals[UV]);
@@ -43,14 +43,14 @@ final class ObjReader {
   /**
    * Returns the mesh in an OBJ text.
    *
-   * @throws ObjFormatException if the text is malformed, refers to missing vertices, or has no
+   * @throws ModelFormatException if the text is malformed, refers to missing vertices, or has no
    *     faces
    */
-  static ObjMesh read(byte[] text) throws ObjFormatException {
+  public static ObjMesh read(byte[] text) throws ModelFormatException {
     return new ObjReader(text).read();
   }
 
-  private ObjMesh read() throws ObjFormatException {
+  private ObjMesh read() throws ModelFormatException {
     while (scanner.hasMore()) {
       if (scanner.nextWord()) {
         readLine();
@@ -67,7 +67,7 @@ final class ObjReader {
         indices);
   }
 
-  private void readLine() throws ObjFormatException {
+  private void readLine() throws ModelFormatException {
     if (scanner.wordIs("v")) {
       readVector(positions, 3 * counts[POSITION]++);
     } else if (scanner.wordIs("vn")) {
@@ -81,13 +81,13 @@ final class ObjReader {
     }
   }
 
-  private void readVector(double[] target, int to) throws ObjFormatException {
+  private void readVector(double[] target, int to) throws ModelFormatException {
     for (int i = 0; i < 3; i++) {
       target[to + i] = scanner.nextNumber();
     }
   }
 
-  private void readFace() throws ObjFormatException {
+  private void readFace() throws ModelFormatException {
     int count = 0;
     int[] corner = new int[3];
     while (scanner.nextWord()) {
@@ -109,7 +109,7 @@ final class ObjReader {
   }
 
   /** Returns a zero-based index, or NONE if it is missing or the file has no such list. */
-  private int resolved(int index, int list) throws ObjFormatException {
+  private int resolved(int index, int list) throws ModelFormatException {
     if (index == 0 || list != POSITION && totals[list] == 0) {
       return NONE;
     }

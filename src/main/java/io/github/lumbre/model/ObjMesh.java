@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.model;
 
 /**
  * The content of an OBJ file as arrays. Corners with the same position, normal and texture
@@ -9,4 +9,4 @@ package io.github.lumbre.parser;
  * @param uvs two numbers per vertex, or empty if the file has none
  * @param indices three vertex numbers per triangle, from 0
  */
-record ObjMesh(double[] positions, double[] normals, double[] uvs, int[] indices) {}
+public record ObjMesh(double[] positions, double[] normals, double[] uvs, int[] indices) {}

@@ -1,0 +1,36 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.model.ModelFormatException.Kind;
+
+/** Limits that are checked before memory is allocated. Stateless. */
+final class ModelLimits {
+  /** The largest number of vertices or triangles: three numbers each fit into one Java array. */
+  static final int MAX_COUNT = (Integer.MAX_VALUE - 8) / 3;
+
+  /** The largest number of parts of one model. */
+  static final int MAX_PARTS = 10_000;
+
+  /** Items between two checks for an interrupt, minus 1; a power of two minus 1. */
+  static final int INTERRUPT_MASK = (1 << 14) - 1;
+
+  private ModelLimits() {}
+
+  /**
+   * Checks that a mesh fits into the heap.
+   *
+   * @param bytes that the mesh needs at least
+   * @throws ModelFormatException if it does not
+   */
+  static void requireMemory(String location, long bytes) throws ModelFormatException {
+    long max = Runtime.getRuntime().maxMemory();
+    if (bytes > max) {
+      throw new ModelFormatException(
+          Kind.TOO_LARGE,
+          location,
+          "expected a mesh that needs at most "
+              + max
+              + " bytes of memory, found one that needs "
+              + bytes);
+    }
+  }
+}

@@ -1,0 +1,32 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.image.Rgb;
+import java.util.List;
+
+/** What models without materials, cameras and lights have in common. Stateless. */
+final class PlainModel {
+  /** The reflectance of surfaces without a material: that of a white wall. */
+  private static final double ALBEDO = .8;
+
+  private PlainModel() {}
+
+  /**
+   * Returns the material of surfaces that have none: diffuse light gray, visible from both sides.
+   */
+  static ModelMaterial defaultMaterial() {
+    return matte("", "").baseColor(ColorInput.of(Rgb.grey(ALBEDO))).build();
+  }
+
+  /** Returns a builder of a white diffuse material that is visible from both sides. */
+  static ModelMaterial.Builder matte(String name, String location) {
+    return ModelMaterial.builder(name, location)
+        .metallic(ScalarInput.of(0))
+        .specular(ScalarInput.of(0))
+        .doubleSided(true);
+  }
+
+  /** Returns a model that has parts only. */
+  static Model of(List<ModelPart> parts, List<String> warnings) {
+    return new Model(parts, List.of(), List.of(), List.of(), List.of(), warnings);
+  }
+}

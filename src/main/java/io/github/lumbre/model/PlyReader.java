@@ -1,0 +1,229 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/**
+ * Reads PLY files of all three formats (Turk 1994, "The PLY Polygon File Format"): elements {@code
+ * vertex}, {@code face} and {@code tristrips} in any order. Polygons become triangle fans. Integer
+ * colors are sRGB-encoded, float colors linear. Not reusable.
+ */
+final class PlyReader {
+  private static final List<String> INDEX_NAMES = List.of("vertex_indices", "vertex_index");
+
+  private final PlyHeader header;
+  private final PlyBody body;
+  private final List<String> warnings = new ArrayList<>();
+  private final PlyVertices vertices;
+  private final int vertexCount;
+  private TriangleList triangles = new TriangleList(0);
+
+  private PlyReader(byte[] file) throws ModelFormatException {
+    header = PlyHeader.read(file, warnings);
+    body =
+        header.format() == PlyHeader.Format.TEXT
+            ? new PlyTextBody(file, header)
+            : new PlyBinaryBody(file, header);
+    requireBytes();
+    Optional<PlyElement> vertex =
+        header.elements().stream().filter(PlyElement::isVertex).findFirst();
+    if (vertex.isEmpty()) {
+      throw new ModelFormatException(Kind.MALFORMED, "", "expected an element vertex, found none");
+    }
+    requireFaces();
+    vertexCount = vertex.get().count();
+    vertices = new PlyVertices(vertex.get(), warnings);
+  }
+
+  /** Returns the triangles of a PLY file. */
+  static Model read(byte[] file, ModelOptions options) throws ModelFormatException {
+    return new PlyReader(file).read(options);
+  }
+
+  /** Checks that the file is as large as its header requires, before memory is allocated. */
+  private void requireBytes() throws ModelFormatException {
+    long left = body.remainingBytes();
+    for (PlyElement element : header.elements()) {
+      long min = body.minBytes(element);
+      if (min * element.count() > left) {
+        throw new ModelFormatException(
+            Kind.MALFORMED,
+            "element " + PrintableText.shortened(element.name()),
+            "expected %d items of at least %d bytes, found %d bytes"
+                .formatted(element.count(), min, left));
+      }
+      left -= min * element.count();
+    }
+  }
+
+  private void requireFaces() throws ModelFormatException {
+    if (header.elements().stream().noneMatch(e -> indexProperty(e).isPresent())) {
+      throw new ModelFormatException(
+          Kind.UNSUPPORTED,
+          "",
+          "expected an element face or tristrips with a list vertex_indices, found none;"
+              + " point clouds are not supported");
+    }
+  }
+
+  private static Optional<PlyProperty> indexProperty(PlyElement element) {
+    return element.name().equals("face") || element.name().equals("tristrips")
+        ? element.properties().stream()
+            .filter(p -> p.isList() && p.type().isInteger() && INDEX_NAMES.contains(p.name()))
+            .findFirst()
+        : Optional.empty();
+  }
+
+  private Model read(ModelOptions options) throws ModelFormatException {
+    for (PlyElement element : header.elements()) {
+      if (element.isVertex()) {
+        vertices.read(body);
+      } else if (!element.properties().isEmpty()) {
+        readOther(element);
+      }
+    }
+    if (header.format() != PlyHeader.Format.TEXT && body.remainingBytes() > 0) {
+      warnings.add("ignored " + body.remainingBytes() + " bytes after the last element");
+    }
+    int dropped = triangles.removeFlat(vertices.positions());
+    if (dropped > 0) {
+      warnings.add("dropped triangles of zero area: " + dropped);
+    }
+    if (triangles.count() == 0) {
+      throw new ModelFormatException(
+          Kind.MALFORMED, "", "expected at least one triangle with an area, found none");
+    }
+    ModelMaterial material = material();
+    ModelPart part =
+        new ModelPart("", "", vertices.geometry(triangles.toArray()), material, options.toWorld());
+    return PlainModel.of(List.of(part), warnings);
+  }
+
+  private ModelMaterial material() {
+    if (vertices.isInvisible()) {
+      warnings.add("element vertex: ignored alpha, which is 0 everywhere");
+      vertices.makeOpaque();
+    }
+    ModelGeometry geometry = vertices.geometry(new int[0]);
+    if (geometry.colors().length == 0) {
+      return PlainModel.defaultMaterial();
+    }
+    return PlainModel.matte("", "")
+        .baseColor(ColorInput.of(Rgb.WHITE))
+        .alphaMode(
+            vertices.hasTransparency()
+                ? ModelMaterial.AlphaMode.BLEND
+                : ModelMaterial.AlphaMode.OPAQUE)
+        .build();
+  }
+
+  private void readOther(PlyElement element) throws ModelFormatException {
+    Optional<PlyProperty> indices = indexProperty(element);
+    boolean isStrip = element.name().equals("tristrips");
+    if (indices.isPresent()) {
+      List<String> ignored =
+          element.properties().stream()
+              .filter(p -> p != indices.get())
+              .map(PlyProperty::name)
+              .collect(Collectors.toList());
+      warnIgnored(element, ignored, warnings);
+      // Most meshes consist of triangles or of quadrilaterals, and 12 bytes are few.
+      ModelLimits.requireMemory("element face", 12L * element.count());
+      triangles = triangles.count() == 0 ? new TriangleList(element.count()) : triangles;
+    }
+    for (int i = 0; i < element.count(); i++) {
+      if ((i & ModelLimits.INTERRUPT_MASK) == 0) {
+        Interrupts.check();
+      }
+      body.beginItem(element, i);
+      for (PlyProperty property : element.properties()) {
+        if (indices.isPresent() && property == indices.get()) {
+          readIndices(property, isStrip);
+        } else if (property.isList()) {
+          skipList(property, body);
+        } else {
+          body.number(property);
+        }
+      }
+      body.endItem();
+    }
+  }
+
+  private void readIndices(PlyProperty property, boolean isStrip) throws ModelFormatException {
+    int length = body.listLength(property);
+    if (isStrip) {
+      readStrip(property, length);
+      return;
+    }
+    if (length < 3) {
+      throw body.error("expected at least 3 corners per face, found " + length);
+    }
+    int first = vertex(body.integer(property));
+    int previous = vertex(body.integer(property));
+    for (int i = 2; i < length; i++) {
+      int next = vertex(body.integer(property));
+      addTriangle(first, previous, next);
+      previous = next;
+    }
+  }
+
+  /** Reads strips that end with -1: every second triangle has the opposite order. */
+  private void readStrip(PlyProperty property, int length) throws ModelFormatException {
+    int before = 0;
+    int previous = 0;
+    int size = 0;
+    for (int i = 0; i < length; i++) {
+      long index = body.integer(property);
+      if (index == -1) {
+        size = 0;
+        continue;
+      }
+      int next = vertex(index);
+      if (size >= 2) {
+        boolean even = size % 2 == 0;
+        addTriangle(even ? before : previous, even ? previous : before, next);
+      }
+      before = previous;
+      previous = next;
+      size++;
+    }
+  }
+
+  private void addTriangle(int a, int b, int c) throws ModelFormatException {
+    if (triangles.count() == ModelLimits.MAX_COUNT) {
+      throw new ModelFormatException(
+          Kind.TOO_LARGE, "", "expected at most " + ModelLimits.MAX_COUNT + " triangles");
+    }
+    triangles.add(a, b, c);
+  }
+
+  private int vertex(long index) throws ModelFormatException {
+    if (index < 0 || index >= vertexCount) {
+      throw body.error("expected a vertex from 0 to " + (vertexCount - 1) + ", found " + index);
+    }
+    return (int) index;
+  }
+
+  /** Reads a list whose content is not used. */
+  static void skipList(PlyProperty property, PlyBody body) throws ModelFormatException {
+    int length = body.listLength(property);
+    for (int i = 0; i < length; i++) {
+      body.number(property);
+    }
+  }
+
+  /** Adds a warning of properties that are not used. */
+  static void warnIgnored(PlyElement element, List<String> names, List<String> warnings) {
+    if (!names.isEmpty()) {
+      warnings.add(
+          "element "
+              + element.name()
+              + ": ignored the properties "
+              + PrintableText.shortened(String.join(", ", names)));
+    }
+  }
+}

@@ -1,0 +1,39 @@
+package io.github.lumbre.model;
+
+/** Makes texts from files safe to print. Stateless. */
+public final class PrintableText {
+  private static final int MAX_TEXT = 60;
+
+  private PrintableText() {}
+
+  /** Returns a text that is safe to print: quoted, escaped and shortened. */
+  public static String quoted(String text) {
+    return '"' + shortened(text) + '"';
+  }
+
+  /** Returns a text that is safe to print: escaped and shortened. */
+  public static String shortened(String text) {
+    return text.length() <= MAX_TEXT ? escaped(text) : escaped(text.substring(0, MAX_TEXT)) + "…";
+  }
+
+  /** Returns a text with invisible characters written as JSON escapes. */
+  public static String escaped(String text) {
+    StringBuilder out = new StringBuilder(text.length());
+    text.codePoints().forEach(c -> append(out, c));
+    return out.toString();
+  }
+
+  private static void append(StringBuilder out, int codePoint) {
+    switch (Character.getType(codePoint)) {
+      case Character.CONTROL,
+              Character.FORMAT,
+              Character.SURROGATE,
+              Character.LINE_SEPARATOR,
+              Character.PARAGRAPH_SEPARATOR,
+              Character.PRIVATE_USE,
+              Character.UNASSIGNED ->
+          out.append(String.format("\\u%04x", codePoint));
+      default -> out.appendCodePoint(codePoint);
+    }
+  }
+}
