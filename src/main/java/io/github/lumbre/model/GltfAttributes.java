@@ -73,7 +73,7 @@ final class GltfAttributes {
       if (GltfAccessors.indexOfInfinite(array) >= 0) {
         document
             .warnings()
-            .add(accessor.location(), "infinite or missing numbers; " + name + " is ignored");
+            .add(accessor.location(), "NaN or infinite numbers; " + name + " is ignored");
         array = new double[0];
       }
       arrays.put(new Key(accessor, role), array);

@@ -75,11 +75,8 @@ final class GltfReader {
     for (int index : nodes.visible()) {
       GltfNode node = nodes.get(index);
       GltfInterrupts.check();
-      if (node.mesh().isPresent() && node.skin().isPresent()) {
-        addSkinned(index, node);
-      }
       if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
-        addPlaced(index, node);
+        add(index, node, nodes.toWorld(index).toTransform());
       }
     }
     return new Model(
@@ -91,62 +88,76 @@ final class GltfReader {
         document.warnings().list());
   }
 
-  private void addPlaced(int index, GltfNode node) throws ModelFormatException, IOException {
-    Transform toWorld = nodes.toWorld(index).toTransform();
-    boolean hasPlainMesh = node.mesh().isPresent() && node.skin().isEmpty();
-    if (!toWorld.isInvertible()) {
-      if (hasPlainMesh || node.camera().isPresent() || node.light().isPresent()) {
-        document
-            .warnings()
-            .add(node.location(), "its transform is not invertible; its content is left out");
-      }
-      return;
+  private void add(int index, GltfNode node, Transform toWorld)
+      throws ModelFormatException, IOException {
+    if (node.mesh().isPresent()) {
+      addMesh(index, node, toWorld);
     }
-    if (node.camera().isPresent()) {
+    if (node.camera().isPresent() && isPlaced(node, toWorld)) {
       placedCameras.add(cameras.camera(node, toWorld));
     }
-    if (node.light().isPresent()) {
+    if (node.light().isPresent() && isPlaced(node, toWorld)) {
       placedLights.add(lights.light(node, toWorld));
     }
-    if (hasPlainMesh) {
-      addMesh(index, node, toWorld, Optional.empty());
-    }
   }
 
-  private void addSkinned(int index, GltfNode node) throws ModelFormatException, IOException {
-    int number = node.skin().getAsInt();
-    GltfSkin skin = skins.get(number);
-    if (skin == null) {
-      GltfJson json = document.section("skins").get(number);
-      skin = new GltfSkin(json, document, accessors, attributes, nodes);
-      skins.put(number, skin);
+  /** Returns whether a transform is invertible; warns if not. */
+  private boolean isPlaced(GltfNode node, Transform toWorld) {
+    if (!toWorld.isInvertible()) {
+      document
+          .warnings()
+          .add(node.location(), "its transform is not invertible; its content is left out");
     }
-    addMesh(index, node, nodes.toWorld(index).toTransform(), Optional.of(skin));
+    return toWorld.isInvertible();
   }
 
-  private void addMesh(int index, GltfNode node, Transform toWorld, Optional<GltfSkin> skin)
+  private void addMesh(int index, GltfNode node, Transform toWorld)
       throws ModelFormatException, IOException {
     GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
     List<GltfJson> primitives = mesh.objects("primitives");
     double[] weights = weights(index, node, mesh);
     String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
     for (int i = 0; i < primitives.size(); i++) {
-      GltfJson primitive = primitives.get(i);
       String location = node.location() + ".mesh.primitives[" + i + "]";
       document.budget().addPart(location);
-      Optional<ModelGeometry> found = meshes.geometry(primitive, weights);
-      if (found.isEmpty()) {
-        continue;
+      GltfJson primitive = primitives.get(i);
+      boolean isSkinned =
+          node.skin().isPresent() && primitive.requireObject("attributes").has("JOINTS_0");
+      if (isSkinned || isPlaced(node, toWorld)) {
+        Optional<ModelGeometry> found = meshes.geometry(primitive, weights);
+        if (found.isPresent()) {
+          addPart(name, location, node, primitive, found.get(), toWorld, isSkinned);
+        }
       }
-      ModelGeometry geometry = found.get();
-      Transform placement = toWorld;
-      if (skin.isPresent() && primitive.requireObject("attributes").has("JOINTS_0")) {
-        geometry = skin.get().applied(primitive, geometry, toWorld.isMirroring());
-        placement = Transform.IDENTITY;
-      }
-      ModelMaterial material = materials.get(variants.material(primitive));
-      parts.add(new ModelPart(name, location, geometry, material, placement));
     }
+  }
+
+  private void addPart(
+      String name,
+      String location,
+      GltfNode node,
+      GltfJson primitive,
+      ModelGeometry geometry,
+      Transform toWorld,
+      boolean isSkinned)
+      throws ModelFormatException, IOException {
+    ModelMaterial material = materials.get(variants.material(primitive));
+    ModelGeometry placed =
+        isSkinned
+            ? skin(node.skin().getAsInt()).applied(primitive, geometry, toWorld.isMirroring())
+            : geometry;
+    Transform placement = isSkinned ? Transform.IDENTITY : toWorld;
+    parts.add(new ModelPart(name, location, placed, material, placement));
+  }
+
+  private GltfSkin skin(int index) throws ModelFormatException, IOException {
+    GltfSkin skin = skins.get(index);
+    if (skin == null) {
+      GltfJson json = document.section("skins").get(index);
+      skin = new GltfSkin(json, document, accessors, attributes, nodes);
+      skins.put(index, skin);
+    }
+    return skin;
   }
 
   private double[] weights(int index, GltfNode node, GltfJson mesh) throws ModelFormatException {
