@@ -19,7 +19,7 @@ import java.util.Optional;
 final class GltfReader {
   private final GltfDocument document;
   private final GltfAccessors accessors;
-  private final GltfAttributes attributes;
+  private final GltfInfluences influences;
   private final GltfMeshes meshes;
   private final GltfMaterials materials;
   private final GltfVariants variants;
@@ -37,7 +37,8 @@ final class GltfReader {
       throws ModelFormatException, IOException {
     this.document = document;
     accessors = new GltfAccessors(document, buffers);
-    attributes = new GltfAttributes(document, accessors);
+    GltfAttributes attributes = new GltfAttributes(document, accessors);
+    influences = new GltfInfluences(document, accessors, attributes);
     meshes = new GltfMeshes(document, accessors, attributes);
     materials = new GltfMaterials(document, new GltfTextures(document, buffers));
     variants = new GltfVariants(document, options.variant());
@@ -63,6 +64,8 @@ final class GltfReader {
   static Model read(byte[] content, ModelFolder folder, ModelOptions options, GltfBudget budget)
       throws ModelFormatException, IOException {
     GltfContainer container = GltfContainer.of(content);
+    // The text of the JSON is also kept as strings.
+    budget.allocate("", (long) content.length + container.json().remaining());
     GltfJson root = GltfJsonReader.read(container.json(), budget);
     GltfDocument document = new GltfDocument(root, budget);
     GltfExtensions.check(document);
@@ -154,7 +157,7 @@ final class GltfReader {
     GltfSkin skin = skins.get(index);
     if (skin == null) {
       GltfJson json = document.section("skins").get(index);
-      skin = new GltfSkin(json, document, accessors, attributes, nodes);
+      skin = new GltfSkin(json, document, accessors, influences, nodes);
       skins.put(index, skin);
     }
     return skin;

@@ -410,7 +410,7 @@ class GltfErrorsTest {
         "'count': 16777217 | accessors[0].count: expected at most 16777216 elements without a"
             + " bufferView, found 16777217",
         "'count': 16777216 | accessors[0]: expected at most 100000000 bytes of memory for the"
-            + " model, found 402653584"
+            + " model"
       })
   void hugeAccessorsAreRefused(String count, String message) {
     GltfFile file = new GltfFile();
@@ -422,7 +422,7 @@ class GltfErrorsTest {
             () ->
                 GltfReader.read(
                     file.glb(), GltfFile.EMPTY, ModelOptions.DEFAULT, new GltfBudget(100_000_000)));
-    assertThat(e).hasMessage(message);
+    assertThat(e).hasMessageStartingWith(message);
     assertThat(e.kind()).isEqualTo(Kind.TOO_LARGE);
   }
 
