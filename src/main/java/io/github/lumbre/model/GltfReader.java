@@ -33,6 +33,9 @@ final class GltfReader {
   private final List<ModelCamera> placedCameras = new ArrayList<>();
   private final List<ModelLight> placedLights = new ArrayList<>();
 
+  /** A node with a mesh, and the weights of its morph targets. */
+  private record Placement(GltfNode node, String name, Transform toWorld, double[] weights) {}
+
   private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
       throws ModelFormatException, IOException {
     this.document = document;
@@ -117,40 +120,36 @@ final class GltfReader {
   private void addMesh(int index, GltfNode node, Transform toWorld)
       throws ModelFormatException, IOException {
     GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
-    List<GltfJson> primitives = mesh.objects("primitives");
-    double[] weights = weights(index, node, mesh);
     String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
+    Placement placement = new Placement(node, name, toWorld, weights(index, node, mesh));
+    List<GltfJson> primitives = mesh.objects("primitives");
     for (int i = 0; i < primitives.size(); i++) {
-      String location = node.location() + ".mesh.primitives[" + i + "]";
-      document.budget().addPart(location);
-      GltfJson primitive = primitives.get(i);
-      boolean isSkinned =
-          node.skin().isPresent() && primitive.requireObject("attributes").has("JOINTS_0");
-      if (isSkinned || isPlaced(node, toWorld)) {
-        Optional<ModelGeometry> found = meshes.geometry(primitive, weights);
-        if (found.isPresent()) {
-          addPart(name, location, node, primitive, found.get(), toWorld, isSkinned);
-        }
-      }
+      addPrimitive(placement, primitives.get(i), node.location() + ".mesh.primitives[" + i + "]");
     }
   }
 
-  private void addPart(
-      String name,
-      String location,
-      GltfNode node,
-      GltfJson primitive,
-      ModelGeometry geometry,
-      Transform toWorld,
-      boolean isSkinned)
+  private void addPrimitive(Placement placement, GltfJson primitive, String location)
       throws ModelFormatException, IOException {
+    document.budget().addPart(location);
+    GltfNode node = placement.node;
+    Transform toWorld = placement.toWorld;
+    boolean isSkinned =
+        node.skin().isPresent() && primitive.requireObject("attributes").has("JOINTS_0");
+    if (!isSkinned && !isPlaced(node, toWorld)) {
+      return;
+    }
+    Optional<ModelGeometry> found = meshes.geometry(primitive, placement.weights);
+    if (found.isEmpty()) {
+      return;
+    }
+    ModelGeometry geometry = found.get();
+    if (isSkinned) {
+      GltfSkin skin = skin(node.skin().getAsInt());
+      geometry = skin.applied(primitive, geometry, toWorld.isMirroring());
+      toWorld = Transform.IDENTITY;
+    }
     ModelMaterial material = materials.get(variants.material(primitive));
-    ModelGeometry placed =
-        isSkinned
-            ? skin(node.skin().getAsInt()).applied(primitive, geometry, toWorld.isMirroring())
-            : geometry;
-    Transform placement = isSkinned ? Transform.IDENTITY : toWorld;
-    parts.add(new ModelPart(name, location, placed, material, placement));
+    parts.add(new ModelPart(placement.name, location, geometry, material, toWorld));
   }
 
   private GltfSkin skin(int index) throws ModelFormatException, IOException {

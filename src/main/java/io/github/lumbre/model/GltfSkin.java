@@ -84,7 +84,10 @@ final class GltfSkin {
       document.budget().addIndices(primitive.location(), indices.length);
       indices = GltfTriangles.reversed(indices);
     }
-    return GltfVectors.moved(primitive, rest, positions, normals, tangents, indices);
+    return GltfVectors.checked(
+        primitive,
+        new ModelGeometry(
+            positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), indices));
   }
 
   private double[] copy(GltfJson primitive, double... numbers) throws ModelFormatException {
