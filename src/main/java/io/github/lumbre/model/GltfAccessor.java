@@ -40,7 +40,7 @@ final class GltfAccessor {
     GltfBudget.require(json.location("count"), "elements", GltfBudget.MAX_COUNT, found);
     count = (int) found;
     if (json.has("bufferView")) {
-      source = Optional.of(source(json, document, buffers, component, components, count));
+      source = Optional.of(source(json, buffers, component, components, count));
     } else {
       source = Optional.empty();
       GltfBudget.require(
@@ -65,14 +65,9 @@ final class GltfAccessor {
   }
 
   private static Source source(
-      GltfJson json,
-      GltfDocument document,
-      GltfBuffers buffers,
-      GltfComponent component,
-      int components,
-      int count)
+      GltfJson json, GltfBuffers buffers, GltfComponent component, int components, int count)
       throws ModelFormatException, IOException {
-    GltfBuffers.View view = buffers.view(document.requireIndex(json, "bufferView", "bufferViews"));
+    GltfBuffers.View view = buffers.view(json);
     int size = component.size() * components;
     int stride = view.stride() == 0 ? size : view.stride();
     if (stride < size) {
@@ -96,9 +91,8 @@ final class GltfAccessor {
     if (!type.isUnsigned()) {
       throw indices.expected("componentType", "5121, 5123 or 5125");
     }
-    Source places = source(indices, document, buffers, type, 1, changed);
-    Source values =
-        source(json.requireObject("values"), document, buffers, component, components, changed);
+    Source places = source(indices, buffers, type, 1, changed);
+    Source values = source(json.requireObject("values"), buffers, component, components, changed);
     document.budget().allocate(json.location(), (long) Integer.BYTES * changed);
     int[] at = new int[changed];
     type.readIndices(places.bytes, places.offset, places.stride, changed, at, 0);

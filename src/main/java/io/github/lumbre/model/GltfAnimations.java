@@ -3,10 +3,8 @@ package io.github.lumbre.model;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.Set;
 
 /** The animations of a glTF file (glTF 2.0, section 3.11). */
 final class GltfAnimations {
@@ -64,14 +62,10 @@ final class GltfAnimations {
         return i;
       }
     }
-    Set<String> choices = new HashSet<>(names);
     throw new ModelFormatException(
         Kind.MALFORMED,
         "animations",
-        "expected "
-            + GltfText.choice(choices.stream().sorted().toList())
-            + ", found "
-            + GltfText.quoted(wanted));
+        "expected " + GltfText.choice(names) + ", found " + GltfText.quoted(wanted));
   }
 
   private void set(

@@ -15,10 +15,16 @@ final class GltfAttributes {
 
   /** The meanings of numbers. */
   private enum Role {
-    POSITION,
-    DIRECTION,
-    TANGENT,
-    UV
+    POSITION(3),
+    NORMAL(3),
+    TANGENT(4),
+    UV(2);
+
+    private final int components;
+
+    Role(int components) {
+      this.components = components;
+    }
   }
 
   /** An accessor and the meaning of its numbers. */
@@ -46,34 +52,38 @@ final class GltfAttributes {
 
   /** Returns unit normals; none if one is not finite. */
   double[] normals(GltfJson attributes, int vertices) throws ModelFormatException, IOException {
-    return optional(attributes, "NORMAL", vertices, 3, Role.DIRECTION);
+    return optional(attributes, "NORMAL", vertices, Role.NORMAL);
   }
 
-  /** Returns unit tangents and the signs of bitangents; none if one is not finite. */
+  /**
+   * Returns unit tangents and the signs of bitangents; none if one is not finite.
+   *
+   * <p>The signs stay although v is flipped: normal maps of glTF have +Y up (section 3.9.3), so
+   * their bitangents point to the upper edge of the picture, where v is 1 here.
+   */
   double[] tangents(GltfJson attributes, int vertices) throws ModelFormatException, IOException {
-    return optional(attributes, "TANGENT", vertices, 4, Role.TANGENT);
+    return optional(attributes, "TANGENT", vertices, Role.TANGENT);
   }
 
   /** Returns texture coordinates, with v = 0 at the lower edge; none if one is not finite. */
   double[] uvs(GltfJson attributes, String name, int vertices)
       throws ModelFormatException, IOException {
-    return optional(attributes, name, vertices, 2, Role.UV);
+    return optional(attributes, name, vertices, Role.UV);
   }
 
-  private double[] optional(
-      GltfJson attributes, String name, int vertices, int components, Role role)
+  private double[] optional(GltfJson attributes, String name, int vertices, Role role)
       throws ModelFormatException, IOException {
     if (!attributes.has(name)) {
       return new double[0];
     }
-    GltfAccessor accessor = of(attributes, name, vertices).requireComponents(components);
+    GltfAccessor accessor = of(attributes, name, vertices).requireComponents(role.components);
     double[] array = arrays.get(new Key(accessor, role));
     if (array == null) {
       array = converted(accessors.numbers(accessor), accessor, role);
       if (GltfAccessors.indexOfInfinite(array) >= 0) {
         document
             .warnings()
-            .add(accessor.location(), "infinite or missing numbers; " + name + " is ignored");
+            .add(accessor.location(), "NaN or infinite numbers; " + name + " is ignored");
         array = new double[0];
       }
       arrays.put(new Key(accessor, role), array);

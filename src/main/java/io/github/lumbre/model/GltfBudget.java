@@ -19,6 +19,9 @@ final class GltfBudget {
   /** Heap bytes of a part: its two objects and its transform. */
   private static final int BYTES_PER_PART = 400;
 
+  /** Heap bytes of a node and its transforms. */
+  private static final long BYTES_PER_NODE = 500;
+
   private static final long MAX_TOKENS = 100_000_000;
 
   /** Heap bytes per token of JSON, plus headroom for the garbage collector. */
@@ -29,6 +32,7 @@ final class GltfBudget {
   private long vertices;
   private long indices;
   private long parts;
+  private long tokens;
 
   /**
    * @param maxBytes of arrays and objects that are made of the file
@@ -42,9 +46,16 @@ final class GltfBudget {
     return new GltfBudget(Runtime.getRuntime().maxMemory() / 4 * 3);
   }
 
-  /** Returns the largest number of tokens of JSON. */
-  long maxTokens() {
-    return Math.min(MAX_TOKENS, maxBytes / BYTES_PER_TOKEN);
+  /** Adds a token of JSON, and the bytes that it needs. */
+  void addToken() throws ModelFormatException {
+    require("", "JSON tokens", MAX_TOKENS, ++tokens);
+    allocate("", BYTES_PER_TOKEN);
+  }
+
+  /** Adds nodes, and the bytes that they need. */
+  void addNodes(long count) throws ModelFormatException {
+    require("nodes", "nodes", MAX_PARTS, count);
+    allocate("nodes", BYTES_PER_NODE * count);
   }
 
   /** Adds vertices of a mesh, whose arrays {@link #allocate} counts. */

@@ -33,8 +33,12 @@ final class GltfBuffers {
     this.folder = folder;
   }
 
-  /** Returns a buffer view. */
-  View view(int index) throws ModelFormatException, IOException {
+  /** Returns the buffer view whose index is the member {@code bufferView}, which must exist. */
+  View view(GltfJson json) throws ModelFormatException, IOException {
+    return view(document.requireIndex(json, "bufferView", "bufferViews"));
+  }
+
+  private View view(int index) throws ModelFormatException, IOException {
     View view = views.get(index);
     if (view == null) {
       view = readView(document.section("bufferViews").get(index));
@@ -74,10 +78,10 @@ final class GltfBuffers {
     return bytes.slice(0, length);
   }
 
-  /** Returns a copy of a buffer view. */
-  byte[] copyOfView(int index, String location) throws ModelFormatException, IOException {
-    ByteBuffer view = view(index).bytes();
-    document.budget().allocate(location, view.limit());
+  /** Returns a copy of the buffer view of an object. */
+  byte[] copyOfView(GltfJson json) throws ModelFormatException, IOException {
+    ByteBuffer view = view(json).bytes();
+    document.budget().allocate(json.location(), view.limit());
     byte[] copy = new byte[view.limit()];
     view.get(0, copy);
     return copy;

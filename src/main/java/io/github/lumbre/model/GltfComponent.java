@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
 
 /** The types of the numbers in an accessor (glTF 2.0, section 3.6.2.2). */
 enum GltfComponent {
@@ -10,6 +11,9 @@ enum GltfComponent {
   UNSIGNED_SHORT(5123, 2, 65535),
   UNSIGNED_INT(5125, 4, 4294967295.0),
   FLOAT(5126, 4, 1);
+
+  /** Floats that are read at once. */
+  private static final int BLOCK = 4096;
 
   private final int code;
   private final int size;
@@ -69,12 +73,29 @@ enum GltfComponent {
 
   private static void readFloats(
       ByteBuffer bytes, int at, int stride, int count, int components, double[] target, int to) {
+    if (stride == Float.BYTES * components && count > 1) {
+      readAdjacentFloats(bytes, at, count * components, target, to);
+      return;
+    }
     for (int i = 0; i < count; i++) {
       for (int c = 0; c < components; c++) {
         target[to + c] = bytes.getFloat(at + 4 * c);
       }
       at += stride;
       to += components;
+    }
+  }
+
+  private static void readAdjacentFloats(
+      ByteBuffer bytes, int at, int length, double[] target, int to) {
+    FloatBuffer floats = bytes.slice(at, Float.BYTES * length).order(bytes.order()).asFloatBuffer();
+    float[] block = new float[Math.min(BLOCK, length)];
+    for (int done = 0; done < length; done += block.length) {
+      int count = Math.min(block.length, length - done);
+      floats.get(block, 0, count);
+      for (int i = 0; i < count; i++) {
+        target[to + done + i] = block[i];
+      }
     }
   }
 
@@ -129,6 +150,10 @@ enum GltfComponent {
         }
       }
       default -> {
+        if (stride == Integer.BYTES) {
+          bytes.slice(at, stride * count).order(bytes.order()).asIntBuffer().get(target, to, count);
+          return;
+        }
         for (int i = 0; i < count; i++) {
           target[to + i] = bytes.getInt(at + i * stride);
         }

@@ -35,14 +35,14 @@ final class GltfJsonReader {
   private static final Pattern LOCATION = Pattern.compile("at line (\\d+) column (\\d+)");
 
   private final JsonReader in;
-  private final long maxTokens;
+  private final GltfBudget budget;
   private final Deque<Object> open = new ArrayDeque<>();
   private final Map<String, String> knownKeys = new HashMap<>();
   private String key = "";
   private Object root = GltfJson.NULL;
 
-  private GltfJsonReader(ByteBuffer text, long maxTokens) {
-    this.maxTokens = maxTokens;
+  private GltfJsonReader(ByteBuffer text, GltfBudget budget) {
+    this.budget = budget;
     in =
         new JsonReader(
             new InputStreamReader(
@@ -63,7 +63,7 @@ final class GltfJsonReader {
    * @throws ModelFormatException if the text is not JSON, not an object, or beyond the limits
    */
   static GltfJson read(ByteBuffer text, GltfBudget budget) throws ModelFormatException {
-    return GltfJson.root(new GltfJsonReader(text, budget.maxTokens()).read());
+    return GltfJson.root(new GltfJsonReader(text, budget).read());
   }
 
   private Object read() throws ModelFormatException {
@@ -82,12 +82,9 @@ final class GltfJsonReader {
   }
 
   private void readAll() throws IOException, ModelFormatException {
-    long tokens = 0;
     do {
       readToken(in.peek());
-      if (++tokens > maxTokens) {
-        throw tooLarge("expected at most " + maxTokens + " JSON tokens in this heap, found more");
-      }
+      budget.addToken();
     } while (!open.isEmpty());
     // The reader itself rejects a second value.
     in.peek();

@@ -39,9 +39,9 @@ final class GltfLights {
           .malformed(
               "outerConeAngle",
               "expected 0 <= innerConeAngle < outerConeAngle <= pi/2, found "
-                  + inner
+                  + GltfText.number(inner)
                   + " and "
-                  + outer);
+                  + GltfText.number(outer));
     }
     return new ModelLight(
         node.name().isEmpty() ? json.text("name", "") : node.name(),

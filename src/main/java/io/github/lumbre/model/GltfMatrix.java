@@ -83,11 +83,6 @@ final class GltfMatrix {
     return new GltfMatrix(product);
   }
 
-  /** Returns the determinant of the 3×3 part. */
-  double determinant() {
-    return toTransform().determinant();
-  }
-
   /** Returns the map; not invertible if this is singular. */
   Transform toTransform() {
     return Transform.ofAxes(column(0), column(1), column(2), column(3));

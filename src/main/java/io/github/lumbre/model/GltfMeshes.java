@@ -108,30 +108,28 @@ final class GltfMeshes {
     Corners key = new Corners(accessor, mode, vertices);
     int[] found = corners.get(key);
     if (found == null) {
-      found = triangles(primitive, accessor, mode, count, vertices);
+      found = triangles(primitive, key, count);
       corners.put(key, found);
     }
     return found;
   }
 
-  private int[] triangles(
-      GltfJson primitive, Optional<GltfAccessor> accessor, int mode, int count, int vertices)
-      throws ModelFormatException {
+  private int[] triangles(GltfJson primitive, Corners key, int count) throws ModelFormatException {
     GltfBudget budget = document.budget();
-    budget.addIndices(primitive.location(), 3L * GltfTriangles.count(mode, count));
+    budget.addIndices(primitive.location(), 3L * GltfTriangles.count(key.mode, count));
     budget.allocate(primitive.location(), (long) Integer.BYTES * count);
     int[] read = new int[count];
-    if (accessor.isPresent()) {
-      GltfAccessor indices = accessor.get().requireComponents(1);
+    if (key.indices.isPresent()) {
+      GltfAccessor indices = key.indices.get().requireComponents(1);
       if (!indices.component().isUnsigned()) {
         throw indices.error("componentType", "expected 5121, 5123 or 5125 for indices");
       }
       indices.readIndices(read);
-      requireVertices(primitive, read, vertices);
+      requireVertices(primitive, read, key.vertices);
     } else {
       Arrays.setAll(read, i -> i);
     }
-    return GltfTriangles.list(mode, read);
+    return GltfTriangles.list(key.mode, read);
   }
 
   private static void requireVertices(GltfJson primitive, int[] indices, int vertices)

@@ -32,7 +32,10 @@ final class GltfMorph {
         add(targets.get(i), "TANGENT", weights[i], delta, tangents, 4);
       }
     }
-    return GltfVectors.moved(primitive, rest, positions, normals, tangents, rest.indices());
+    return GltfVectors.checked(
+        primitive,
+        new ModelGeometry(
+            positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), rest.indices()));
   }
 
   private double[] copy(GltfJson primitive, double... numbers) throws ModelFormatException {

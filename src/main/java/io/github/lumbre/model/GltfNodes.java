@@ -24,7 +24,7 @@ final class GltfNodes {
   GltfNodes(GltfDocument document, int lights) throws ModelFormatException {
     this.document = document;
     List<GltfJson> section = document.section("nodes");
-    GltfBudget.require("nodes", "nodes", GltfBudget.MAX_PARTS, section.size());
+    document.budget().addNodes(section.size());
     for (GltfJson json : section) {
       nodes.add(GltfNode.of(json, document, lights));
     }

@@ -19,7 +19,7 @@ import java.util.Optional;
 final class GltfReader {
   private final GltfDocument document;
   private final GltfAccessors accessors;
-  private final GltfAttributes attributes;
+  private final GltfInfluences influences;
   private final GltfMeshes meshes;
   private final GltfMaterials materials;
   private final GltfVariants variants;
@@ -33,11 +33,15 @@ final class GltfReader {
   private final List<ModelCamera> placedCameras = new ArrayList<>();
   private final List<ModelLight> placedLights = new ArrayList<>();
 
+  /** A node with a mesh, and the weights of its morph targets. */
+  private record Placement(GltfNode node, String name, Transform toWorld, double[] weights) {}
+
   private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
       throws ModelFormatException, IOException {
     this.document = document;
     accessors = new GltfAccessors(document, buffers);
-    attributes = new GltfAttributes(document, accessors);
+    GltfAttributes attributes = new GltfAttributes(document, accessors);
+    influences = new GltfInfluences(document, accessors, attributes);
     meshes = new GltfMeshes(document, accessors, attributes);
     materials = new GltfMaterials(document, new GltfTextures(document, buffers));
     variants = new GltfVariants(document, options.variant());
@@ -63,6 +67,8 @@ final class GltfReader {
   static Model read(byte[] content, ModelFolder folder, ModelOptions options, GltfBudget budget)
       throws ModelFormatException, IOException {
     GltfContainer container = GltfContainer.of(content);
+    // The text of the JSON is also kept as strings.
+    budget.allocate("", (long) content.length + container.json().remaining());
     GltfJson root = GltfJsonReader.read(container.json(), budget);
     GltfDocument document = new GltfDocument(root, budget);
     GltfExtensions.check(document);
@@ -75,11 +81,8 @@ final class GltfReader {
     for (int index : nodes.visible()) {
       GltfNode node = nodes.get(index);
       GltfInterrupts.check();
-      if (node.mesh().isPresent() && node.skin().isPresent()) {
-        addSkinned(index, node);
-      }
       if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
-        addPlaced(index, node);
+        add(index, node, nodes.toWorld(index).toTransform());
       }
     }
     return new Model(
@@ -91,62 +94,72 @@ final class GltfReader {
         document.warnings().list());
   }
 
-  private void addPlaced(int index, GltfNode node) throws ModelFormatException, IOException {
-    Transform toWorld = nodes.toWorld(index).toTransform();
-    boolean hasPlainMesh = node.mesh().isPresent() && node.skin().isEmpty();
-    if (!toWorld.isInvertible()) {
-      if (hasPlainMesh || node.camera().isPresent() || node.light().isPresent()) {
-        document
-            .warnings()
-            .add(node.location(), "its transform is not invertible; its content is left out");
-      }
-      return;
+  private void add(int index, GltfNode node, Transform toWorld)
+      throws ModelFormatException, IOException {
+    if (node.mesh().isPresent()) {
+      addMesh(index, node, toWorld);
     }
-    if (node.camera().isPresent()) {
+    if (node.camera().isPresent() && isPlaced(node, toWorld)) {
       placedCameras.add(cameras.camera(node, toWorld));
     }
-    if (node.light().isPresent()) {
+    if (node.light().isPresent() && isPlaced(node, toWorld)) {
       placedLights.add(lights.light(node, toWorld));
     }
-    if (hasPlainMesh) {
-      addMesh(index, node, toWorld, Optional.empty());
-    }
   }
 
-  private void addSkinned(int index, GltfNode node) throws ModelFormatException, IOException {
-    int number = node.skin().getAsInt();
-    GltfSkin skin = skins.get(number);
-    if (skin == null) {
-      GltfJson json = document.section("skins").get(number);
-      skin = new GltfSkin(json, document, accessors, attributes, nodes);
-      skins.put(number, skin);
+  /** Returns whether a transform is invertible; warns if not. */
+  private boolean isPlaced(GltfNode node, Transform toWorld) {
+    if (!toWorld.isInvertible()) {
+      document
+          .warnings()
+          .add(node.location(), "its transform is not invertible; its content is left out");
     }
-    addMesh(index, node, nodes.toWorld(index).toTransform(), Optional.of(skin));
+    return toWorld.isInvertible();
   }
 
-  private void addMesh(int index, GltfNode node, Transform toWorld, Optional<GltfSkin> skin)
+  private void addMesh(int index, GltfNode node, Transform toWorld)
       throws ModelFormatException, IOException {
     GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
-    List<GltfJson> primitives = mesh.objects("primitives");
-    double[] weights = weights(index, node, mesh);
     String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
+    Placement placement = new Placement(node, name, toWorld, weights(index, node, mesh));
+    List<GltfJson> primitives = mesh.objects("primitives");
     for (int i = 0; i < primitives.size(); i++) {
-      GltfJson primitive = primitives.get(i);
-      String location = node.location() + ".mesh.primitives[" + i + "]";
-      document.budget().addPart(location);
-      Optional<ModelGeometry> found = meshes.geometry(primitive, weights);
-      if (found.isEmpty()) {
-        continue;
-      }
-      ModelGeometry geometry = found.get();
-      Transform placement = toWorld;
-      if (skin.isPresent() && primitive.requireObject("attributes").has("JOINTS_0")) {
-        geometry = skin.get().applied(primitive, geometry, toWorld.isMirroring());
-        placement = Transform.IDENTITY;
-      }
-      ModelMaterial material = materials.get(variants.material(primitive));
-      parts.add(new ModelPart(name, location, geometry, material, placement));
+      addPrimitive(placement, primitives.get(i), node.location() + ".mesh.primitives[" + i + "]");
     }
+  }
+
+  private void addPrimitive(Placement placement, GltfJson primitive, String location)
+      throws ModelFormatException, IOException {
+    document.budget().addPart(location);
+    GltfNode node = placement.node;
+    Transform toWorld = placement.toWorld;
+    boolean isSkinned =
+        node.skin().isPresent() && primitive.requireObject("attributes").has("JOINTS_0");
+    if (!isSkinned && !isPlaced(node, toWorld)) {
+      return;
+    }
+    Optional<ModelGeometry> found = meshes.geometry(primitive, placement.weights);
+    if (found.isEmpty()) {
+      return;
+    }
+    ModelGeometry geometry = found.get();
+    if (isSkinned) {
+      GltfSkin skin = skin(node.skin().getAsInt());
+      geometry = skin.applied(primitive, geometry, toWorld.isMirroring());
+      toWorld = Transform.IDENTITY;
+    }
+    ModelMaterial material = materials.get(variants.material(primitive));
+    parts.add(new ModelPart(placement.name, location, geometry, material, toWorld));
+  }
+
+  private GltfSkin skin(int index) throws ModelFormatException, IOException {
+    GltfSkin skin = skins.get(index);
+    if (skin == null) {
+      GltfJson json = document.section("skins").get(index);
+      skin = new GltfSkin(json, document, accessors, influences, nodes);
+      skins.put(index, skin);
+    }
+    return skin;
   }
 
   private double[] weights(int index, GltfNode node, GltfJson mesh) throws ModelFormatException {

@@ -2,7 +2,6 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -11,12 +10,8 @@ final class GltfSkin {
   private static final int VERTICES_PER_CHECK = 1 << 16;
 
   private final GltfDocument document;
-  private final GltfAccessors accessors;
-  private final GltfAttributes attributes;
+  private final GltfInfluences influences;
   private final GltfMatrix[] joints;
-
-  /** The joints of vertices, and how strongly each moves its vertex: four each. */
-  private record Influences(int[] joints, double[] weights) {}
 
   /**
    * Reads a skin.
@@ -27,12 +22,11 @@ final class GltfSkin {
       GltfJson json,
       GltfDocument document,
       GltfAccessors accessors,
-      GltfAttributes attributes,
+      GltfInfluences influences,
       GltfNodes nodes)
       throws ModelFormatException, IOException {
     this.document = document;
-    this.accessors = accessors;
-    this.attributes = attributes;
+    this.influences = influences;
     int[] found = json.indices("joints", nodes.size());
     if (found.length == 0) {
       throw json.malformed("joints", "expected at least one joint, found none");
@@ -67,7 +61,7 @@ final class GltfSkin {
       throws ModelFormatException, IOException {
     GltfJson json = primitive.requireObject("attributes");
     int vertices = rest.vertexCount();
-    List<Influences> influences = influences(json, vertices);
+    List<GltfInfluences.Set> sets = influences.of(primitive, vertices);
     double[] positions = copy(primitive, rest.positions());
     double[] normals = copy(primitive, rest.normals());
     double[] tangents = copy(primitive, rest.tangents());
@@ -76,7 +70,7 @@ final class GltfSkin {
       if (i % VERTICES_PER_CHECK == 0) {
         GltfInterrupts.check();
       }
-      blend(influences, i, sum, json);
+      blend(sets, i, sum, json);
       movePoint(positions, 3 * i, sum);
       if (normals.length > 0) {
         moveNormal(normals, 3 * i, sum);
@@ -90,7 +84,10 @@ final class GltfSkin {
       document.budget().addIndices(primitive.location(), indices.length);
       indices = GltfTriangles.reversed(indices);
     }
-    return GltfVectors.moved(primitive, rest, positions, normals, tangents, indices);
+    return GltfVectors.checked(
+        primitive,
+        new ModelGeometry(
+            positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), indices));
   }
 
   private double[] copy(GltfJson primitive, double... numbers) throws ModelFormatException {
@@ -98,42 +95,21 @@ final class GltfSkin {
     return numbers.clone();
   }
 
-  private List<Influences> influences(GltfJson json, int vertices)
-      throws ModelFormatException, IOException {
-    List<Influences> sets = new ArrayList<>();
-    while (json.has("JOINTS_" + sets.size())) {
-      GltfAccessor joint =
-          attributes.of(json, "JOINTS_" + sets.size(), vertices).requireComponents(4);
-      GltfAccessor weight =
-          attributes.of(json, "WEIGHTS_" + sets.size(), vertices).requireComponents(4);
-      double[] numbers = accessors.numbers(joint);
-      document.budget().allocate(joint.location(), (long) Integer.BYTES * numbers.length);
-      int[] indices = new int[numbers.length];
-      for (int i = 0; i < indices.length; i++) {
-        indices[i] = (int) numbers[i];
-      }
-      double[] weights = accessors.fractions(weight);
-      GltfAccessors.requireFinite(weight, weights);
-      sets.add(new Influences(indices, weights));
-    }
-    return sets;
-  }
-
   /** Computes the weighted mean of the joints' matrices for a vertex. */
-  private void blend(List<Influences> sets, int vertex, double[] sum, GltfJson json)
+  private void blend(List<GltfInfluences.Set> sets, int vertex, double[] sum, GltfJson json)
       throws ModelFormatException {
     Arrays.fill(sum, 0);
     double total = 0;
-    for (Influences set : sets) {
+    for (GltfInfluences.Set set : sets) {
       for (int i = 4 * vertex; i < 4 * vertex + 4; i++) {
-        if (set.weights[i] != 0) {
-          joint(set.joints[i], vertex, json).addTo(sum, set.weights[i]);
-          total += set.weights[i];
+        if (set.weights()[i] != 0) {
+          joint(set.joints()[i], vertex, json).addTo(sum, set.weights()[i]);
+          total += set.weights()[i];
         }
       }
     }
     if (total == 0) {
-      joint(sets.get(0).joints[4 * vertex], vertex, json).addTo(sum, 1);
+      joint(sets.get(0).joints()[4 * vertex], vertex, json).addTo(sum, 1);
     } else if (total != 1) {
       for (int i = 0; i < sum.length; i++) {
         sum[i] /= total;

@@ -114,10 +114,6 @@ final class GltfTextures {
   }
 
   private byte[] encoded(GltfJson json) throws ModelFormatException, IOException {
-    if (json.has("uri")) {
-      return buffers.load(json);
-    }
-    int view = document.requireIndex(json, "bufferView", "bufferViews");
-    return buffers.copyOfView(view, json.location());
+    return json.has("uri") ? buffers.load(json) : buffers.copyOfView(json);
   }
 }

@@ -73,7 +73,8 @@ final class GltfUri {
       int high = i + 2 <= text.length - 1 ? Character.digit(text[i + 1], 16) : -1;
       int low = i + 2 <= text.length - 1 ? Character.digit(text[i + 2], 16) : -1;
       if (high < 0 || low < 0) {
-        throw malformed(location, "expected two hexadecimal digits after %, found none");
+        throw malformed(
+            location, "expected two hexadecimal digits after %, found " + GltfText.quoted(uri));
       }
       out.write(16 * high + low);
       i += 2;

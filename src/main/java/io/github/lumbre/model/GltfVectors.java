@@ -29,19 +29,14 @@ final class GltfVectors {
   }
 
   /**
-   * Returns a mesh whose vertices were moved, without directions that are not finite.
+   * Returns a mesh whose vertices were moved, without directions that are not finite. The others
+   * get unit length, in place.
    *
    * @throws ModelFormatException if a position is too large
    */
-  static ModelGeometry moved(
-      GltfJson primitive,
-      ModelGeometry rest,
-      double[] positions,
-      double[] normals,
-      double[] tangents,
-      int... indices)
+  static ModelGeometry checked(GltfJson primitive, ModelGeometry moved)
       throws ModelFormatException {
-    for (double position : positions) {
+    for (double position : moved.positions()) {
       if (!(Math.abs(position) <= MAX_NUMBER)) {
         throw new ModelFormatException(
             Kind.MALFORMED,
@@ -49,17 +44,17 @@ final class GltfVectors {
             "expected moved vertices of at most 1e150, found " + position);
       }
     }
-    normalize(normals, 3);
-    normalize(tangents, 4);
-    boolean hasNormals = GltfAccessors.indexOfInfinite(normals) < 0;
-    boolean hasTangents = hasNormals && GltfAccessors.indexOfInfinite(tangents) < 0;
+    normalize(moved.normals(), 3);
+    normalize(moved.tangents(), 4);
+    boolean hasNormals = GltfAccessors.indexOfInfinite(moved.normals()) < 0;
+    boolean hasTangents = hasNormals && GltfAccessors.indexOfInfinite(moved.tangents()) < 0;
     return new ModelGeometry(
-        positions,
-        hasNormals ? normals : new double[0],
-        hasTangents ? tangents : new double[0],
-        rest.uv0(),
-        rest.uv1(),
-        rest.colors(),
-        indices);
+        moved.positions(),
+        hasNormals ? moved.normals() : new double[0],
+        hasTangents ? moved.tangents() : new double[0],
+        moved.uv0(),
+        moved.uv1(),
+        moved.colors(),
+        moved.indices());
   }
 }

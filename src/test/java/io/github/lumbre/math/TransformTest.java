@@ -37,6 +37,26 @@ class TransformTest {
   }
 
   @Test
+  void axesOfAMapAreItsColumns() {
+    Transform map = rigid().times(Transform.scale(new Vec3(2, -3, .5)));
+    Transform copy =
+        Transform.ofAxes(
+            map.vector(Vec3.X), map.vector(Vec3.Y), map.vector(Vec3.Z), map.point(Vec3.ZERO));
+    Vec3 p = vector(5);
+    assertThat(copy.point(p).minus(map.point(p)).length()).isLessThan(1e-13);
+    assertThat(copy.inversePoint(p).minus(map.inversePoint(p)).length()).isLessThan(1e-13);
+    assertThat(copy.determinant()).isEqualTo(-3, within(1e-14));
+    assertThat(copy.isInvertible()).isTrue();
+  }
+
+  @Test
+  void axesInAPlaneMakeNoInvertibleMap() {
+    Vec3 sum = new Vec3(1, 2, 0);
+    assertThat(Transform.ofAxes(Vec3.X, Vec3.Y, sum, Vec3.ZERO).isInvertible()).isFalse();
+    assertThat(Transform.ofAxes(Vec3.X, Vec3.Y, Vec3.ZERO, Vec3.ZERO).isInvertible()).isFalse();
+  }
+
+  @Test
   void inverseUndoesRotationsAndScales() {
     for (int i = 0; i < 100_000; i++) {
       Vec3 scale = new Vec3(decades(4), -decades(4), decades(4));

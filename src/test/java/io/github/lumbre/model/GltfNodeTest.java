@@ -1,0 +1,144 @@
+package io.github.lumbre.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.math.Vec3;
+import java.io.IOException;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Tests the hierarchy of nodes in glTF. */
+class GltfNodeTest {
+  private static final double HALF = Math.sqrt(.5);
+
+  private final GltfFile file = new GltfFile();
+
+  private void node(String json) {
+    file.add("nodes", json);
+  }
+
+  private static void assertClose(Vec3 found, Vec3 expected) {
+    assertThat(found.minus(expected).length()).isLessThan(1e-12);
+  }
+
+  @Test
+  void nodesScaleThenRotateThenTranslate() throws ModelFormatException, IOException {
+    file.triangle("");
+    node(
+        "{'mesh': 0, 'translation': [1, 2, 3], 'rotation': [0, 0, %s, %s], 'scale': [2, 3, 4]}"
+            .formatted(HALF, HALF));
+    ModelPart part = file.read().parts().get(0);
+    assertClose(part.toWorld().point(Vec3.ZERO), new Vec3(1, 2, 3));
+    assertClose(part.toWorld().point(new Vec3(1, 1, 1)), new Vec3(1 - 3, 2 + 2, 3 + 4));
+    assertThat(part.location()).isEqualTo("nodes[0].mesh.primitives[0]");
+  }
+
+  @Test
+  void matricesAreStoredByColumns() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'matrix': [1, 2, 3, 0, 0, 5, 6, 0, 0, 0, 9, 0, 10, 11, 12, 1]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.toWorld().point(Vec3.ZERO)).isEqualTo(new Vec3(10, 11, 12));
+    assertThat(part.toWorld().vector(Vec3.X)).isEqualTo(new Vec3(1, 2, 3));
+    assertThat(part.toWorld().vector(Vec3.Y)).isEqualTo(new Vec3(0, 5, 6));
+    assertThat(part.toWorld().vector(Vec3.Z)).isEqualTo(new Vec3(0, 0, 9));
+    assertClose(part.toWorld().inversePoint(new Vec3(10, 16, 18)), Vec3.Y);
+  }
+
+  @Test
+  void childrenAreInTheSpaceOfTheirParent() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'children': [1], 'translation': [5, 0, 0], 'scale': [2, 2, 2]}");
+    node("{'mesh': 0, 'name': 'leaf', 'translation': [1, 0, 0]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.toWorld().point(Vec3.X)).isEqualTo(new Vec3(9, 0, 0));
+    assertThat(part.name()).isEqualTo("leaf");
+  }
+
+  @Test
+  void rotationsAreNormalized() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'rotation': [0, 0, 3, 3]}");
+    assertClose(file.read().parts().get(0).toWorld().vector(Vec3.X), Vec3.Y);
+  }
+
+  @Test
+  void nodesShareTheGeometryOfAMesh() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0}");
+    node("{'mesh': 0, 'translation': [1, 0, 0]}");
+    List<ModelPart> parts = file.read().parts();
+    assertThat(parts.get(0).geometry()).isSameAs(parts.get(1).geometry());
+    assertThat(parts.get(0).material()).isSameAs(parts.get(1).material());
+  }
+
+  private void threeScenes() {
+    file.triangle("");
+    node("{'mesh': 0, 'name': 'a'}");
+    node("{'mesh': 0, 'name': 'b', 'children': [2]}");
+    node("{'mesh': 0, 'name': 'c'}");
+  }
+
+  private List<String> names() throws ModelFormatException, IOException {
+    return file.read().parts().stream().map(ModelPart::name).toList();
+  }
+
+  @Test
+  void fileWithoutScenesShowsAllNodes() throws ModelFormatException, IOException {
+    threeScenes();
+    assertThat(names()).containsExactly("a", "b", "c");
+  }
+
+  @Test
+  void defaultSceneIsShown() throws ModelFormatException, IOException {
+    threeScenes();
+    file.add("scenes", "{'nodes': [0]}");
+    file.add("scenes", "{'nodes': [1]}");
+    file.set("scene", "1");
+    assertThat(names()).containsExactly("b", "c");
+  }
+
+  @Test
+  void firstSceneIsShownIfThereIsNoDefault() throws ModelFormatException, IOException {
+    threeScenes();
+    file.add("scenes", "{'nodes': [0]}");
+    file.add("scenes", "{'nodes': [1]}");
+    assertThat(names()).containsExactly("a");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"'scale': [0, 1, 1]", "'matrix': [1,0,0,0, 2,0,0,0, 0,0,1,0, 0,0,0,1]"})
+  void meshesWithSingularTransformsAreLeftOut(String transform)
+      throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, " + transform + "}");
+    node("{'mesh': 0}");
+    Model model = file.read();
+    assertThat(model.parts()).hasSize(1);
+    assertThat(model.warnings())
+        .containsExactly("nodes[0]: its transform is not invertible; its content is left out");
+  }
+
+  @Test
+  void mirroringTransformsKeepTheOutside() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'scale': [-1, 1, 1]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.toWorld().isMirroring()).isTrue();
+    assertThat(part.geometry().indices()).containsExactly(0, 1, 2);
+    assertClose(part.toWorld().normal(Vec3.Z), Vec3.Z);
+  }
+
+  @Test
+  void deepTreesAreRead() throws ModelFormatException, IOException {
+    file.triangle("");
+    for (int i = 0; i < 1999; i++) {
+      node("{'children': [" + (i + 1) + "], 'translation': [1, 0, 0]}");
+    }
+    node("{'mesh': 0}");
+    assertThat(file.read().parts().get(0).toWorld().point(Vec3.ZERO))
+        .isEqualTo(new Vec3(1999, 0, 0));
+  }
+}
