@@ -27,6 +27,7 @@ public final class ModelReader {
     String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
     try {
       return switch (ending) {
+        case "obj" -> ObjModelReader.read(content, folder, options);
         case "ply" -> PlyReader.read(content, options);
         case "stl" -> StlReader.read(content, options);
         default ->
