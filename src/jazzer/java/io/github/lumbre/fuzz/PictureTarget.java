@@ -3,7 +3,7 @@ package io.github.lumbre.fuzz;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LinearReader;
 
-/** Any bytes as a picture: PNG, JPEG, portable float map or OpenEXR. */
+/** Any bytes as a picture: PNG, JPEG, portable float map, Radiance HDR or OpenEXR. */
 public final class PictureTarget {
   private PictureTarget() {}
 

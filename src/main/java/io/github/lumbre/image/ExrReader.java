@@ -5,170 +5,177 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.CancellationException;
 import java.util.zip.DataFormatException;
-import java.util.zip.Inflater;
 
 /**
- * Reads OpenEXR files of the kind that {@link ExrWriter} writes: one part, scan lines, channels R,
- * G, B and perhaps A of whole floats, uncompressed or by ZIP ("OpenEXR File Layout", openexr.com).
- * Colours are divided by alpha, since an {@link Image} keeps the two apart.
+ * Reads OpenEXR files ("OpenEXR File Layout", openexr.com): scan lines and tiles, of which the
+ * full-size level is read; of several parts, the first; no compression, RLE, ZIPS, ZIP or PIZ. The
+ * channels are R, G and B, or the gray Y, and perhaps A, of the picture or of its only layer.
+ * Colors are divided by alpha, since an {@link Image} keeps the two apart.
  */
 final class ExrReader {
   private static final int MAGIC = 20000630;
   private static final int VERSION = 2;
+  private static final int TILES = 0x200;
   private static final int LONG_NAMES = 0x400;
-  private static final int FLOAT = 2;
-  private static final String ORDER = "RGBA";
+  private static final int PARTS = 0x1000;
 
   /** No more than this many bytes come from one byte of deflated data (zlib technical notes). */
   private static final long MAX_INFLATION = 1032;
 
   private final ByteBuffer in;
-  private final Map<String, ByteBuffer> attributes = new HashMap<>();
-  private int width;
-  private int height;
+  private final ExrHeader header;
+  private final boolean hasParts;
+  private final float[] rgb;
+  private final float[] alpha;
+  private final BitSet found = new BitSet();
 
-  /** What each channel of a line is, as its place in RGBA. */
-  private final List<Integer> channels = new ArrayList<>();
-
-  private ExrReader(byte[] file) {
+  private ExrReader(byte[] file) throws ImageFormatException {
     in = little(file);
+    in.getInt();
+    int version = in.getInt();
+    if ((version & ~(LONG_NAMES | TILES | PARTS)) != VERSION) {
+      throw malformed("OpenEXR: expected version 2 without deep data");
+    }
+    hasParts = (version & PARTS) != 0;
+    header = ExrHeader.read(in, (version & TILES) != 0);
+    while (hasParts && !ExrHeader.attributes(in).isEmpty()) {
+      // The other parts are not read.
+    }
+    long pixels = (long) header.width() * header.height();
+    if (in.remaining() < Long.BYTES * header.blocksOfAllLevels()
+        || header.bytesPerPixel() * pixels > MAX_INFLATION * in.remaining()) {
+      throw malformed("OpenEXR ends too early");
+    }
+    checkBlockSize();
+    rgb = LinearReader.raster(header.width(), header.height(), 3);
+    alpha =
+        header.hasAlpha() ? LinearReader.raster(header.width(), header.height(), 1) : new float[0];
   }
 
   static boolean startsIn(byte[] file) {
     return file.length >= Long.BYTES && little(file).getInt() == MAGIC;
   }
 
-  /** Reads a file that {@link #startsIn} recognises. */
+  /** Reads a file that {@link #startsIn} recognizes. */
   static Image read(byte[] file) throws ImageFormatException {
     try {
-      ExrReader reader = new ExrReader(file);
-      reader.readHeader();
-      return reader.readPixels();
-    } catch (BufferUnderflowException | IndexOutOfBoundsException | IllegalArgumentException e) {
+      return new ExrReader(file).readPixels();
+    } catch (BufferUnderflowException
+        | IndexOutOfBoundsException
+        | IllegalArgumentException
+        | ArithmeticException e) {
       throw malformed("OpenEXR is damaged or ends too early");
     } catch (DataFormatException e) {
       throw malformed("OpenEXR is damaged: a block cannot be unpacked");
     }
   }
 
-  private void readHeader() throws ImageFormatException {
-    in.getInt();
-    if ((in.getInt() & ~LONG_NAMES) != VERSION) {
-      throw malformed("OpenEXR: expected version 2, one part, scan lines");
+  private void checkBlockSize() throws ImageFormatException {
+    long width = Math.min(header.blockWidth(), header.width());
+    long height = Math.min(header.blockHeight(), header.height());
+    if (width * height * header.bytesPerPixel() > Integer.MAX_VALUE - 8) {
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE, "OpenEXR: a block has more than 2 GiB");
     }
-    for (String name = text(in); !name.isEmpty(); name = text(in)) {
-      text(in);
-      int length = in.getInt();
-      if (length < 0 || length > in.remaining()) {
-        throw malformed("OpenEXR ends too early");
-      }
-      attributes.put(name, in.slice(in.position(), length).order(ByteOrder.LITTLE_ENDIAN));
-      in.position(in.position() + length);
-    }
-    ByteBuffer window = attribute("dataWindow");
-    width = side(window.getInt(0), window.getInt(8));
-    height = side(window.getInt(4), window.getInt(12));
-    ImageReader.checkSize(width, height);
-    readChannels(attribute("channels"));
-  }
-
-  /** Returns the number of pixels from the first to the last; the largest int if it is larger. */
-  private static int side(int first, int last) throws ImageFormatException {
-    if (last < first) {
-      throw malformed("OpenEXR: its window ends before it begins");
-    }
-    return (int) Math.min((long) last - first + 1, Integer.MAX_VALUE);
-  }
-
-  private void readChannels(ByteBuffer list) throws ImageFormatException {
-    for (String name = text(list); !name.isEmpty(); name = text(list)) {
-      int type = list.getInt();
-      list.getInt();
-      boolean whole = list.getInt() == 1 && list.getInt() == 1;
-      if (name.length() != 1 || ORDER.indexOf(name) < 0 || type != FLOAT || !whole) {
-        throw malformed("OpenEXR: expected float channels R, G, B and A");
-      }
-      channels.add(ORDER.indexOf(name));
-    }
-    if (channels.stream().distinct().count() != channels.size()
-        || !channels.containsAll(List.of(0, 1, 2))) {
-      throw malformed("OpenEXR: expected the channels R, G and B");
-    }
-  }
-
-  private ByteBuffer attribute(String name) throws ImageFormatException {
-    ByteBuffer value = attributes.get(name);
-    if (value == null) {
-      throw malformed("OpenEXR has no attribute " + name);
-    }
-    return value;
   }
 
   private Image readPixels() throws ImageFormatException, DataFormatException {
-    int lines =
-        switch (attribute("compression").get(0)) {
-          case 0, 2 -> 1;
-          case 3 -> 16;
-          default -> throw malformed("OpenEXR: expected no compression or ZIP");
-        };
-    boolean packed = attribute("compression").get(0) != 0;
-    int blocks = (height + lines - 1) / lines;
-    long bytes = (long) width * height * channels.size() * Float.BYTES;
-    if (in.remaining() < (long) Long.BYTES * blocks || bytes > MAX_INFLATION * in.remaining()) {
-      throw malformed("OpenEXR ends too early");
-    }
-    float[] rgb = LinearReader.raster(width, height, 3);
-    float[] alpha = channels.contains(3) ? LinearReader.raster(width, height, 1) : new float[0];
-    BitSet found = new BitSet(blocks);
-    int top = attribute("dataWindow").getInt(4);
-    // The table of offsets is not needed: each block names its lines.
-    in.position(in.position() + Long.BYTES * blocks);
+    // In files of one part, blocks follow each other and name their places. Offsets are needed only
+    // if blocks of other parts may lie between them.
+    int table = in.position();
+    long blocks = header.blocksOfAllLevels();
+    in.position(table + (int) (Long.BYTES * blocks));
     for (int i = 0; i < blocks; i++) {
-      int first = Objects.checkIndex(in.getInt() - top, height);
-      if (first % lines != 0 || found.get(first / lines)) {
-        throw malformed("OpenEXR is damaged: its blocks are not one for each " + lines + " lines");
+      if (hasParts) {
+        in.position(Math.toIntExact(in.getLong(table + Long.BYTES * i)));
+        if (in.getInt() != 0) {
+          throw malformed("OpenEXR is damaged: a block is not of the first part");
+        }
       }
-      found.set(first / lines);
-      byte[] data = new byte[Math.max(0, Math.min(in.getInt(), in.remaining()))];
-      in.get(data);
-      int rows = Math.min(lines, height - first);
-      if (!packed && data.length != bytes(rows)) {
-        throw malformed("OpenEXR is damaged: a block is too short or too long");
+      if (Thread.currentThread().isInterrupted()) {
+        throw new CancellationException("decoding was interrupted");
       }
-      byte[] raw = packed ? unpacked(data, bytes(rows)) : data;
-      put(little(raw), first, rows, rgb, alpha);
+      if (header.tiles().isPresent()) {
+        readTile();
+      } else {
+        readLines();
+      }
     }
-    divide(rgb, alpha);
-    return new Image(width, height, rgb, alpha);
+    if (found.cardinality() != header.blocks()) {
+      throw malformed("OpenEXR is damaged: blocks are missing");
+    }
+    divide();
+    return new Image(header.width(), header.height(), rgb, alpha);
   }
 
-  private int bytes(int rows) {
-    return Float.BYTES * channels.size() * width * rows;
+  private void readLines() throws ImageFormatException, DataFormatException {
+    int lines = header.blockHeight();
+    int first = Objects.checkIndex(in.getInt() - header.top(), header.height());
+    if (first % lines != 0 || found.get(first / lines)) {
+      throw malformed("OpenEXR is damaged: its blocks are not one for each " + lines + " lines");
+    }
+    found.set(first / lines);
+    readBlock(0, first);
   }
 
-  private void put(ByteBuffer raw, int first, int rows, float[] rgb, float[] alpha) {
-    for (int y = first; y < first + rows; y++) {
-      for (int channel : channels) {
-        for (int i = y * width; i < (y + 1) * width; i++) {
-          if (channel == 3) {
-            alpha[i] = raw.getFloat();
-          } else {
-            rgb[3 * i + channel] = raw.getFloat();
-          }
+  private void readTile() throws ImageFormatException, DataFormatException {
+    int column = in.getInt();
+    int row = in.getInt();
+    int levelX = in.getInt();
+    int levelY = in.getInt();
+    if (levelX != 0 || levelY != 0) {
+      int size = in.getInt();
+      in.position(Math.addExact(in.position(), Math.max(0, size)));
+      return;
+    }
+    int across = header.blocksAcross();
+    Objects.checkIndex(column, across);
+    Objects.checkIndex(row, header.blocks() / across);
+    if (found.get(row * across + column)) {
+      throw malformed("OpenEXR is damaged: a tile occurs twice");
+    }
+    found.set(row * across + column);
+    readBlock(column * header.blockWidth(), row * header.blockHeight());
+  }
+
+  /** Reads the data of a block whose upper left pixel is given. */
+  private void readBlock(int left, int top) throws ImageFormatException, DataFormatException {
+    int width = Math.min(header.blockWidth(), header.width() - left);
+    int height = Math.min(header.blockHeight(), header.height() - top);
+    byte[] data = new byte[Math.max(0, Math.min(in.getInt(), in.remaining()))];
+    in.get(data);
+    ByteBuffer raw = little(header.compression().unpacked(data, header, width, height));
+    for (int y = top; y < top + height; y++) {
+      for (ExrChannel channel : header.channels()) {
+        put(raw, channel, y * header.width() + left, width);
+      }
+    }
+  }
+
+  private void put(ByteBuffer raw, ExrChannel channel, int first, int count) {
+    if (channel.use() == 0) {
+      raw.position(raw.position() + count * channel.type().bytes());
+      return;
+    }
+    for (int i = first; i < first + count; i++) {
+      float value = channel.type().next(raw);
+      if (channel.use() == ExrChannel.ALPHA) {
+        alpha[i] = value;
+        continue;
+      }
+      for (int component = 0; component < 3; component++) {
+        if ((channel.use() >> component & 1) != 0) {
+          rgb[3 * i + component] = value;
         }
       }
     }
   }
 
-  private static void divide(float[] rgb, float[] alpha) throws ImageFormatException {
+  private void divide() throws ImageFormatException {
     for (int i = 0; i < 3 * alpha.length; i++) {
       float opacity = alpha[i / 3];
       if (!(opacity >= 0 && opacity <= 1)) {
@@ -176,44 +183,6 @@ final class ExrReader {
       }
       rgb[i] = opacity > 0 ? rgb[i] / opacity : 0;
     }
-  }
-
-  /** Undoes what {@link ExrWriter} does to a block; blocks that did not shrink are as they were. */
-  private static byte[] unpacked(byte[] packed, int size)
-      throws DataFormatException, ImageFormatException {
-    if (packed.length == size) {
-      return packed;
-    }
-    byte[] split = new byte[size];
-    Inflater inflater = new Inflater();
-    try {
-      inflater.setInput(packed);
-      boolean isAll = inflater.inflate(split) == size;
-      if (!isAll || inflater.inflate(new byte[1]) != 0 || !inflater.finished()) {
-        throw malformed("OpenEXR is damaged: a block is too short or too long");
-      }
-    } finally {
-      inflater.end();
-    }
-    for (int i = 1; i < size; i++) {
-      split[i] = (byte) (split[i - 1] + split[i] - 128);
-    }
-    byte[] raw = new byte[size];
-    int half = (size + 1) / 2;
-    for (int i = 0; i < size; i++) {
-      raw[i] = split[(i & 1) == 0 ? i / 2 : half + i / 2];
-    }
-    return raw;
-  }
-
-  private static String text(ByteBuffer in) {
-    int start = in.position();
-    while (in.get() != 0) {
-      // The name ends at the first zero.
-    }
-    byte[] name = new byte[in.position() - start - 1];
-    in.get(start, name);
-    return new String(name, StandardCharsets.US_ASCII);
   }
 
   private static ByteBuffer little(byte[] bytes) {

@@ -8,10 +8,9 @@ import java.nio.file.Path;
 import java.util.Objects;
 
 /**
- * Reads picture files as linear light, whichever they are: OpenEXR files as {@link ImageWriter}
- * makes them, portable float maps, and PNG and JPEG files, whose values are taken for sRGB and
- * decoded. What a PNG had lost, by clamping and by rounding to 8 or 16 bits, stays lost; its alpha
- * is not read.
+ * Reads picture files as linear light: OpenEXR, Radiance HDR, portable float maps, and PNG and
+ * JPEG, whose values are taken for sRGB and decoded. What a PNG had lost, by clamping and by
+ * rounding to 8 or 16 bits, stays lost; its alpha is not read.
  */
 public final class LinearReader {
   /** What an array holds. */
@@ -39,11 +38,16 @@ public final class LinearReader {
    * Returns the picture in a file's bytes.
    *
    * @throws ImageFormatException if they are none of the formats, or damaged, or too large
+   * @throws java.util.concurrent.CancellationException if the calling thread is interrupted; the
+   *     interrupt status stays set
    */
   public static Image decode(byte[] file) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
     if (ExrReader.startsIn(file)) {
       return ExrReader.read(file);
+    }
+    if (HdrReader.startsIn(file)) {
+      return HdrReader.read(file);
     }
     if (PfmReader.startsIn(file)) {
       return PfmReader.read(file);
@@ -51,7 +55,8 @@ public final class LinearReader {
     if (PngFile.startsIn(file) || JpegFile.startsIn(file)) {
       return decoded(ImageReader.decode(file));
     }
-    throw malformed("expected a PNG, JPEG, PFM or OpenEXR picture, found none of them");
+    throw malformed(
+        "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found none of them");
   }
 
   private static Image decoded(Pixels pixels) throws ImageFormatException {

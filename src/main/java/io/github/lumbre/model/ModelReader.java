@@ -28,6 +28,7 @@ public final class ModelReader {
     try {
       return switch (ending) {
         case "gltf", "glb" -> GltfReader.read(content, folder, options);
+        case "obj" -> ObjModelReader.read(content, folder, options);
         case "ply" -> PlyReader.read(content, options);
         case "stl" -> StlReader.read(content, options);
         default ->

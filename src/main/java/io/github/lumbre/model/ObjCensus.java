@@ -1,9 +1,12 @@
 package io.github.lumbre.model;
 
-/** The number of positions, texture coordinates, normals and triangles in an OBJ text. */
-record ObjCensus(int positions, int uvs, int normals, long triangles) {
-  /** The largest number of elements, at three numbers each, that fits into one Java array. */
-  private static final long MAX_COUNT = (Integer.MAX_VALUE - 8) / 3;
+/**
+ * The number of positions, texture coordinates, normals and triangles in an OBJ text.
+ *
+ * @param hasSmoothing whether the text has smoothing groups
+ */
+record ObjCensus(int positions, int uvs, int normals, long triangles, boolean hasSmoothing) {
+  private static final long MAX_COUNT = ModelLimits.MAX_COUNT;
 
   /** Three doubles per vector. A triangle has three indices of half that size. */
   private static final long BYTES_PER_VECTOR = 3L * Double.BYTES;
@@ -21,6 +24,7 @@ record ObjCensus(int positions, int uvs, int normals, long triangles) {
     int uvs = 0;
     int normals = 0;
     long triangles = 0;
+    boolean hasSmoothing = false;
     while (scanner.hasMore()) {
       if (scanner.nextWord()) {
         if (scanner.wordIs("v")) {
@@ -31,11 +35,13 @@ record ObjCensus(int positions, int uvs, int normals, long triangles) {
           normals++;
         } else if (scanner.wordIs("f")) {
           triangles += Math.max(0, words(scanner) - 2);
+        } else if (scanner.wordIs("s")) {
+          hasSmoothing |= scanner.nextWord() && !scanner.wordIs("off") && !scanner.wordIs("0");
         }
       }
       scanner.endLine();
     }
-    ObjCensus census = new ObjCensus(positions, uvs, normals, triangles);
+    ObjCensus census = new ObjCensus(positions, uvs, normals, triangles, hasSmoothing);
     census.requireRoom(scanner, maxHeapBytes);
     return census;
   }

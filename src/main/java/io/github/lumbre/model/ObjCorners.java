@@ -9,8 +9,8 @@ final class ObjCorners {
   /** Random per run, so that no file can be crafted to cause hash collisions. */
   private final long salt = System.nanoTime() * 0x9E3779B97F4A7C15L | 1;
 
-  private int[] corners = new int[3 * 64];
-  private int[] slots = freeSlots(256);
+  private int[] corners = new int[3 * 16];
+  private int[] slots = freeSlots(64);
   private int count;
 
   /** Returns the number of a corner; assigns the next one at its first occurrence. */

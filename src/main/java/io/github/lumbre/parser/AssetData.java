@@ -184,7 +184,8 @@ final class AssetData {
     return Arrays.copyOf(letters, count);
   }
 
-  private Optional<Content> file(JsonNode asset, String name) {
+  /** Returns the bytes of a file; empty, with an error added at "file", if it cannot be read. */
+  Optional<Content> file(JsonNode asset, String name) {
     try {
       Optional<Path> path = inFolder(asset, name);
       if (path.isEmpty() || !isFile(asset, name, path.get())) {

@@ -81,7 +81,7 @@ final class ModelObjects {
       }
       return List.of();
     }
-    Optional<AssetData.Content> content = data.read(node, "file");
+    Optional<AssetData.Content> content = data.file(node, name.get());
     return content.map(bytes -> parts(object, name.get(), bytes)).orElse(List.of());
   }
 

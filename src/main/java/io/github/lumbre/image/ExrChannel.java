@@ -1,0 +1,125 @@
+package io.github.lumbre.image;
+
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * A channel of an OpenEXR file.
+ *
+ * @param use the components that the channel provides: a sum of {@link #RED}, {@link #GREEN},
+ *     {@link #BLUE} and {@link #ALPHA}; 0 if it is skipped
+ */
+record ExrChannel(String name, Type type, int use) {
+  static final int RED = 1;
+  static final int GREEN = 2;
+  static final int BLUE = 4;
+  static final int ALPHA = 8;
+  private static final int COLOR = RED | GREEN | BLUE;
+  private static final int MAX_CHANNELS = 1024;
+
+  /** The number types, in the order of their codes. */
+  enum Type {
+    UINT,
+    HALF,
+    FLOAT;
+
+    int bytes() {
+      return this == HALF ? 2 : 4;
+    }
+
+    /** Returns the next number of a buffer. */
+    float next(ByteBuffer in) {
+      return switch (this) {
+        case UINT -> in.getInt() & 0xffffffffL;
+        case HALF -> ofHalf(in.getShort());
+        case FLOAT -> in.getFloat();
+      };
+    }
+  }
+
+  /** Returns the value of a half: 1 sign bit, 5 exponent bits, 10 mantissa bits (IEEE 754). */
+  static float ofHalf(short half) {
+    int exponent = half >> 10 & 0x1f;
+    int mantissa = half & 0x3ff;
+    int sign = half & 0x8000;
+    if (exponent == 0) {
+      float magnitude = mantissa * 0x1p-24f;
+      return sign == 0 ? magnitude : -magnitude;
+    }
+    int wide = exponent == 0x1f ? 0xff : exponent + 127 - 15;
+    return Float.intBitsToFloat(sign << 16 | wide << 23 | mantissa << 13);
+  }
+
+  /** Returns the channels of a list attribute, with their uses. */
+  static List<ExrChannel> read(ByteBuffer list) throws ImageFormatException {
+    List<ExrChannel> channels = new ArrayList<>();
+    Set<String> names = new TreeSet<>();
+    for (String name = ExrHeader.text(list); !name.isEmpty(); name = ExrHeader.text(list)) {
+      int type = list.getInt();
+      list.getInt();
+      if (type < 0 || type >= Type.values().length) {
+        throw malformed("OpenEXR: expected channels of uint, half or float, found type " + type);
+      }
+      if (list.getInt() != 1 || list.getInt() != 1) {
+        throw malformed("OpenEXR: expected channels without subsampling");
+      }
+      if (!names.add(name) || channels.size() == MAX_CHANNELS) {
+        throw malformed("OpenEXR: expected different channels, at most " + MAX_CHANNELS);
+      }
+      channels.add(new ExrChannel(name, Type.values()[type], 0));
+    }
+    String layer = layer(names);
+    return channels.stream().map(channel -> channel.usedIn(layer, names)).toList();
+  }
+
+  /** Returns the prefix of the color channels: empty, or the only layer's name and a dot. */
+  private static String layer(Set<String> names) throws ImageFormatException {
+    if (hasColor("", names)) {
+      return "";
+    }
+    Set<String> layers = new TreeSet<>();
+    for (String name : names) {
+      String prefix = name.substring(0, name.lastIndexOf('.') + 1);
+      if (hasColor(prefix, names)) {
+        layers.add(prefix);
+      }
+    }
+    if (layers.size() > 1) {
+      throw malformed("OpenEXR: expected one layer of colors, found " + layers.size());
+    }
+    if (layers.isEmpty()) {
+      throw malformed("OpenEXR: expected the channels R, G and B, or Y");
+    }
+    return layers.iterator().next();
+  }
+
+  private static boolean hasColor(String layer, Set<String> names) {
+    return hasRgb(layer, names) || names.contains(layer + "Y") && !names.contains(layer + "RY");
+  }
+
+  private static boolean hasRgb(String layer, Set<String> names) {
+    return names.containsAll(Set.of(layer + "R", layer + "G", layer + "B"));
+  }
+
+  private ExrChannel usedIn(String layer, Set<String> names) {
+    boolean hasRgb = hasRgb(layer, names);
+    int newUse = 0;
+    if (name.startsWith(layer)) {
+      newUse =
+          switch (name.substring(layer.length())) {
+            case "R" -> hasRgb ? RED : 0;
+            case "G" -> hasRgb ? GREEN : 0;
+            case "B" -> hasRgb ? BLUE : 0;
+            case "A" -> ALPHA;
+            case "Y" -> hasRgb ? 0 : COLOR;
+            default -> 0;
+          };
+    }
+    return new ExrChannel(name, type, newUse);
+  }
+}

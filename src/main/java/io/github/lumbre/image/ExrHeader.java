@@ -1,0 +1,181 @@
+package io.github.lumbre.image;
+
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The header of a part of an OpenEXR file.
+ *
+ * @param left the column of the first pixel
+ * @param top the row of the first pixel
+ * @param tiles the sizes of tiles; empty for scan lines
+ */
+record ExrHeader(
+    int left,
+    int top,
+    int width,
+    int height,
+    ExrCompression compression,
+    List<ExrChannel> channels,
+    Optional<Tiles> tiles) {
+
+  /**
+   * The sizes of tiles.
+   *
+   * @param levels 0 for one level, 1 for mipmaps, 2 for ripmaps
+   * @param roundsUp whether the sizes of smaller levels are rounded up
+   */
+  record Tiles(int width, int height, int levels, boolean roundsUp) {}
+
+  /**
+   * Reads a header.
+   *
+   * @param isTiled whether the version field states tiles; parts of multi-part files state it
+   *     themselves
+   */
+  static ExrHeader read(ByteBuffer in, boolean isTiled) throws ImageFormatException {
+    Map<String, ByteBuffer> attributes = attributes(in);
+    ByteBuffer window = attribute(attributes, "dataWindow");
+    int width = side(window.getInt(0), window.getInt(8));
+    int height = side(window.getInt(4), window.getInt(12));
+    ImageReader.checkSize(width, height);
+    boolean hasTiles = isTiled || type(attributes).equals("tiledimage");
+    return new ExrHeader(
+        window.getInt(0),
+        window.getInt(4),
+        width,
+        height,
+        ExrCompression.of(attribute(attributes, "compression").get(0)),
+        ExrChannel.read(attribute(attributes, "channels")),
+        hasTiles ? Optional.of(tiles(attribute(attributes, "tiles"))) : Optional.empty());
+  }
+
+  /** Returns the values of a header's attributes; none if there is no further header. */
+  static Map<String, ByteBuffer> attributes(ByteBuffer in) throws ImageFormatException {
+    Map<String, ByteBuffer> attributes = new HashMap<>();
+    for (String name = text(in); !name.isEmpty(); name = text(in)) {
+      text(in);
+      int length = in.getInt();
+      if (length < 0 || length > in.remaining()) {
+        throw malformed("OpenEXR ends too early");
+      }
+      attributes.put(name, in.slice(in.position(), length).order(ByteOrder.LITTLE_ENDIAN));
+      in.position(in.position() + length);
+    }
+    return attributes;
+  }
+
+  private static ByteBuffer attribute(Map<String, ByteBuffer> attributes, String name)
+      throws ImageFormatException {
+    ByteBuffer value = attributes.get(name);
+    if (value == null) {
+      throw malformed("OpenEXR has no attribute " + name);
+    }
+    return value;
+  }
+
+  private static String type(Map<String, ByteBuffer> attributes) throws ImageFormatException {
+    ByteBuffer value = attributes.get("type");
+    String type = value == null ? "" : StandardCharsets.US_ASCII.decode(value).toString();
+    if (type.startsWith("deep")) {
+      throw malformed("OpenEXR: deep pictures are not supported");
+    }
+    return type;
+  }
+
+  /** Returns the number of pixels from the first to the last; the largest int if it is larger. */
+  private static int side(int first, int last) throws ImageFormatException {
+    if (last < first) {
+      throw malformed("OpenEXR: its window ends before it begins");
+    }
+    return (int) Math.min((long) last - first + 1, Integer.MAX_VALUE);
+  }
+
+  private static Tiles tiles(ByteBuffer value) throws ImageFormatException {
+    int mode = value.get(8);
+    Tiles tiles = new Tiles(value.getInt(0), value.getInt(4), mode & 0xf, mode >> 4 == 1);
+    if (tiles.width < 1 || tiles.height < 1 || tiles.levels > 2) {
+      throw malformed("OpenEXR: its description of tiles is damaged");
+    }
+    return tiles;
+  }
+
+  /** Returns the number of bytes of one pixel in all channels. */
+  int bytesPerPixel() {
+    return channels.stream().mapToInt(channel -> channel.type().bytes()).sum();
+  }
+
+  boolean hasAlpha() {
+    return channels.stream().anyMatch(channel -> channel.use() == ExrChannel.ALPHA);
+  }
+
+  int blockWidth() {
+    return tiles.map(Tiles::width).orElse(width);
+  }
+
+  int blockHeight() {
+    return tiles.map(Tiles::height).orElse(compression.lines());
+  }
+
+  /** Returns the number of blocks in a row of the full-size picture. */
+  int blocksAcross() {
+    return count(width, blockWidth());
+  }
+
+  /** Returns the number of blocks of the full-size picture. */
+  int blocks() {
+    return Math.multiplyExact(blocksAcross(), count(height, blockHeight()));
+  }
+
+  /** Returns the number of blocks of all levels. */
+  long blocksOfAllLevels() {
+    if (tiles.isEmpty() || tiles.get().levels() == 0) {
+      return blocks();
+    }
+    long across = 0;
+    long down = 0;
+    long mipmaps = 0;
+    int last = levels(Math.max(width, height)) - 1;
+    for (int level = 0; level <= last; level++) {
+      int x = count(size(width, level), blockWidth());
+      int y = count(size(height, level), blockHeight());
+      across += level < levels(width) ? x : 0;
+      down += level < levels(height) ? y : 0;
+      mipmaps += (long) x * y;
+    }
+    return tiles.get().levels() == 1 ? mipmaps : across * down;
+  }
+
+  private int levels(int side) {
+    int floor = 31 - Integer.numberOfLeadingZeros(side);
+    boolean isPower = Integer.bitCount(side) == 1;
+    return floor + (tiles.orElseThrow().roundsUp() && !isPower ? 2 : 1);
+  }
+
+  private int size(int side, int level) {
+    int rounding = tiles.orElseThrow().roundsUp() ? (1 << level) - 1 : 0;
+    return Math.max(1, side + rounding >> level);
+  }
+
+  private static int count(int size, int blockSize) {
+    return (int) (((long) size + blockSize - 1) / blockSize);
+  }
+
+  /** Returns the next text, which ends with a zero byte. */
+  static String text(ByteBuffer in) {
+    int start = in.position();
+    while (in.get() != 0) {
+      // The name ends at the first zero.
+    }
+    byte[] name = new byte[in.position() - start - 1];
+    in.get(start, name);
+    return new String(name, StandardCharsets.US_ASCII);
+  }
+}

@@ -1,0 +1,194 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.model.ModelMaterial.AlphaMode;
+import io.github.lumbre.model.ModelMaterial.Volume;
+import java.io.IOException;
+import java.util.Optional;
+
+/**
+ * Converts a material of a library to a metallic-roughness material.
+ *
+ * <ul>
+ *   <li>The base color is {@code Kd} times {@code map_Kd}. Numbers are linear; pictures are
+ *       sRGB-encoded. A factor of 0 with a picture means 1, as exporters write it so.
+ *   <li>A material with {@code Pr}, {@code Pm}, {@code Pc}, {@code Pcr} or {@code Ps} has these
+ *       values as perceptual roughness, metalness, strength and roughness of the clear coat, and
+ *       sheen.
+ *   <li>Other materials are Phong materials: not metallic, with perceptual roughness (2 / (Ns +
+ *       2))^(1/4), since a Beckmann distribution of that roughness, α² = 2 / (Ns + 2), has the
+ *       highlights of a Blinn-Phong exponent Ns (Walter et al. 2007, sec. 5.2). Reflectance at
+ *       normal incidence is 0.08 {@code Ks}, so that the usual 0.5 is glass or plastic of index
+ *       1.5. With {@code illum} 3, 5 and 8, which reflect the surroundings, it is {@code Ks}. With
+ *       {@code illum} 0 and 1, there is no reflection.
+ *   <li>{@code illum} 6 and 7 refract: the transmission is 1 − d, or 1 if d = 1, with index {@code
+ *       Ni} and color {@code Tf}. Otherwise, {@code d}, or 1 − {@code Tr}, is the opacity.
+ *   <li>A {@code map_Bump} with colors is a normal map; height maps are ignored.
+ * </ul>
+ */
+final class MtlConversion {
+  /** The reflectance at normal incidence of index 1.5, which is the default. */
+  private static final double DEFAULT_REFLECTANCE = .04;
+
+  /** The reflectance at normal incidence of a Ks of 1. */
+  private static final double FULL_REFLECTANCE = .08;
+
+  private static final double SHEEN_ROUGHNESS = .5;
+
+  private final MtlMaterial in;
+  private final ObjTextures textures;
+  private final Warnings warnings;
+  private final ModelMaterial.Builder out;
+
+  MtlConversion(MtlMaterial in, ObjTextures textures, Warnings warnings) {
+    this.in = in;
+    this.textures = textures;
+    this.warnings = warnings;
+    out = PlainModel.matte(in.name(), in.location());
+  }
+
+  /** Returns the material. */
+  ModelMaterial material() throws ModelFormatException, IOException {
+    out.baseColor(color("kd", PlainModel.defaultMaterial().baseColor().factor()));
+    out.emission(color("ke", Rgb.BLACK));
+    out.normalMap(normalMap());
+    if (in.has("pr") || in.has("pm") || in.has("pc") || in.has("pcr") || in.has("ps")) {
+      setPhysical();
+    } else {
+      setPhong();
+    }
+    if (illumination() == 6 || illumination() == 7) {
+      setRefraction();
+    } else {
+      setOpacity();
+    }
+    return out.build();
+  }
+
+  private int illumination() {
+    return in.number("illum").orElse(2.).intValue();
+  }
+
+  private void setPhysical() throws ModelFormatException, IOException {
+    out.metallic(scalar("pm", 0));
+    out.roughness(scalar("pr", phongRoughness()));
+    out.clearcoat(ScalarInput.of(unit("pc", 0)));
+    out.clearcoatRoughness(ScalarInput.of(unit("pcr", 0)));
+    out.sheenRoughness(ScalarInput.of(SHEEN_ROUGHNESS));
+    ScalarInput sheen = scalar("ps", 0);
+    out.sheenColor(new ColorInput(Rgb.grey(sheen.factor()), sheen.texture()));
+    out.specular(ScalarInput.of(1));
+    out.ior(ior());
+  }
+
+  private void setPhong() throws ModelFormatException, IOException {
+    ColorInput reflectance = color("ks", Rgb.BLACK);
+    int illumination = illumination();
+    if (reflectance.factor().isBlack() || illumination < 2) {
+      return;
+    }
+    boolean reflects = illumination == 3 || illumination == 5 || illumination == 8;
+    double scale = (reflects ? 1 : FULL_REFLECTANCE) / DEFAULT_REFLECTANCE;
+    out.specular(ScalarInput.of(1));
+    out.specularColor(
+        new ColorInput(reflectance.factor().clampedToOne().times(scale), reflectance.texture()));
+    out.roughness(ScalarInput.of(phongRoughness()));
+  }
+
+  private double phongRoughness() {
+    double exponent = in.number("ns").orElse(0.);
+    if (exponent < 0) {
+      warnings.add(in.location(), "replaced a negative Ns by 0");
+    }
+    return Math.sqrt(Math.sqrt(2 / (Math.max(0, exponent) + 2)));
+  }
+
+  private void setRefraction() {
+    double opacity = opacity();
+    out.transmission(ScalarInput.of(opacity < 1 ? 1 - opacity : 1));
+    out.baseColor(ColorInput.of(in.color("tf").orElse(Rgb.WHITE).clampedToOne()));
+    out.volume(Optional.of(new Volume(Double.POSITIVE_INFINITY, Rgb.WHITE)));
+    out.specular(ScalarInput.of(1));
+    out.specularColor(ColorInput.of(Rgb.WHITE));
+    out.ior(ior());
+    if (in.number("ns").isEmpty() && in.number("pr").isEmpty()) {
+      out.roughness(ScalarInput.of(0));
+    }
+  }
+
+  private double ior() {
+    double ior = in.number("ni").orElse(1.5);
+    if (ior < 1) {
+      warnings.add(in.location(), "replaced an Ni below 1 by 1");
+    }
+    return Math.max(1, ior);
+  }
+
+  private double opacity() {
+    double opacity = in.number("d").orElseGet(() -> 1 - in.number("tr").orElse(0.));
+    return Math.max(0, Math.min(opacity, 1));
+  }
+
+  private void setOpacity() throws ModelFormatException, IOException {
+    double opacity = opacity();
+    Optional<MtlMap> map = in.map("map_d");
+    Optional<ModelTexture> texture = Optional.empty();
+    int channel = 0;
+    if (map.isPresent()) {
+      texture = Optional.of(textures.texture(map.get()));
+      channel = alphaChannel(map.get());
+      opacity = opacity == 0 ? 1 : opacity;
+    }
+    if (opacity < 1 || map.isPresent()) {
+      out.opacity(new ScalarInput(opacity, texture, channel));
+      out.alphaMode(AlphaMode.BLEND);
+    }
+  }
+
+  /** Returns the stated channel; alpha, if the picture is that of the color; else red. */
+  private int alphaChannel(MtlMap map) {
+    boolean isColor = in.map("map_kd").filter(color -> color.file().equals(map.file())).isPresent();
+    return map.channel() >= 0 ? map.channel() : isColor ? 3 : 0;
+  }
+
+  private Optional<NormalInput> normalMap() throws ModelFormatException, IOException {
+    Optional<MtlMap> norm = in.map("norm");
+    Optional<MtlMap> map = norm.isPresent() ? norm : in.map("map_bump", "bump");
+    if (map.isEmpty()) {
+      return Optional.empty();
+    }
+    if (norm.isEmpty() && textures.isHeightMap(map.get())) {
+      warnings.add(map.get().location(), "ignored a height map: only normal maps are supported");
+      return Optional.empty();
+    }
+    return Optional.of(new NormalInput(textures.texture(map.get()), map.get().bumpScale()));
+  }
+
+  private ColorInput color(String key, Rgb otherwise) throws ModelFormatException, IOException {
+    Optional<MtlMap> map = in.map("map_" + key);
+    Rgb factor = in.color(key).orElse(map.isPresent() ? Rgb.WHITE : otherwise);
+    Rgb limited = key.equals("ke") ? factor : factor.clampedToOne();
+    if (map.isEmpty()) {
+      return ColorInput.of(limited);
+    }
+    return new ColorInput(
+        limited.isBlack() ? Rgb.WHITE : limited, Optional.of(textures.texture(map.get())));
+  }
+
+  private ScalarInput scalar(String key, double otherwise)
+      throws ModelFormatException, IOException {
+    Optional<MtlMap> map = in.map("map_" + key);
+    double factor = unit(key, map.isPresent() ? 1 : otherwise);
+    if (map.isEmpty()) {
+      return ScalarInput.of(factor);
+    }
+    return new ScalarInput(
+        factor == 0 ? 1 : factor,
+        Optional.of(textures.texture(map.get())),
+        Math.max(0, map.get().channel()));
+  }
+
+  private double unit(String key, double otherwise) {
+    return Math.max(0, Math.min(in.number(key).orElse(otherwise), 1));
+  }
+}

@@ -1,0 +1,241 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.image.Srgb;
+import io.github.lumbre.math.Vec3;
+import java.util.Arrays;
+
+/**
+ * Reads the vertices and faces of an OBJ text: {@code v}, {@code vt}, {@code vn} and {@code f}.
+ * Polygons become triangle fans. If a file has no {@code vt} or no {@code vn}, indices into that
+ * list are ignored; otherwise they are checked. Mutable.
+ */
+final class ObjFaces {
+  private static final int POSITION = 0;
+  private static final int UV = 1;
+  private static final int NORMAL = 2;
+  private static final int NONE = -1;
+
+  /** Texture coordinates of triangles that have none, in a file that has some. */
+  private static final double[] BARYCENTRIC = {0, 0, 1, 0, 0, 1};
+
+  private final TextScanner scanner;
+  private final int[] totals;
+  private final int[] counts = new int[3];
+  private final double[] positions;
+  private final double[] uvs;
+
+  /** Those of the file, then those of faces and smoothing groups. */
+  private double[] normals;
+
+  private int normalCount;
+
+  /** Whether vertices have normals, either from the file or from smoothing groups. */
+  private final boolean hasNormals;
+
+  private final boolean isModel;
+
+  /** Linear colors of the vertices; empty until a vertex has one. */
+  private double[] colors = {};
+
+  private final ObjSmoothing smoothing = new ObjSmoothing();
+  private int[] face = new int[12];
+
+  /**
+   * @param isModel whether colors of vertices are read, and faces without normals in a smoothing
+   *     group get smooth normals
+   */
+  ObjFaces(TextScanner scanner, ObjCensus census, boolean isModel) {
+    this.scanner = scanner;
+    totals = new int[] {census.positions(), census.uvs(), census.normals()};
+    positions = new double[Math.multiplyExact(3, totals[POSITION])];
+    uvs = Arrays.copyOf(BARYCENTRIC, BARYCENTRIC.length + 2 * totals[UV]);
+    normals = new double[Math.multiplyExact(3, totals[NORMAL])];
+    normalCount = totals[NORMAL];
+    this.isModel = isModel;
+    hasNormals = normalCount > 0 || isModel && census.hasSmoothing();
+  }
+
+  /** Sets the smoothing group of the next faces; 0 for flat faces. */
+  void smooth(int group) {
+    smoothing.use(group);
+  }
+
+  /**
+   * Reads the rest of the current line if it is a vertex, a texture coordinate, a normal or a face;
+   * otherwise returns false.
+   *
+   * @param surface receives the triangles of a face
+   */
+  boolean read(ObjSurface surface) throws ModelFormatException {
+    if (scanner.wordIs("v")) {
+      readVector(positions, 3 * counts[POSITION]);
+      if (isModel) {
+        readColor(3 * counts[POSITION]);
+      }
+      counts[POSITION]++;
+    } else if (scanner.wordIs("vn")) {
+      readVector(normals, 3 * counts[NORMAL]++);
+    } else if (scanner.wordIs("vt")) {
+      int to = BARYCENTRIC.length + 2 * counts[UV]++;
+      uvs[to] = scanner.nextNumber();
+      uvs[to + 1] = scanner.nextNumberOrZero();
+    } else if (scanner.wordIs("f")) {
+      readFace(surface);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private void readVector(double[] target, int to) throws ModelFormatException {
+    for (int i = 0; i < 3; i++) {
+      target[to + i] = scanner.nextNumber();
+    }
+  }
+
+  /**
+   * Reads an sRGB color in [0,1] after a position, which several tools write. A single number there
+   * is a weight, which has no effect on polygons.
+   */
+  private void readColor(int to) throws ModelFormatException {
+    double[] rgb = new double[3];
+    int count = 0;
+    while (count < 3 && scanner.nextWord()) {
+      rgb[count++] = scanner.number();
+    }
+    if (count < 3) {
+      return;
+    }
+    if (colors.length == 0) {
+      colors = new double[positions.length];
+      Arrays.fill(colors, 1);
+    }
+    for (int i = 0; i < 3; i++) {
+      colors[to + i] = Srgb.decode(Math.max(0, Math.min(rgb[i], 1)));
+    }
+  }
+
+  private void readFace(ObjSurface surface) throws ModelFormatException {
+    int count = 0;
+    int[] corner = new int[3];
+    while (scanner.nextWord()) {
+      scanner.readIndices(corner);
+      if (3 * count + 3 > face.length) {
+        face = Arrays.copyOf(face, 2 * face.length);
+      }
+      for (int list = 0; list < 3; list++) {
+        face[3 * count + list] = resolved(corner[list], list);
+      }
+      count++;
+    }
+    if (count < 3) {
+      throw scanner.error("expected at least 3 corners per face, found " + count);
+    }
+    for (int k = 2; k < count; k++) {
+      addTriangle(surface, 0, k - 1, k);
+    }
+  }
+
+  /** Returns a zero-based index, or NONE if it is missing or the file has no such list. */
+  private int resolved(int index, int list) throws ModelFormatException {
+    if (index == 0 || list != POSITION && totals[list] == 0) {
+      return NONE;
+    }
+    int found = index > 0 ? index - 1 : counts[list] + index;
+    if (found < 0 || found >= totals[list]) {
+      throw scanner.error(
+          "expected "
+              + (list == POSITION ? "a vertex" : list == UV ? "a vt" : "a vn")
+              + (index > 0 ? " from 1 to " + totals[list] : " from -" + counts[list] + " to -1")
+              + ", found "
+              + index);
+    }
+    return found;
+  }
+
+  private void addTriangle(ObjSurface surface, int... fan) {
+    boolean faceHasUvs = true;
+    boolean faceHasNormals = true;
+    for (int k : fan) {
+      faceHasUvs &= face[3 * k + UV] != NONE;
+      faceHasNormals &= face[3 * k + NORMAL] != NONE;
+    }
+    int[] own = faceHasNormals || !hasNormals ? new int[] {NONE, NONE, NONE} : ownNormals(fan);
+    int[] vertices = new int[3];
+    for (int i = 0; i < 3; i++) {
+      int k = 3 * fan[i];
+      int uv = faceHasUvs ? 3 + face[k + UV] : i;
+      vertices[i] =
+          surface
+              .corners()
+              .number(
+                  face[k], totals[UV] == 0 ? 0 : uv, faceHasNormals ? face[k + NORMAL] : own[i]);
+    }
+    surface.triangles().add(vertices[0], vertices[1], vertices[2]);
+  }
+
+  /**
+   * Returns the numbers of the normals of a triangle without normals, in a file that has some.
+   * Outside smoothing groups, it is the geometric normal, or (0, 1, 0) for a triangle of zero area.
+   */
+  private int[] ownNormals(int... fan) {
+    Vec3 a = position(face[3 * fan[0]]);
+    Vec3 cross = position(face[3 * fan[1]]).minus(a).cross(position(face[3 * fan[2]]).minus(a));
+    if (smoothing.isFlat()) {
+      int flat = addNormal(cross.normalized());
+      return new int[] {flat, flat, flat};
+    }
+    int[] smooth = new int[3];
+    for (int i = 0; i < 3; i++) {
+      int vertex = face[3 * fan[i]];
+      if (smoothing.isNew(vertex)) {
+        smoothing.add(vertex, addNormal(Vec3.Y));
+      }
+      smooth[i] = smoothing.sum(vertex, cross);
+    }
+    return smooth;
+  }
+
+  private int addNormal(Vec3 normal) {
+    if (3 * normalCount == normals.length) {
+      normals = Arrays.copyOf(normals, Math.max(3 * 16, Math.multiplyExact(2, normals.length)));
+    }
+    boolean usable = normal.isFinite();
+    normals[3 * normalCount] = usable ? normal.x() : 0;
+    normals[3 * normalCount + 1] = usable ? normal.y() : 1;
+    normals[3 * normalCount + 2] = usable ? normal.z() : 0;
+    return normalCount++;
+  }
+
+  private Vec3 position(int vertex) {
+    return new Vec3(positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]);
+  }
+
+  /** Computes the normals of smoothing groups, after the last face. */
+  void finish() {
+    smoothing.store(normals);
+  }
+
+  /** Returns a surface's arrays, after {@link #finish}. */
+  ObjMesh mesh(ObjSurface surface) {
+    ObjCorners corners = surface.corners();
+    return new ObjMesh(
+        corners.gather(POSITION, positions, 3),
+        hasNormals ? corners.gather(NORMAL, normals, 3) : new double[0],
+        totals[UV] == 0 ? new double[0] : corners.gather(UV, uvs, 2),
+        surface.triangles().toArray());
+  }
+
+  /** Returns four color components per vertex of a surface, or an empty array if none has any. */
+  float[] colors(ObjSurface surface) {
+    if (colors.length == 0) {
+      return new float[0];
+    }
+    double[] rgb = surface.corners().gather(POSITION, colors, 3);
+    float[] rgba = new float[Math.multiplyExact(4, rgb.length / 3)];
+    for (int i = 0; i < rgba.length; i++) {
+      rgba[i] = i % 4 == 3 ? 1 : (float) rgb[3 * (i / 4) + i % 4];
+    }
+    return rgba;
+  }
+}

@@ -1,0 +1,266 @@
+package io.github.lumbre.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.Srgb;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelMaterial.AlphaMode;
+import io.github.lumbre.model.ModelTexture.Wrap;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Tests the reading of OBJ files with objects, groups and materials. */
+class ObjModelReaderTest {
+  private static final String CORNERS = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  private static final byte[] PICTURE = {1, 2, 3};
+
+  private static ModelFixture obj(String text) {
+    return new ModelFixture("a.obj", (CORNERS + text).replace(';', '\n'));
+  }
+
+  /** Returns a model whose only material, m, has the given statements. */
+  private static ModelFixture material(String statements) {
+    return obj("mtllib a.mtl;usemtl m;f 1 2 3")
+        .with("a.mtl", ("newmtl m;" + statements).replace(';', '\n'))
+        .with("a.png", PICTURE)
+        .with("b c.png", PICTURE);
+  }
+
+  private static ModelMaterial read(String statements) throws ModelFormatException {
+    return material(statements).part().material();
+  }
+
+  @Test
+  void eachMaterialOfEachObjectIsAPart() throws ModelFormatException {
+    Model model =
+        obj("mtllib a.mtl;o left;usemtl a;f 1 2 3;usemtl b;f 1 3 4;o right;g ignored;f 2 3 4;"
+                + "o left;usemtl a;f 1 2 4")
+            .with("a.mtl", "newmtl a\nnewmtl b\nnewmtl unused\nmap_Kd missing.png")
+            .read();
+    assertThat(model.parts())
+        .extracting(p -> p.name() + " " + p.material().name() + " " + p.location())
+        .containsExactly("left a line 8", "left b line 10", "right b line 13");
+    assertThat(model.parts().get(0).geometry().triangleCount()).isEqualTo(2);
+    assertThat(model.parts().get(0).material().location()).isEqualTo("a.mtl line 1");
+    assertThat(model.warnings()).isEmpty();
+  }
+
+  @Test
+  void groupsAreObjectsInFilesWithoutObjects() throws ModelFormatException {
+    Model model = obj("g red wall;f 1 2 3;g floor;f 1 3 4;g red wall;f 2 3 4").read();
+    assertThat(model.parts()).extracting(ModelPart::name).containsExactly("red wall", "floor");
+  }
+
+  @Test
+  void namesHaveSpacesAndLibrariesMayComeLater() throws ModelFormatException {
+    ModelPart part =
+        obj("usemtl  Hard  plastic ;f 1 2 3;mtllib .\\b\\my lib.mtl")
+            .with("b/my lib.mtl", "newmtl Hard plastic\nKd 1 0 0\nmap_Kd t.png")
+            .with("b/t.png", PICTURE)
+            .part();
+    assertThat(part.material().baseColor().factor()).isEqualTo(new Rgb(1, 0, 0));
+    assertThat(part.material().baseColor().texture().orElseThrow().image().location())
+        .isEqualTo("b/t.png");
+  }
+
+  @Test
+  void missingLibrariesAndMaterialsAreReported() throws ModelFormatException {
+    Model model = obj("mtllib no.mtl;usemtl m;f 1 2 3;usemtl m;f 1 3 4").read();
+    assertThat(model.warnings())
+        .containsExactly(
+            "line 5: expected a file, found none: no.mtl",
+            "line 6: expected a material of a library, found \"m\", which is replaced by light"
+                + " gray");
+    assertThat(model.parts().get(0).material().name()).isEmpty();
+  }
+
+  @Test
+  void otherStatementsAreReportedOnce() throws ModelFormatException {
+    Model model = obj("l 1 2;l 2 3;foo;foo;lod 3;f 1 2 3").read();
+    assertThat(model.warnings())
+        .containsExactly(
+            "line 5: ignored statements \"l\": only polygons are supported",
+            "line 7: ignored the unknown statement \"foo\"");
+  }
+
+  @Test
+  void verticesMayHaveColors() throws ModelFormatException {
+    ModelGeometry mesh =
+        new ModelFixture("a.obj", "v 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0 7\nf 1 2 3").geometry();
+    assertThat(mesh.colors()).startsWith(1, (float) Srgb.decode(.5), 0, 1, 1, 1, 1, 1);
+    assertThat(obj("f 1 2 3").geometry().colors()).isEmpty();
+  }
+
+  /** Two faces at a right angle along an edge, within a group, share the mean normal. */
+  @Test
+  void smoothingGroupsHaveSmoothNormals() throws ModelFormatException {
+    String roof = "v 0 0 1;f 1 2 4;f 1 5 2;";
+    assertThat(obj(roof).geometry().normals()).isEmpty();
+    assertThat(obj("s off;" + roof).geometry().normals()).isEmpty();
+    double[] normals = obj("s 1;" + roof).geometry().normals();
+    double half = Math.sqrt(.5);
+    assertThat(normals).hasSize(12);
+    assertThat(normals[1]).isCloseTo(half, within(1e-15));
+    assertThat(normals[2]).isCloseTo(half, within(1e-15));
+    ModelGeometry apart = obj("v 0 0 1;s 1;f 1 2 4;s 2;f 1 5 2;s 0;f 1 2 3").geometry();
+    assertThat(apart.normals()).startsWith(0, 0, 1).hasSize(27);
+  }
+
+  @Test
+  void axesAndUnitAreThoseOfTheOptions() throws ModelFormatException {
+    ModelOptions options =
+        new ModelOptions(Optional.empty(), Optional.empty(), ModelOptions.Up.Z, 1);
+    assertThat(ModelFixture.mapped(obj("f 1 2 3").with(options).part(), 1, 2, 3))
+        .isEqualTo(new Vec3(1, 3, -2));
+  }
+
+  @Test
+  void phongBecomesRoughness() throws ModelFormatException {
+    ModelMaterial material = read("Kd .1 .2 .3;Ks .5;Ns 510;Ka 1 1 1;Ni 1;illum 2");
+    assertThat(material.baseColor().factor()).isEqualTo(new Rgb(.1, .2, .3));
+    assertThat(material.metallic().factor()).isZero();
+    assertThat(material.roughness().factor()).isEqualTo(.25);
+    assertThat(material.specularColor().factor()).isEqualTo(Rgb.grey(1));
+    assertThat(material.specular().factor()).isEqualTo(1);
+    assertThat(material.ior()).isEqualTo(1.5);
+    assertThat(material.doubleSided()).isTrue();
+    assertThat(read("Ks .5;illum 1").specular().factor()).isZero();
+    assertThat(read("Ks 1;illum 3;Ns 0").specularColor().factor().r()).isEqualTo(25);
+    assertThat(read("Kd 1 1 1").specular().factor()).isZero();
+  }
+
+  @Test
+  void physicalStatementsAreTakenAsTheyAre() throws ModelFormatException {
+    ModelMaterial material =
+        read(
+            "Kd 1 1 1;Ks 1;Pr .3;Pm .7;Pc .5;Pcr .25;Ps .125;Ke 2 3 4;Ni 1.4;aniso 1;"
+                + "map_Pr a.png;map_Pm -imfchan g a.png");
+    assertThat(material.roughness().factor()).isEqualTo(.3);
+    assertThat(material.roughness().channel()).isZero();
+    assertThat(material.metallic().factor()).isEqualTo(.7);
+    assertThat(material.metallic().channel()).isEqualTo(1);
+    assertThat(material.metallic().texture().orElseThrow().image())
+        .isSameAs(material.roughness().texture().orElseThrow().image());
+    assertThat(material.clearcoat().factor()).isEqualTo(.5);
+    assertThat(material.clearcoatRoughness().factor()).isEqualTo(.25);
+    assertThat(material.sheenColor().factor()).isEqualTo(Rgb.grey(.125));
+    assertThat(material.emission().factor()).isEqualTo(new Rgb(2, 3, 4));
+    assertThat(material.ior()).isEqualTo(1.4);
+    assertThat(read("map_Pr a.png").roughness().factor()).isEqualTo(1);
+  }
+
+  @Test
+  void transparencyIsOpacityOrRefraction() throws ModelFormatException {
+    assertThat(read("d 1").alphaMode()).isEqualTo(AlphaMode.OPAQUE);
+    assertThat(read("d .25").alphaMode()).isEqualTo(AlphaMode.BLEND);
+    assertThat(read("d -halo .25").opacity().factor()).isEqualTo(.25);
+    assertThat(read("Tr .25").opacity().factor()).isEqualTo(.75);
+    assertThat(read("d 1;Tr 1").alphaMode()).isEqualTo(AlphaMode.OPAQUE);
+    assertThat(read("map_Kd a.png;map_d a.png").opacity().channel()).isEqualTo(3);
+    assertThat(read("map_Kd a.png;map_d b c.png").opacity().channel()).isZero();
+    ModelMaterial glass = read("illum 7;Kd 0 0 0;Tf .9 1 1;Ni 1.33");
+    assertThat(glass.transmission().factor()).isEqualTo(1);
+    assertThat(glass.baseColor().factor()).isEqualTo(new Rgb(.9, 1, 1));
+    assertThat(glass.ior()).isEqualTo(1.33);
+    assertThat(glass.roughness().factor()).isZero();
+    assertThat(glass.volume()).isPresent();
+    assertThat(read("illum 6;d .25").transmission().factor()).isEqualTo(.75);
+  }
+
+  @Test
+  void optionsOfTexturesAreHonored() throws ModelFormatException {
+    ModelTexture texture =
+        read("map_Kd -s 2 3 1 -o .5 -clamp on -blendu off -mm 0 1 b c.png # a comment")
+            .baseColor()
+            .texture()
+            .orElseThrow();
+    assertThat(texture.image().location()).isEqualTo("b c.png");
+    assertThat(texture.wrapU()).isEqualTo(Wrap.CLAMP);
+    assertThat(texture.uvTransform()).isEqualTo(new UvTransform(2, 0, .5, 0, 3, 0));
+    assertThat(material("map_Kd -t 1 1 -mm .5 2 -texres 9 a.png").read().warnings())
+        .containsExactly(
+            "a.mtl line 2: ignored the option -t",
+            "a.mtl line 2: ignored the option -mm",
+            "a.mtl line 2: ignored the option -texres");
+  }
+
+  @Test
+  void factorsOfZeroDoNotHidePictures() throws ModelFormatException {
+    assertThat(read("Kd 0 0 0;map_Kd a.png").baseColor().factor()).isEqualTo(Rgb.WHITE);
+    assertThat(read("map_Ke a.png").emission().factor()).isEqualTo(Rgb.WHITE);
+    assertThat(read("Kd .5;map_Kd a.png").baseColor().factor()).isEqualTo(Rgb.grey(.5));
+  }
+
+  private static byte[] png(int rgb) {
+    BufferedImage image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+    image.setRGB(0, 0, rgb);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try {
+      ImageIO.write(image, "png", out);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return out.toByteArray();
+  }
+
+  @Test
+  void coloredBumpMapsAreNormalMaps() throws ModelFormatException {
+    ModelFixture colored = material("map_Bump -bm .5 n.png").with("n.png", png(0x8080ff));
+    assertThat(colored.part().material().normalMap().orElseThrow().scale()).isEqualTo(.5);
+    Model gray = material("bump n.png").with("n.png", png(0x808080)).read();
+    assertThat(gray.parts().get(0).material().normalMap()).isEmpty();
+    assertThat(gray.warnings())
+        .containsExactly("a.mtl line 2: ignored a height map: only normal maps are supported");
+    assertThat(material("norm n.png").with("n.png", png(0x808080)).part().material().normalMap())
+        .isPresent();
+  }
+
+  @Test
+  void unknownKeysAreReportedOnce() throws ModelFormatException {
+    assertThat(material("foo 1;FOO 2;Kd spectral a.rfl;disp a.png").read().warnings())
+        .containsExactly(
+            "a.mtl line 2: ignored the unknown key \"foo\"",
+            "a.mtl line 4: ignored a color of the kind spectral",
+            "a.mtl line 5: ignored the unknown key \"disp\"");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "Kd 1 x 1|MALFORMED a.mtl line 2: expected a finite number, found \"x\"",
+        "Kd|MALFORMED a.mtl line 2: expected a number, found the end of the line",
+        "Kd 1 2|MALFORMED a.mtl line 2: expected a number, found the end of the line",
+        "Ns|MALFORMED a.mtl line 2: expected a number, found the end of the line",
+        "Ns 1e999|MALFORMED a.mtl line 2: expected a finite number, found \"1e999\"",
+        "map_Kd|MALFORMED a.mtl line 2: expected the name of a picture, found the end of the line",
+        "map_Kd -s 1 2|MALFORMED a.mtl line 2: expected the name of a picture, found the end of"
+            + " the line",
+        "map_Kd -s a.png|MALFORMED a.mtl line 2: expected a finite number, found \"a.png\"",
+        "map_Kd -foo a.png|MALFORMED a.mtl line 2: expected an option such as -s or a file, found"
+            + " \"-foo\"",
+        "map_Kd no.png|ASSET a.mtl line 2: expected a file, found none: no.png"
+      })
+  void errorsNameTheLibraryAndTheLine(String statements, String message) {
+    assertThat(material(statements).refusal()).isEqualTo(message);
+  }
+
+  @Test
+  void filesWithoutSurfacesAreRefused() {
+    assertThat(obj("p 1").refusal())
+        .isEqualTo("MALFORMED line 5: expected at least one face, found the end of the file");
+    assertThat(obj("f 1 1 1").refusal())
+        .isEqualTo("MALFORMED expected at least one triangle with an area, found none");
+    assertThat(new ModelFixture("a.obj", new byte[] {(byte) 0xfe, (byte) 0xff, 0, 'v'}).refusal())
+        .isEqualTo("UNSUPPORTED expected UTF-8 text, found UTF-16");
+  }
+}
