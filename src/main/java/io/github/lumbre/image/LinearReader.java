@@ -18,6 +18,11 @@ public final class LinearReader {
 
   private LinearReader() {}
 
+  /** Returns whether a file's content is of a format of linear light: OpenEXR, HDR or PFM. */
+  public static boolean isLinear(byte[] file) {
+    return ExrReader.startsIn(file) || HdrReader.startsIn(file) || PfmReader.startsIn(file);
+  }
+
   /**
    * Returns the picture in a file; the content decides its format, not the name.
    *

@@ -52,6 +52,9 @@ public final class PathTracer implements Integrator {
 
   private final boolean hasAmbient;
 
+  /** Whether the camera sees a color instead of environment lights. */
+  private final boolean hasBackplate;
+
   /** Whether rays may pass straight through some surface. */
   private final boolean hasTransparency;
 
@@ -83,6 +86,7 @@ public final class PathTracer implements Integrator {
     selects = !scene.takes(Specialization.ONE_EMITTER);
     samplesLights = heuristic.samplesLights(scene.emitters());
     hasAmbient = !scene.ambient().isBlack();
+    hasBackplate = scene.backplate().isPresent();
     hasTransparency = scene.hasTransparency();
     hasAbsorption = scene.primitives().stream().anyMatch(p -> !p.material().absorption().isBlack());
   }
@@ -141,6 +145,10 @@ public final class PathTracer implements Integrator {
       path.reportRay(hit, context.listener);
     }
     if (!isHit) {
+      if (depth == 0 && hasBackplate) {
+        addBackplate(context);
+        return end(End.ESCAPED, context);
+      }
       addEnvironment(context, hit.direction());
       return end(End.ESCAPED, context);
     }
@@ -371,6 +379,23 @@ public final class PathTracer implements Integrator {
       }
     }
     add(r, g, b, context);
+  }
+
+  /** Adds what the camera sees instead of environment lights. */
+  private void addBackplate(RenderContext context) {
+    Rgb light = scene.backplate().orElse(Rgb.BLACK);
+    if (context.isRecorded) {
+      context.listener.lightFound(
+          Source.ENVIRONMENT,
+          -1,
+          light.r(),
+          light.g(),
+          light.b(),
+          0,
+          Double.POSITIVE_INFINITY,
+          1);
+    }
+    add(light.r(), light.g(), light.b(), context);
   }
 
   /** Adds the light that ambient irradiance gives the diffuse part of a surface. */

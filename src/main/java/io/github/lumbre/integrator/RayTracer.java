@@ -101,7 +101,10 @@ public final class RayTracer implements Integrator {
       context.listener.rayTraced(hit, throughput.r(), throughput.g(), throughput.b());
     }
     if (!isHit) {
-      return environment(hit.direction(), context);
+      boolean isSeen = branch.reflections() == 0 && branch.refractions() == 0;
+      return isSeen && scene.backplate().isPresent()
+          ? backplate(context)
+          : environment(hit.direction(), context);
     }
     context.hitSomething = true;
     SurfaceHit surface = scene.surfaceAt(hit);
@@ -138,6 +141,16 @@ public final class RayTracer implements Integrator {
       context.listener.pathEnded(isSpecular ? End.DEPTH : End.ABSORBED);
     }
     return isSpecular ? Rgb.BLACK : direct(vertex, number, sampler, context);
+  }
+
+  private Rgb backplate(RenderContext context) {
+    Rgb light = scene.backplate().orElse(Rgb.BLACK);
+    if (context.isRecorded) {
+      reportFound(Source.ENVIRONMENT, -1, light, context);
+      context.listener.lightAdded(light.r(), light.g(), light.b());
+      context.listener.pathEnded(End.ESCAPED);
+    }
+    return light;
   }
 
   private Rgb environment(Vec3 direction, RenderContext context) {

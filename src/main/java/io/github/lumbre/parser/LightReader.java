@@ -82,7 +82,7 @@ final class LightReader {
           .with("Ambient", this::ambient)
           .with("Rectangle", this::rectangle, "width", "height", "unit")
           .with("Sphere", this::sphere, "radius", "unit")
-          .with("Dome", this::dome, "textureId");
+          .with("Dome", this::dome, "textureId", "sky");
 
   /**
    * @param hasGlass whether any object in the scene is made of glass

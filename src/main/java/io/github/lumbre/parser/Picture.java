@@ -1,11 +1,13 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.BilinearTexture;
 import io.github.lumbre.texture.ImageTexture;
 import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.ImageTexture.Role;
+import io.github.lumbre.texture.LinearTexture;
 import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
 
@@ -54,6 +56,30 @@ interface Picture {
       double g = pixels.value(column, row, 1);
       double b = pixels.value(column, row, 2);
       return (r + g + b) / 3;
+    }
+  }
+
+  /** A picture of linear light, such as a sky. As data, its values are unchanged. */
+  record Linear(Image image) implements Picture {
+    @Override
+    public int width() {
+      return image.width();
+    }
+
+    @Override
+    public int height() {
+      return image.height();
+    }
+
+    @Override
+    public Texture<Rgb> as(Role role) {
+      return new LinearTexture(image);
+    }
+
+    @Override
+    public double value(int column, int row) {
+      Rgb value = image.pixel(column, row);
+      return (value.r() + value.g() + value.b()) / 3;
     }
   }
 

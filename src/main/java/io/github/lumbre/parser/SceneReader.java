@@ -169,6 +169,7 @@ final class SceneReader {
   /** Returns the scene; there must be no errors. */
   Scene scene() {
     SceneBuilder scene = Scene.seenBy(camera.orElseThrow()).searchedBy(kernel);
+    root.object("renderOptions").flatMap(SettingsReader::backplate).ifPresent(scene::backplate);
     for (Addition addition : additions) {
       Interrupts.check();
       addition.action.accept(scene);

@@ -24,7 +24,7 @@ final class SettingsReader {
   private static final String TRANSPARENT = "transparent";
 
   /** Valid keys that are not settings. */
-  private static final Set<String> OTHER_KEYS = Set.of("antialiasing", "background", "name");
+  private static final Set<String> OTHER_KEYS = Set.of("antialiasing", "background", "backplate", "name");
 
   static final Set<String> KEYS =
       Stream.concat(
@@ -115,6 +115,11 @@ final class SettingsReader {
 
   private static boolean isTransparent(JsonNode options) {
     return options.find("background").filter(n -> n.isText(TRANSPARENT)).isPresent();
+  }
+
+  /** Returns what the camera sees instead of environment lights; empty if it sees these. */
+  static Optional<Rgb> backplate(JsonNode options) {
+    return options.has("backplate") ? Optional.of(options.rgb("backplate")) : Optional.empty();
   }
 
   /** Returns the radiance of the background; empty if the scene names none. */

@@ -2,8 +2,10 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.BokehCache;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.LinearReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
@@ -17,6 +19,7 @@ import io.github.lumbre.texture.ImageTexture.Role;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.RedChannel;
 import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.StudioSky;
 import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TintedTexture;
@@ -146,8 +149,7 @@ final class TextureReader {
   private Optional<Picture> image(JsonNode texture) {
     Filter filter = filter(texture);
     return data.read(texture, BASE64_KEY)
-        .flatMap(TextureReader::decoded)
-        .map(pixels -> new Picture.Decoded(pixels, filter));
+        .flatMap(content -> picture(content, filter));
   }
 
   private Optional<Picture> computed(
@@ -160,8 +162,32 @@ final class TextureReader {
     return change.filter(texture.choice("filter", FILTERS, Filter.NEAREST));
   }
 
+  private Texture<Rgb> watched(Texture<Rgb> texture) {
+    return change.watched(texture);
+  }
+
   private Texture<Rgb> watched(Picture picture, Role role) {
     return change.watched(picture.as(role));
+  }
+
+  private static Optional<Picture> picture(AssetData.Content content, Filter filter) {
+    if (!LinearReader.isLinear(content.bytes())) {
+      return decoded(content).map(pixels -> new Picture.Decoded(pixels, filter));
+    }
+    try {
+      Image image = LinearReader.decode(content.bytes());
+      for (float value : image.rgb()) {
+        if (!(value >= 0 && value < Float.POSITIVE_INFINITY)) {
+          content.error(Kind.ASSET, "expected finite colors of at least 0, found " + value);
+          return Optional.empty();
+        }
+      }
+      return Optional.of(new Picture.Linear(image));
+    } catch (ImageFormatException e) {
+      boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
+      content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
+      return Optional.empty();
+    }
   }
 
   private static Optional<Pixels> decoded(AssetData.Content content) {
@@ -252,6 +278,14 @@ final class TextureReader {
 
   /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
+    if (light.has("sky")) {
+      light.choice("sky", Map.of("studio", StudioSky.INSTANCE), StudioSky.INSTANCE);
+      return EnvironmentLight.image(
+          axes,
+          TintedTexture.of(radiance, watched(StudioSky.INSTANCE)),
+          StudioSky.COLUMNS,
+          StudioSky.ROWS);
+    }
     Optional<Picture> picture = find(light, "textureId");
     if (picture.isEmpty()) {
       return EnvironmentLight.uniform(radiance);

@@ -14,6 +14,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.stream.Collectors;
@@ -40,6 +41,7 @@ public final class Scene {
   private final int[] emitterOfEnvironment, emitterOfLight;
 
   private final Rgb ambient;
+  private final Optional<Rgb> backplate;
   private final double radius;
 
   /** The index in {@code emitters} of each primitive; -1 if it is not sampled as a light. */
@@ -56,6 +58,7 @@ public final class Scene {
     lights = List.copyOf(built.lights);
     emitters = List.copyOf(built.emitters);
     ambient = built.ambient;
+    backplate = built.backplate;
     radius =
         primitives.stream()
             .map(primitive -> primitive.shape().bounds())
@@ -89,6 +92,7 @@ public final class Scene {
     emitterOfEnvironment = other.emitterOfEnvironment;
     emitterOfLight = other.emitterOfLight;
     ambient = other.ambient;
+    backplate = other.backplate;
     radius = other.radius;
     emitterOfPrimitive = other.emitterOfPrimitive;
     hasTransparency = other.hasTransparency;
@@ -207,6 +211,11 @@ public final class Scene {
    */
   public Rgb ambient() {
     return ambient;
+  }
+
+  /** Returns what the camera sees instead of environment lights; empty if it sees these. */
+  public Optional<Rgb> backplate() {
+    return backplate;
   }
 
   /**

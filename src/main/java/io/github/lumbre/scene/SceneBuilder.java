@@ -25,6 +25,7 @@ public final class SceneBuilder {
   final List<Light> emitters = new ArrayList<>();
   final Map<Integer, Integer> emitterOfPrimitive = new HashMap<>();
   Rgb ambient = Rgb.BLACK;
+  Optional<Rgb> backplate = Optional.empty();
   private Optional<Kernel> kernel = Optional.empty();
 
   SceneBuilder(Camera camera) {
@@ -96,6 +97,12 @@ public final class SceneBuilder {
    */
   public SceneBuilder addAmbient(Rgb irradiance) {
     ambient = ambient.plus(irradiance);
+    return this;
+  }
+
+  /** Sets the color that the camera sees instead of environment lights, which still give light. */
+  public SceneBuilder backplate(Rgb radiance) {
+    backplate = Optional.of(radiance);
     return this;
   }
 

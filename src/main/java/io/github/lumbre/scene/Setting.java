@@ -179,7 +179,7 @@ public final class Setting<T> {
               Group.OUTPUT,
               new ChoiceType<>(ToneCurve.class),
               ToneCurve.SRGB,
-              "Tone curve of a PNG: srgb, gamma22, reinhard or aces.")
+              "Tone curve of a PNG: srgb, gamma22, reinhard, aces, neutral or agx.")
           .inScenes()
           .withFlag("--tonemap", "NAME");
 
