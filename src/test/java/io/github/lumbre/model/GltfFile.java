@@ -131,7 +131,8 @@ final class GltfFile {
     return all.entrySet().stream()
         .map(e -> "\"" + e.getKey() + "\":" + e.getValue())
         .collect(Collectors.joining(",", "{", "}"))
-        .replace('\'', '"');
+        .replace('\'', '"')
+        .replaceAll("\\n *|(?<=[,:]) ", "");
   }
 
   /** Returns a .gltf file whose buffer is a data URI. */
