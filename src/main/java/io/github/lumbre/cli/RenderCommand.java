@@ -33,6 +33,7 @@ import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -155,6 +156,14 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private CheckpointFlags checkpoints;
 
+  @Option(
+      names = "--turntable",
+      paramLabel = "N",
+      description =
+          "Model: write N pictures from around it, numbered from 000: OUT with -000 before its"
+              + " ending.")
+  private Optional<Integer> turntable;
+
   @Mixin private OverwriteFlag overwrite;
 
   @Spec private CommandSpec spec;
@@ -170,8 +179,30 @@ final class RenderCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    JsonSummary report = new JsonSummary("render", options.scene());
-    return run.summarized(report, () -> run(report));
+    if (turntable.isEmpty()) {
+      JsonSummary report = new JsonSummary("render", options.scene());
+      return run.summarized(report, () -> run(report));
+    }
+    new FlagChecks(spec).requireIn("--turntable", 1, 10_000, turntable.get());
+    require(
+        ModelSetup.isModel(options.scene()) && checkpoint.isEmpty() && !isStandardOutput(),
+        "--turntable: requires a model file, and cannot be combined with --checkpoint or -o -");
+    Path first = target();
+    int code = ExitCodes.OK;
+    for (int i = 0; i < turntable.get() && code <= ExitCodes.WARNINGS; i++) {
+      options.turn(360. * i / turntable.get());
+      output = Optional.of(numbered(first, i));
+      JsonSummary report = new JsonSummary("render", options.scene());
+      code = Math.max(code, run.summarized(report, () -> run(report)));
+    }
+    return code;
+  }
+
+  private static Path numbered(Path path, int number) {
+    String name = path.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    return path.resolveSibling(
+        "%s-%03d%s".formatted(name.substring(0, dot), number, name.substring(dot)));
   }
 
   private int run(JsonSummary report) throws SceneFormatException, TaskException {

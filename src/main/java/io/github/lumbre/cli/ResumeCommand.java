@@ -14,6 +14,7 @@ import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.Engine;
@@ -31,6 +32,8 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting.Group;
 import java.io.IOException;
@@ -149,9 +152,16 @@ final class ResumeCommand implements Callable<Integer> {
       FilmNotes notes = new FilmNotes(film, header);
       Path target = output.isPresent() ? output.get() : notes.output();
       Path path = scene.isPresent() ? scene.get() : notes.scene();
-      overwrite
-          .guard()
-          .readsScene(path)
+      Optional<SceneText> text = notes.sceneText(path);
+      OutputGuard guard = overwrite.guard();
+      if (text.isPresent()) {
+        guard
+            .reads(path, "the model")
+            .readsAssets(path, () -> SceneParser.files(text.get().json(), text.get().path()));
+      } else {
+        guard.readsScene(path);
+      }
+      guard
           .updatesFilm("FILM", film)
           .updates("FILM", damaged(), OutputContent.FILM)
           .writes("-o", target, OutputContent.PICTURE)
@@ -243,16 +253,19 @@ final class ResumeCommand implements Callable<Integer> {
           "--samples: expected at least the " + most + " samples per pixel already rendered");
     }
     try {
+      SceneParser parser =
+          kernel.over(
+              notes.parser(
+                  settings -> {
+                    settings.samples(limit);
+                    work.override(settings);
+                  }),
+              budgets.time());
+      Optional<SceneText> text = notes.sceneText(path);
       SceneFile file =
-          kernel
-              .over(
-                  notes.parser(
-                      settings -> {
-                        settings.samples(limit);
-                        work.override(settings);
-                      }),
-                  budgets.time())
-              .parse(path);
+          text.isPresent()
+              ? parser.parse(text.get().json(), text.get().path())
+              : parser.parse(path);
       requireSameFiles(notes, header, file, path);
       requireSame(header, file, path);
       run.errors().warnings(file.warnings());

@@ -35,8 +35,8 @@ public enum ToneCurve {
     }
   },
   /**
-   * Khronos PBR Neutral: keeps colors up to 0.8 and compresses highlights (Khronos Group 2024,
-   * "PBR Neutral Tone Mapper Specification"), then sRGB.
+   * Khronos PBR Neutral: keeps colors up to 0.8 and compresses highlights (Khronos Group 2024, "PBR
+   * Neutral Tone Mapper Specification"), then sRGB.
    */
   NEUTRAL("neutral") {
     @Override

@@ -386,14 +386,7 @@ public final class PathTracer implements Integrator {
     Rgb light = scene.backplate().orElse(Rgb.BLACK);
     if (context.isRecorded) {
       context.listener.lightFound(
-          Source.ENVIRONMENT,
-          -1,
-          light.r(),
-          light.g(),
-          light.b(),
-          0,
-          Double.POSITIVE_INFINITY,
-          1);
+          Source.ENVIRONMENT, -1, light.r(), light.g(), light.b(), 0, Double.POSITIVE_INFINITY, 1);
     }
     add(light.r(), light.g(), light.b(), context);
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The content of a scene file.
@@ -12,6 +13,7 @@ import java.util.List;
  * @param files the SHA-256 of each of these files
  * @param contents numbers of objects and assets, for reports
  * @param origins places of objects and assets in the file
+ * @param text the scene, if it was not read from a file
  */
 public record SceneFile(
     Scene scene,
@@ -20,13 +22,14 @@ public record SceneFile(
     String hash,
     FileHashes files,
     SceneContents contents,
-    SceneOrigins origins) {
+    SceneOrigins origins,
+    Optional<SceneText> text) {
   public SceneFile {
     warnings = List.copyOf(warnings);
   }
 
   /** Returns a copy with a different scene. */
   public SceneFile with(Scene other) {
-    return new SceneFile(other, settings, warnings, hash, files, contents, origins);
+    return new SceneFile(other, settings, warnings, hash, files, contents, origins, text);
   }
 }

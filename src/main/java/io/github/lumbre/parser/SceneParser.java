@@ -148,7 +148,7 @@ public final class SceneParser {
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     try {
-      return parse(file, read(file, problems), problems);
+      return parse(file, read(file, problems), Optional.empty(), problems);
     } catch (OutOfMemoryError e) {
       // What was to hold the scene is free again, and nothing else was touched.
       problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
@@ -172,7 +172,7 @@ public final class SceneParser {
   public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     try {
-      return parse(file, content, problems);
+      return parse(file, content, Optional.of(new SceneText(content, file)), problems);
     } catch (OutOfMemoryError e) {
       // What was to hold the scene is free again, and nothing else was touched.
       problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
@@ -228,7 +228,8 @@ public final class SceneParser {
     }
   }
 
-  private SceneFile parse(Path file, byte[] text, Problems problems) throws SceneFormatException {
+  private SceneFile parse(Path file, byte[] text, Optional<SceneText> source, Problems problems)
+      throws SceneFormatException {
     JsonNode root = JsonTree.read(text, problems);
     if (root.asObject().isEmpty()) {
       throw problems.exception();
@@ -262,7 +263,8 @@ public final class SceneParser {
             HexFormat.of().formatHex(digest.digest()),
             new FileHashes(ownHash, data.hashes()),
             world.contents(),
-            world.origins());
+            world.origins(),
+            source);
     if (decodesUnused) {
       world.decodeUnused();
       problems.throwIfAny();

@@ -24,7 +24,8 @@ final class SettingsReader {
   private static final String TRANSPARENT = "transparent";
 
   /** Valid keys that are not settings. */
-  private static final Set<String> OTHER_KEYS = Set.of("antialiasing", "background", "backplate", "name");
+  private static final Set<String> OTHER_KEYS =
+      Set.of("antialiasing", "background", "backplate", "name");
 
   static final Set<String> KEYS =
       Stream.concat(

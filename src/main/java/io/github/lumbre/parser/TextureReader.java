@@ -148,8 +148,7 @@ final class TextureReader {
 
   private Optional<Picture> image(JsonNode texture) {
     Filter filter = filter(texture);
-    return data.read(texture, BASE64_KEY)
-        .flatMap(content -> picture(content, filter));
+    return data.read(texture, BASE64_KEY).flatMap(content -> picture(content, filter));
   }
 
   private Optional<Picture> computed(

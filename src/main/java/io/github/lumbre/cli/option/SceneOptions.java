@@ -6,24 +6,35 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneText;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** The flags and arguments of all commands that read a scene. */
 public final class SceneOptions {
   private Optional<byte[]> text = Optional.empty();
+  private Optional<SceneText> modelScene = Optional.empty();
+  private double turn;
+
+  @Mixin private ModelFlags model = new ModelFlags();
 
   @Parameters(
       index = "0",
       paramLabel = "SCENE",
-      description = "JSON scene file; - for standard input.")
+      description =
+          "JSON scene, or model: .gltf, .glb, .obj, .ply or .stl; - for a scene from standard"
+              + " input.")
   private Path scene;
 
   @ArgGroup private Strictness strictness = new Strictness();
@@ -58,6 +69,11 @@ public final class SceneOptions {
    * @throws TaskException if standard input cannot be read
    */
   public OutputGuard guardedBy(OutputGuard guard) throws TaskException {
+    if (ModelSetup.isModel(scene)) {
+      return guard
+          .reads(scene, "the model")
+          .readsAssets(scene, () -> SceneParser.files(ofModel().json(), ofModel().path()));
+    }
     if (!isStandardInput()) {
       return guard.readsScene(scene);
     }
@@ -65,6 +81,20 @@ public final class SceneOptions {
     return guard
         .reads(Path.of("/dev/stdin"), "standard input")
         .readsAssets(scene, () -> SceneParser.files(content, PictureOutput.STDIN));
+  }
+
+  /** Turns the view of a model about the vertical axis, by an angle in degrees. */
+  public void turn(double degrees) {
+    turn = degrees;
+    modelScene = Optional.empty();
+  }
+
+  /** Returns the scene around the model. */
+  private SceneText ofModel() throws SceneFormatException, IOException {
+    if (modelScene.isEmpty()) {
+      modelScene = Optional.of(model.setup(turn).sceneOf(scene, model.aspect()));
+    }
+    return modelScene.get();
   }
 
   private byte[] standardInput() throws TaskException {
@@ -122,7 +152,15 @@ public final class SceneOptions {
       return parser.parse(standardInput(), PictureOutput.STDIN);
     }
     try {
+      if (ModelSetup.isModel(scene)) {
+        return parser.parse(ofModel().json(), ofModel().path());
+      }
+      model.requireNone();
       return parser.parse(scene);
+    } catch (CancellationException e) {
+      InterruptedIOException interrupted = new InterruptedIOException("reading was interrupted");
+      interrupted.initCause(e);
+      throw new TaskException(Kind.SCENE, scene + ": reading was interrupted", interrupted);
     } catch (IOException e) {
       throw new TaskException(Kind.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
     }

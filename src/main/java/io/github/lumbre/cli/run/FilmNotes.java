@@ -11,11 +11,13 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.stopping.Budget;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -31,6 +33,8 @@ import java.util.function.UnaryOperator;
 public final class FilmNotes {
   private static final String SOFTWARE = "software";
   private static final String SCENE = "scene";
+  private static final String SCENE_TEXT = "scene-text";
+  private static final String SCENE_FOLDER = "scene-folder";
   private static final String OUTPUT = "output";
   private static final String FILES = "files";
   private static final String SAMPLES = "samples";
@@ -59,6 +63,13 @@ public final class FilmNotes {
     Map<String, String> notes = new LinkedHashMap<>();
     notes.put(SOFTWARE, "Lumbre " + Release.number());
     notes.put(SCENE, scene.toAbsolutePath().normalize().toString());
+    file.text()
+        .ifPresent(
+            text -> {
+              String json = new String(text.json(), StandardCharsets.UTF_8);
+              notes.put(SCENE_TEXT, json.replace("\n", " "));
+              notes.put(SCENE_FOLDER, text.path().toAbsolutePath().getParent().toString());
+            });
     FilmFiles.text(file.files()).ifPresent(text -> notes.put(FILES, text));
     notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
     notes.put(SAMPLES, String.valueOf(settings.samples()));
@@ -73,6 +84,25 @@ public final class FilmNotes {
 
   public Path scene() throws TaskException {
     return note(SCENE, FilmNotes::path);
+  }
+
+  /**
+   * Returns the scene itself, if it was not read from a file.
+   *
+   * @param scene path of the model file that it is about
+   */
+  public Optional<SceneText> sceneText(Path scene) throws TaskException {
+    if (!header.notes().containsKey(SCENE_TEXT)) {
+      return Optional.empty();
+    }
+    String json = note(SCENE_TEXT, Function.identity());
+    // A model that was moved may be used from its new folder.
+    Path folder =
+        scene.toAbsolutePath().normalize().equals(scene())
+            ? note(SCENE_FOLDER, FilmNotes::path)
+            : scene.toAbsolutePath().normalize().getParent();
+    return Optional.of(
+        new SceneText(json.getBytes(StandardCharsets.UTF_8), folder.resolve(scene.getFileName())));
   }
 
   private static Path path(String text) {

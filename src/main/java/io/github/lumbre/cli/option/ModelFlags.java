@@ -1,0 +1,264 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.ModelOptions.Up;
+import io.github.lumbre.parser.ModelSetup;
+import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.scene.RenderSettings.Size;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.Spec;
+
+/** The flags for a model file that is rendered by itself. */
+public final class ModelFlags {
+  private static final Map<String, View> VIEWS =
+      Map.of(
+          "front", new View(0, 0),
+          "back", new View(180, 0),
+          "left", new View(-90, 0),
+          "right", new View(90, 0),
+          "top", new View(0, 90),
+          "bottom", new View(0, -90),
+          "iso", new View(45, 35.264389682754654));
+
+  private static final List<String> NAMES =
+      List.of(
+          "--camera",
+          "--view",
+          "--fov",
+          "--sky",
+          "--sky-intensity",
+          "--sky-rotation",
+          "--ground",
+          "--background",
+          "--pose",
+          "--variant",
+          "--up",
+          "--unit");
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = "--camera",
+      paramLabel = "NAME",
+      description = "Model: the camera of the file to use (the first, if it has one).")
+  private Optional<String> camera;
+
+  @Option(
+      names = "--view",
+      paramLabel = "NAME|AZ,EL",
+      description =
+          "Model: look from front, back, left, right, top, bottom or iso, or from an azimuth and"
+              + " an elevation in degrees (30,20 without a camera in the file).")
+  private Optional<String> view;
+
+  @Option(
+      names = "--fov",
+      paramLabel = "DEGREES",
+      description = "Model: vertical angle of view with --view (35).")
+  private Optional<Double> fov;
+
+  @Option(
+      names = "--sky",
+      paramLabel = "NAME|FILE",
+      description =
+          "Model: light from studio, white, or a latitude-longitude picture: .hdr, .exr, .pfm,"
+              + " .png or .jpg (studio).")
+  private Optional<String> sky;
+
+  @Option(
+      names = "--sky-intensity",
+      paramLabel = "FACTOR",
+      description = "Model: factor of the sky's radiance (1).")
+  private Optional<Double> skyIntensity;
+
+  @Option(
+      names = "--sky-rotation",
+      paramLabel = "DEGREES",
+      description = "Model: rotation of the sky about the vertical axis (0).")
+  private Optional<Double> skyRotation;
+
+  @Option(names = "--ground", description = "Model: put it on an infinite gray floor.")
+  private boolean ground;
+
+  @Option(
+      names = "--background",
+      paramLabel = "COLOR",
+      description = "Model: show sky, transparent, or a color such as #ffffff behind it (sky).")
+  private Optional<String> background;
+
+  @Option(
+      names = "--pose",
+      paramLabel = "NAME@SECONDS",
+      description = "Model: pose of an animation at a time (the rest pose).")
+  private Optional<String> pose;
+
+  @Option(
+      names = "--variant",
+      paramLabel = "NAME",
+      description = "Model: material variant to use (the default materials).")
+  private Optional<String> variant;
+
+  @Option(
+      names = "--up",
+      paramLabel = "y|z",
+      description = "Model: axis that points up in STL, PLY and OBJ files (y).")
+  private Optional<String> up;
+
+  @Option(
+      names = "--unit",
+      paramLabel = "LENGTH",
+      description = "Model: length of the unit of STL, PLY and OBJ files (1).")
+  private Optional<Double> unit;
+
+  /**
+   * Returns the scene around the model.
+   *
+   * @param turn degrees by which the view is turned about the vertical axis
+   * @throws ParameterException that names the flag, if a value is wrong
+   */
+  public ModelSetup setup(double turn) {
+    Optional<View> from = view.map(this::view);
+    if (turn != 0 || isTurned()) {
+      from = Optional.of(from.orElse(View.DEFAULT).turned(turn));
+    }
+    double angle = fov.orElse(ModelSetup.DEFAULT_FOV);
+    require(
+        angle > 0 && angle < 180, "--fov: expected more than 0 and less than 180, found " + angle);
+    double intensity = skyIntensity.orElse(1.);
+    require(
+        intensity >= 0 && intensity < Double.POSITIVE_INFINITY,
+        "--sky-intensity: expected a finite number of at least 0, found " + intensity);
+    double rotation = skyRotation.orElse(0.);
+    require(
+        Double.isFinite(rotation), "--sky-rotation: expected a finite number, found " + rotation);
+    require(camera.isEmpty() || from.isEmpty(), "--camera and --view: expected only one of them");
+    boolean isTransparent = background.equals(Optional.of("transparent"));
+    return new ModelSetup(
+        camera,
+        from,
+        angle,
+        sky.orElse("studio"),
+        intensity,
+        rotation,
+        ground,
+        isTransparent ? Optional.empty() : background.flatMap(this::color),
+        isTransparent,
+        options());
+  }
+
+  private boolean isTurned() {
+    return spec.optionsMap().containsKey("--turntable")
+        && spec.commandLine().getParseResult().hasMatchedOption("--turntable");
+  }
+
+  private ModelOptions options() {
+    double length = unit.orElse(1.);
+    require(
+        length > 0 && length < Double.POSITIVE_INFINITY,
+        "--unit: expected a finite number > 0, found " + length);
+    String axis = up.orElse("y");
+    require(axis.equals("y") || axis.equals("z"), "--up: expected y or z, found " + axis);
+    return new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length);
+  }
+
+  private View view(String text) {
+    if (VIEWS.containsKey(text)) {
+      return VIEWS.get(text);
+    }
+    String[] angles = text.split(",", -1);
+    if (angles.length == 2) {
+      double azimuth = number("--view", angles[0]);
+      double elevation = number("--view", angles[1]);
+      require(
+          Math.abs(elevation) <= 90,
+          "--view: expected an elevation from -90 to 90, found " + angles[1]);
+      return new View(azimuth, elevation);
+    }
+    throw failure(
+        "--view: expected front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION, found "
+            + text);
+  }
+
+  private Pose pose(String text) {
+    int at = text.lastIndexOf('@');
+    double seconds = at < 0 ? 0 : number("--pose", text.substring(at + 1));
+    require(seconds >= 0, "--pose: expected a time of at least 0 s, found " + seconds);
+    return new Pose(at < 0 ? text : text.substring(0, at), seconds);
+  }
+
+  private Optional<Rgb> color(String text) {
+    if (text.equals("sky")) {
+      return Optional.empty();
+    }
+    if (text.equals("white") || text.equals("black")) {
+      return Optional.of(text.equals("white") ? Rgb.WHITE : Rgb.BLACK);
+    }
+    require(
+        text.matches("#?[0-9a-fA-F]{6}"),
+        "--background: expected sky, transparent, white, black or a color such as #ffffff, found "
+            + text);
+    int rgb = Integer.parseInt(text.substring(text.length() - 6), 16);
+    return Optional.of(new Rgb(linear(rgb >> 16), linear(rgb >> 8 & 0xff), linear(rgb & 0xff)));
+  }
+
+  private static double linear(int value) {
+    return io.github.lumbre.image.Srgb.decode(value / 255.);
+  }
+
+  private double number(String flag, String text) {
+    try {
+      double number = Double.parseDouble(text);
+      if (Double.isFinite(number)) {
+        return number;
+      }
+    } catch (NumberFormatException e) {
+      throw failure(flag + ": expected a number, found " + text);
+    }
+    throw failure(flag + ": expected a finite number, found " + text);
+  }
+
+  /** Returns the aspect ratio of the frame; empty if no flag sets it. */
+  public OptionalDouble aspect() {
+    ParseResult given = spec.commandLine().getParseResult();
+    Optional<Size> size =
+        spec.optionsMap().containsKey("--size")
+            ? given.matchedOptionValue("--size", Optional.empty())
+            : Optional.empty();
+    return size.map(s -> OptionalDouble.of((double) s.width() / s.height()))
+        .orElse(OptionalDouble.empty());
+  }
+
+  /**
+   * Requires that no flag for models is given.
+   *
+   * @throws ParameterException that names the first one that is
+   */
+  public void requireNone() {
+    ParseResult given = spec.commandLine().getParseResult();
+    for (String name : NAMES) {
+      require(
+          !given.hasMatchedOption(name),
+          name + ": requires a model file: .gltf, .glb, .obj, .ply or .stl");
+    }
+  }
+
+  private void require(boolean condition, String message) {
+    if (!condition) {
+      throw failure(message);
+    }
+  }
+
+  private ParameterException failure(String message) {
+    return new ParameterException(spec.commandLine(), message);
+  }
+}

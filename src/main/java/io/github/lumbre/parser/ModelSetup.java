@@ -1,0 +1,409 @@
+package io.github.lumbre.parser;
+
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.Model;
+import io.github.lumbre.model.ModelCamera;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelPart;
+import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.ModelScene;
+import io.github.lumbre.parser.SceneFormatException.Kind;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * The scene around a model that is rendered by itself: its camera, its light and its background.
+ *
+ * @param camera name of a camera in the model; empty for {@code view}
+ * @param view the direction to look from; empty for the model's first camera, or {@link
+ *     View#DEFAULT} if it has none
+ * @param fov vertical angle of view in degrees, in (0, 180); not used with a camera of the model
+ * @param sky {@code studio}, {@code white} or the path of a latitude-longitude picture
+ * @param skyIntensity factor of the sky's radiance, at least 0
+ * @param skyRotation rotation of the sky about the vertical axis, in degrees
+ * @param ground whether the model stands on an infinite gray floor
+ * @param background color that the camera sees instead of the sky; empty for the sky
+ * @param transparent whether the background is transparent
+ * @param options what to read from the model
+ */
+public record ModelSetup(
+    Optional<String> camera,
+    Optional<View> view,
+    double fov,
+    String sky,
+    double skyIntensity,
+    double skyRotation,
+    boolean ground,
+    Optional<Rgb> background,
+    boolean transparent,
+    ModelOptions options) {
+  /** The default angle of view, in degrees. */
+  public static final double DEFAULT_FOV = 35;
+
+  /** The default size of a picture of a model, in pixels. */
+  public static final int DEFAULT_WIDTH = 1024;
+
+  /** The height that belongs to {@link #DEFAULT_WIDTH}. */
+  public static final int DEFAULT_HEIGHT = 768;
+
+  /** The fraction of the frame that the model may fill. */
+  private static final double FILL = .92;
+
+  private static final double GROUND_GRAY = .6;
+
+  /**
+   * A direction to look from.
+   *
+   * @param azimuth degrees around the vertical axis: 0 in front, 90 to the right of the picture's
+   *     front view
+   * @param elevation degrees above the horizon, in [-90, 90]
+   */
+  public record View(double azimuth, double elevation) {
+    /** From the front, a little from the right and above. */
+    public static final View DEFAULT = new View(30, 20);
+
+    /** Returns this direction, turned about the vertical axis. */
+    public View turned(double degrees) {
+      return new View(azimuth + degrees, elevation);
+    }
+  }
+
+  public ModelSetup {
+    Objects.requireNonNull(camera, "camera");
+    Objects.requireNonNull(view, "view");
+    Objects.requireNonNull(sky, "sky");
+    Objects.requireNonNull(background, "background");
+    Objects.requireNonNull(options, "options");
+  }
+
+  /** Returns whether a file is a model, by the ending of its name. */
+  public static boolean isModel(Path file) {
+    String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+    return ModelReader.ENDINGS.stream().anyMatch(ending -> name.endsWith("." + ending));
+  }
+
+  /**
+   * Returns the scene of a model file. Its asset paths start in the nearest folder that contains
+   * both the model and the sky's picture.
+   *
+   * @param aspect width of the frame over its height, to frame the model; empty for the default
+   * @throws SceneFormatException if the model does not exist or cannot be used
+   * @throws IOException if the model exists but cannot be read
+   */
+  public SceneText sceneOf(Path file, OptionalDouble aspect)
+      throws SceneFormatException, IOException {
+    Path model = file.toAbsolutePath().normalize();
+    Path folder = model.getParent();
+    if (!isBuiltIn()) {
+      Path picture = Path.of(sky).toAbsolutePath().normalize();
+      while (folder.getParent() != null && !picture.startsWith(folder)) {
+        folder = folder.getParent();
+      }
+    }
+    return sceneIn(folder, model, aspect);
+  }
+
+  /**
+   * Returns the scene of a model file.
+   *
+   * @param folder where asset paths start; contains the model and the sky's picture
+   */
+  public SceneText sceneIn(Path folder, Path file, OptionalDouble aspect)
+      throws SceneFormatException, IOException {
+    String name = String.valueOf(file.getFileName());
+    Problems problems = new Problems(name);
+    if (!Files.exists(file)) {
+      problems.error(Kind.INVALID, () -> "$", "expected a model file, found none");
+      throw problems.exception();
+    }
+    JsonObject scene;
+    try {
+      Model model =
+          ModelReader.read(name, Files.readAllBytes(file), folderOf(file.getParent()), options);
+      scene = scene(model, folder.relativize(file), folder, aspect);
+    } catch (ModelFormatException e) {
+      Kind kind = e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET;
+      problems.error(kind, () -> Problems.escaped(e.location()), Problems.escaped(e.detail()));
+      throw problems.exception();
+    }
+    String text =
+        new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create().toJson(scene);
+    return new SceneText(text.getBytes(StandardCharsets.UTF_8), folder.resolve(name));
+  }
+
+  /** Returns access to the files in a folder and below. */
+  private static ModelFolder folderOf(Path folder) {
+    return (name, location) -> {
+      Path path = folder.resolve(name).normalize();
+      try {
+        if (path.startsWith(folder) && path.toRealPath().startsWith(folder.toRealPath())) {
+          return Files.readAllBytes(path);
+        }
+      } catch (NoSuchFileException e) {
+        throw new ModelFormatException(
+            ModelFormatException.Kind.ASSET,
+            location,
+            "expected a file, found none at " + Problems.quoted(name));
+      }
+      throw new ModelFormatException(
+          ModelFormatException.Kind.ASSET,
+          location,
+          "expected a file inside the model's folder, found " + Problems.quoted(name));
+    };
+  }
+
+  private boolean isBuiltIn() {
+    return sky.equals("studio") || sky.equals("white");
+  }
+
+  private JsonObject scene(Model model, Path name, Path folder, OptionalDouble aspect)
+      throws ModelFormatException {
+    JsonObject scene = new JsonObject();
+    scene.addProperty("mainCameraId", 1);
+    scene.add("renderOptions", renderOptions());
+    JsonArray assets = new JsonArray();
+    JsonArray objects = new JsonArray();
+    Extent extent = Extent.of(model);
+    objects.add(cameraObject(model, extent, aspect));
+    objects.add(dome(assets, folder));
+    objects.add(modelObject(name));
+    if (ground) {
+      assets.add(groundMaterial());
+      objects.add(floor(extent.min().y()));
+    }
+    scene.add("assets", assets);
+    scene.add("objects", objects);
+    return scene;
+  }
+
+  private JsonObject renderOptions() {
+    JsonObject render = new JsonObject();
+    render.addProperty("width", DEFAULT_WIDTH);
+    render.addProperty("height", DEFAULT_HEIGHT);
+    render.addProperty("maxTraceDepth", 12);
+    render.addProperty("toneMap", "neutral");
+    if (transparent) {
+      render.addProperty("background", "transparent");
+    }
+    background.ifPresent(color -> render.add("backplate", color(color)));
+    return render;
+  }
+
+  private JsonObject cameraObject(Model model, Extent extent, OptionalDouble aspect)
+      throws ModelFormatException {
+    Optional<ModelCamera> own = ownCamera(model);
+    if (own.isPresent()) {
+      return cameraObject(own.get());
+    }
+    View from = view.orElse(View.DEFAULT);
+    JsonObject object = object("Camera");
+    object.addProperty("id", 1);
+    object.addProperty("cameraType", "Pinhole");
+    object.addProperty("fieldOfView", fov);
+    object.add("localPosition", vector(extent.eye(from, fov, aspect.orElse(4 / 3.))));
+    object.add("localRotation", vector(new Vec3(from.elevation(), -from.azimuth(), 0)));
+    return object;
+  }
+
+  private Optional<ModelCamera> ownCamera(Model model) throws ModelFormatException {
+    if (camera.isEmpty()) {
+      return view.isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
+    }
+    List<String> names = model.cameras().stream().map(ModelCamera::name).toList();
+    int index = names.indexOf(camera.get());
+    if (index < 0) {
+      throw new ModelFormatException(
+          ModelFormatException.Kind.MALFORMED,
+          "cameras",
+          "expected a camera named "
+              + Problems.quoted(camera.get())
+              + ", found "
+              + (names.isEmpty() ? "none" : String.join(", ", names)));
+    }
+    return Optional.of(model.cameras().get(index));
+  }
+
+  private static JsonObject cameraObject(ModelCamera camera) {
+    Transform toWorld = ModelScene.TO_LEFT_HANDED.times(camera.toWorld());
+    JsonObject object = object("Camera");
+    object.addProperty("id", 1);
+    if (!camera.name().isEmpty()) {
+      object.addProperty("name", camera.name());
+    }
+    if (camera.lens() instanceof ModelCamera.Parallel lens) {
+      object.addProperty("cameraType", "Orthographic");
+      object.addProperty("height", 2 * lens.halfHeight() * toWorld.vector(Vec3.Y).length());
+    } else {
+      double angle = ((ModelCamera.Perspective) camera.lens()).verticalFov();
+      object.addProperty("cameraType", "Pinhole");
+      object.addProperty("fieldOfView", Math.toDegrees(angle));
+    }
+    object.add("localPosition", vector(toWorld.point(Vec3.ZERO)));
+    object.add("localRotation", vector(Rotations.degrees(ModelScene.axes(toWorld))));
+    return object;
+  }
+
+  private JsonObject dome(JsonArray assets, Path folder) {
+    JsonObject dome = object("Light");
+    dome.addProperty("lightType", "Dome");
+    dome.addProperty("intensity", skyIntensity);
+    dome.add("localRotation", vector(new Vec3(0, skyRotation, 0)));
+    if (sky.equals("studio")) {
+      dome.addProperty("sky", "studio");
+    } else if (!sky.equals("white")) {
+      Path picture = Path.of(sky).toAbsolutePath().normalize();
+      JsonObject texture = new JsonObject();
+      texture.addProperty("assetType", "Texture");
+      texture.addProperty("id", 1);
+      texture.addProperty("file", slashed(folder.relativize(picture)));
+      texture.addProperty("filter", "bilinear");
+      assets.add(texture);
+      dome.addProperty("textureId", 1);
+    }
+    return dome;
+  }
+
+  private JsonObject modelObject(Path name) {
+    JsonObject object = object("Model");
+    object.addProperty("file", slashed(name));
+    if (options.up() == ModelOptions.Up.Z) {
+      object.addProperty("up", "z");
+    }
+    if (options.unit() != 1) {
+      object.addProperty("unit", options.unit());
+    }
+    options
+        .pose()
+        .ifPresent(
+            pose -> {
+              object.addProperty("pose", pose.animation());
+              object.addProperty("seconds", pose.seconds());
+            });
+    options.variant().ifPresent(variant -> object.addProperty("variant", variant));
+    return object;
+  }
+
+  private static JsonObject groundMaterial() {
+    JsonObject material = new JsonObject();
+    material.addProperty("assetType", "Material");
+    material.addProperty("id", 2);
+    material.addProperty("materialType", "Diffuse");
+    material.add("color", color(Rgb.grey(GROUND_GRAY)));
+    return material;
+  }
+
+  private static JsonObject floor(double y) {
+    JsonObject floor = object("Shape");
+    floor.addProperty("shapeType", "Plane");
+    floor.addProperty("materialID", 2);
+    floor.add("localPosition", vector(new Vec3(0, y, 0)));
+    return floor;
+  }
+
+  private static JsonObject object(String type) {
+    JsonObject object = new JsonObject();
+    object.addProperty("type", type);
+    return object;
+  }
+
+  private static String slashed(Path path) {
+    return path.toString().replace('\\', '/');
+  }
+
+  private static JsonObject vector(Vec3 v) {
+    JsonObject object = new JsonObject();
+    object.addProperty("x", v.x());
+    object.addProperty("y", v.y());
+    object.addProperty("z", v.z());
+    return object;
+  }
+
+  private static JsonObject color(Rgb c) {
+    JsonObject object = new JsonObject();
+    object.addProperty("r", c.r());
+    object.addProperty("g", c.g());
+    object.addProperty("b", c.b());
+    return object;
+  }
+
+  /** The vertices of a model in the scene's space, and the box around them. */
+  private record Extent(Model model, Vec3 min, Vec3 max) {
+    static Extent of(Model model) {
+      double[] box = {
+        Double.POSITIVE_INFINITY,
+        Double.POSITIVE_INFINITY,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY,
+        Double.NEGATIVE_INFINITY,
+        Double.NEGATIVE_INFINITY
+      };
+      forVertices(
+          model,
+          v -> {
+            box[0] = Math.min(box[0], v.x());
+            box[1] = Math.min(box[1], v.y());
+            box[2] = Math.min(box[2], v.z());
+            box[3] = Math.max(box[3], v.x());
+            box[4] = Math.max(box[4], v.y());
+            box[5] = Math.max(box[5], v.z());
+          });
+      return box[0] > box[3]
+          ? new Extent(model, Vec3.ZERO, Vec3.ZERO)
+          : new Extent(model, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
+    }
+
+    private static void forVertices(Model model, java.util.function.Consumer<Vec3> visitor) {
+      for (ModelPart part : model.parts()) {
+        Transform toWorld = ModelScene.TO_LEFT_HANDED.times(part.toWorld());
+        double[] positions = part.geometry().positions();
+        for (int vertex : part.geometry().indices()) {
+          visitor.accept(
+              toWorld.point(
+                  new Vec3(
+                      positions[3 * vertex],
+                      positions[3 * vertex + 1],
+                      positions[3 * vertex + 2])));
+        }
+      }
+    }
+
+    /** Returns where a camera must stand so that all vertices are in the frame. */
+    Vec3 eye(View from, double fov, double aspect) {
+      double sinA = Elementary.sinDegrees(from.azimuth());
+      double cosA = Elementary.cosDegrees(from.azimuth());
+      double sinE = Elementary.sinDegrees(from.elevation());
+      double cosE = Elementary.cosDegrees(from.elevation());
+      Vec3 back = new Vec3(sinA * cosE, sinE, -cosA * cosE);
+      Vec3 right = new Vec3(cosA, 0, sinA);
+      Vec3 up = new Vec3(-sinA * sinE, cosE, cosA * sinE);
+      double tan = FILL * Elementary.tanDegrees(fov / 2);
+      Vec3 center = min.plus(max).times(.5);
+      double[] distance = {1e-3 * max.minus(min).length()};
+      forVertices(
+          model,
+          vertex -> {
+            Vec3 v = vertex.minus(center);
+            double across = Math.max(Math.abs(v.dot(right)) / aspect, Math.abs(v.dot(up)));
+            distance[0] = Math.max(distance[0], across / tan + v.dot(back));
+          });
+      double far = distance[0] > 0 ? distance[0] : 1;
+      return center.plus(far, back);
+    }
+  }
+}

@@ -1,0 +1,30 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Vec3;
+
+/** Angles of the scene format. */
+final class Rotations {
+  private Rotations() {}
+
+  /**
+   * Returns the {@code localRotation}, in degrees about z first, then x, then y, that turns the
+   * world's axes to those of a frame.
+   *
+   * @param axes right (x), up (y) and forward (z)
+   */
+  static Vec3 degrees(Frame axes) {
+    Vec3 forward = axes.normal();
+    double pitch = Math.toDegrees(StrictMath.asin(Math.max(-1, Math.min(1, -forward.y()))));
+    double yaw;
+    double roll;
+    if (Math.abs(forward.y()) < 1 - 1e-12) {
+      yaw = Math.toDegrees(StrictMath.atan2(forward.x(), forward.z()));
+      roll = Math.toDegrees(StrictMath.atan2(axes.tangent().y(), axes.bitangent().y()));
+    } else {
+      yaw = Math.toDegrees(StrictMath.atan2(-axes.tangent().z(), axes.tangent().x()));
+      roll = 0;
+    }
+    return new Vec3(pitch, yaw, roll);
+  }
+}
