@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
     name = "compare",
     header = "Measure the error of a picture against a reference.",
     description =
-        "Read PNG, JPEG, PFM, and OpenEXR in the form that 'lumbre render' writes. Pictures are"
+        "Read PNG, JPEG, PFM, Radiance HDR and losslessly compressed OpenEXR. Pictures are"
             + " compared in linear light: PNG and JPEG are decoded from sRGB, and their alpha is"
             + " ignored.",
     mixinStandardHelpOptions = true,

@@ -9,8 +9,9 @@
  * io.github.lumbre.file.OutputFile}, with {@link io.github.lumbre.image.Exposure} and {@link
  * io.github.lumbre.image.ToneCurve} if the format is for the screen. The way in: {@link
  * io.github.lumbre.image.ImageReader} decodes files of unknown origin to {@link
- * io.github.lumbre.image.Pixels}, {@link io.github.lumbre.image.LinearReader} those and the
- * program's own to linear light. Rows are counted from the top, but for the inside of PFM files.
+ * io.github.lumbre.image.Pixels}, {@link io.github.lumbre.image.LinearReader} those, OpenEXR,
+ * Radiance and float maps to linear light. Rows are counted from the top, but for the inside of PFM
+ * files.
  *
  * <p>All public types but OutputFile are immutable or without state, and safe for use by any
  * thread.

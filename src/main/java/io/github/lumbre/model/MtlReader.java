@@ -1,7 +1,6 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.model.ModelTexture.Wrap;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -33,9 +32,6 @@ final class MtlReader {
   /** Keys without an effect on light transport here: ambient light, sharpness, anisotropy. */
   private static final Set<String> SILENT =
       Set.of("ka", "km", "map_ka", "sharpness", "map_aat", "aniso", "anisor");
-
-  /** Options whose number of values is fixed, and which have no effect. */
-  private static final Set<String> IGNORED_OPTIONS = Set.of("-blendu", "-blendv", "-cc", "-type");
 
   private final TextScanner scanner;
   private final String file;
@@ -86,11 +82,12 @@ final class MtlReader {
     } else if (NUMBERS.contains(key)) {
       boolean isHalo = scanner.nextWord() && scanner.wordIs("-halo");
       if (isHalo) {
-        warn("-halo", "ignored the option -halo");
+        warnOption("-halo");
       }
       material.put(key, isHalo ? scanner.nextNumber() : currentNumber());
     } else if (MAPS.contains(key)) {
-      material.put(key, readMap());
+      String before = file.substring(0, file.lastIndexOf('/') + 1);
+      material.put(key, new MtlMapReader(scanner, this::warnOption).read(before));
     } else if (!SILENT.contains(key)) {
       warn(key, "ignored the unknown key " + PrintableText.quoted(scanner.word()));
     }
@@ -124,95 +121,6 @@ final class MtlReader {
       warn(" negative", "replaced a negative color component by 0");
     }
     return new Rgb(Math.max(0, r), Math.max(0, g), Math.max(0, b));
-  }
-
-  private MtlMap readMap() throws ModelFormatException {
-    String location = scanner.location();
-    double[] scale = {1, 1, 1};
-    double[] offset = {0, 0, 0};
-    double bumpScale = 1;
-    int channel = -1;
-    Wrap wrap = Wrap.REPEAT;
-    boolean hasWord = scanner.nextWord();
-    while (hasWord && scanner.word().matches("-[A-Za-z]+")) {
-      String option = scanner.word();
-      switch (option) {
-        case "-s" -> hasWord = readVector(scale);
-        case "-o" -> hasWord = readVector(offset);
-        case "-t" -> {
-          warnOption(option);
-          hasWord = readVector(new double[3]);
-        }
-        case "-clamp" -> {
-          wrap = requiredWord().equals("on") ? Wrap.CLAMP : Wrap.REPEAT;
-          hasWord = scanner.nextWord();
-        }
-        case "-bm" -> {
-          bumpScale = scanner.nextNumber();
-          hasWord = scanner.nextWord();
-        }
-        case "-imfchan" -> {
-          channel = "rgbm".indexOf(requiredWord());
-          hasWord = scanner.nextWord();
-        }
-        case "-mm" -> {
-          boolean changes = scanner.nextNumber() != 0;
-          changes |= scanner.nextNumber() != 1;
-          if (changes) {
-            warnOption(option);
-          }
-          hasWord = scanner.nextWord();
-        }
-        case "-boost", "-texres" -> {
-          warnOption(option);
-          requiredWord();
-          hasWord = scanner.nextWord();
-        }
-        default -> {
-          if (!IGNORED_OPTIONS.contains(option)) {
-            throw scanner.error(
-                "expected an option such as -s or a file, found " + PrintableText.quoted(option));
-          }
-          requiredWord();
-          hasWord = scanner.nextWord();
-        }
-      }
-    }
-    if (!hasWord) {
-      throw scanner.error("expected the name of a picture, found the end of the line");
-    }
-    String rest = scanner.name();
-    String more = scanner.remainingWords();
-    return new MtlMap(
-        location,
-        besideLibrary(more.isEmpty() ? rest : rest + " " + more),
-        channel,
-        bumpScale,
-        wrap,
-        new UvTransform(scale[0], 0, offset[0], 0, scale[1], offset[1]));
-  }
-
-  /** Reads one to three numbers, and moves to the next word; returns false if there is none. */
-  private boolean readVector(double[] vector) throws ModelFormatException {
-    vector[0] = scanner.nextNumber();
-    int count = 1;
-    boolean hasWord = scanner.nextWord();
-    while (hasWord && count < 3 && scanner.word().matches("[-+.]?[0-9][-+.eE0-9]*")) {
-      vector[count++] = scanner.number();
-      hasWord = scanner.nextWord();
-    }
-    return hasWord;
-  }
-
-  private String requiredWord() throws ModelFormatException {
-    if (!scanner.nextWord()) {
-      throw scanner.error("expected the value of an option, found the end of the line");
-    }
-    return scanner.word();
-  }
-
-  private String besideLibrary(String picture) {
-    return file.substring(0, file.lastIndexOf('/') + 1) + MtlMap.portable(picture);
   }
 
   private void warnOption(String option) {

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** Every changed STL, PLY, OBJ and MTL file is read as a consistent model, or is refused. */
 class HostileModelsTest {
-  private static final int QUICK = 800;
+  private static final int QUICK = 500;
   private static final int MANY = 100_000;
   private static final int LONGEST_LINE = 500;
 
