@@ -25,10 +25,10 @@ public enum StudioSky implements Texture<Rgb> {
     double horizontal = Elementary.cosTurns(elevation);
     double x = horizontal * Elementary.sinTurns(azimuth);
     double z = horizontal * Elementary.cosTurns(azimuth);
-    double walls = .35 + .3 * smooth(.5 + .5 * y);
-    double key = 7 * lobe(x, y, z, -.55, .6, -.58, .86);
-    double fill = 1.6 * lobe(x, y, z, .75, .25, -.61, .75);
-    double rim = 3.5 * lobe(x, y, z, .35, .55, .76, .9);
+    double walls = .22 + .2 * smooth(.5 + .5 * y);
+    double key = 4 * lobe(x, y, z, -.55, .6, -.58, .86);
+    double fill = 1 * lobe(x, y, z, .75, .25, -.61, .75);
+    double rim = 2 * lobe(x, y, z, .35, .55, .76, .9);
     double light = walls + key + fill + rim;
     return new Rgb(light, light, light);
   }
