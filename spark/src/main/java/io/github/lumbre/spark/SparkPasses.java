@@ -43,7 +43,6 @@ final class SparkPasses implements PassRenderer {
   /** Samples per second and core, before any is measured. */
   private static final double FIRST_RATE = 100_000;
 
-  /** The most samples per pixel in one pass when a time ends the render. */
   private static final long POLL_MILLIS = 100;
 
   private final JavaSparkContext spark;
