@@ -5,7 +5,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
 
-/** Any material on a surface whose normals a map perturbs. */
+/** A material whose shading normals are perturbed by a normal map. */
 public record NormalMapped(Material material, NormalMap map) implements Material {
   public NormalMapped {
     Objects.requireNonNull(material, "material");
