@@ -16,9 +16,9 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
 /**
- * Reads OpenEXR files of the kind that {@link ExrWriter} writes: one part, scan lines, channels R,
- * G, B and perhaps A of whole floats, uncompressed or by ZIP ("OpenEXR File Layout", openexr.com).
- * Colours are divided by alpha, since an {@link Image} keeps the two apart.
+ * Reads OpenEXR files of the kind that {@link ExrWriter} writes: one part, scan lines, 32-bit float
+ * channels R, G, B and optionally A, uncompressed or compressed by ZIP ("OpenEXR File Layout",
+ * openexr.com). Colors are divided by alpha, because the alpha of an {@link Image} is straight.
  */
 final class ExrReader {
   private static final int MAGIC = 20000630;
@@ -27,7 +27,10 @@ final class ExrReader {
   private static final int FLOAT = 2;
   private static final String ORDER = "RGBA";
 
-  /** No more than this many bytes come from one byte of deflated data (zlib technical notes). */
+  /**
+   * The largest number of bytes that one byte of deflated data can inflate to (zlib technical
+   * notes).
+   */
   private static final long MAX_INFLATION = 1032;
 
   private final ByteBuffer in;
@@ -35,7 +38,7 @@ final class ExrReader {
   private int width;
   private int height;
 
-  /** What each channel of a line is, as its place in RGBA. */
+  /** The channels in file order, each as its index in RGBA. */
   private final List<Integer> channels = new ArrayList<>();
 
   private ExrReader(byte[] file) {
@@ -46,7 +49,7 @@ final class ExrReader {
     return file.length >= Long.BYTES && little(file).getInt() == MAGIC;
   }
 
-  /** Reads a file that {@link #startsIn} recognises. */
+  /** Reads a file that {@link #startsIn} recognizes. */
   static Image read(byte[] file) throws ImageFormatException {
     try {
       ExrReader reader = new ExrReader(file);
@@ -80,10 +83,10 @@ final class ExrReader {
     readChannels(attribute("channels"));
   }
 
-  /** Returns the number of pixels from the first to the last; the largest int if it is larger. */
+  /** Returns the number of pixels from the first to the last, at most {@link Integer#MAX_VALUE}. */
   private static int side(int first, int last) throws ImageFormatException {
     if (last < first) {
-      throw malformed("OpenEXR: its window ends before it begins");
+      throw malformed("OpenEXR: the data window ends before it begins");
     }
     return (int) Math.min((long) last - first + 1, Integer.MAX_VALUE);
   }
@@ -129,12 +132,12 @@ final class ExrReader {
     float[] alpha = channels.contains(3) ? LinearReader.raster(width, height, 1) : new float[0];
     BitSet found = new BitSet(blocks);
     int top = attribute("dataWindow").getInt(4);
-    // The table of offsets is not needed: each block names its lines.
+    // The offset table is not needed: each block states its lines.
     in.position(in.position() + Long.BYTES * blocks);
     for (int i = 0; i < blocks; i++) {
       int first = Objects.checkIndex(in.getInt() - top, height);
       if (first % lines != 0 || found.get(first / lines)) {
-        throw malformed("OpenEXR is damaged: its blocks are not one for each " + lines + " lines");
+        throw malformed("OpenEXR is damaged: expected one block for every " + lines + " lines");
       }
       found.set(first / lines);
       byte[] data = new byte[Math.max(0, Math.min(in.getInt(), in.remaining()))];
@@ -178,7 +181,10 @@ final class ExrReader {
     }
   }
 
-  /** Undoes what {@link ExrWriter} does to a block; blocks that did not shrink are as they were. */
+  /**
+   * Reverses the compression of {@link ExrWriter}. Blocks that compression would not shrink are
+   * stored raw.
+   */
   private static byte[] unpacked(byte[] packed, int size)
       throws DataFormatException, ImageFormatException {
     if (packed.length == size) {

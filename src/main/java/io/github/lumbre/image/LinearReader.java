@@ -8,21 +8,20 @@ import java.nio.file.Path;
 import java.util.Objects;
 
 /**
- * Reads picture files as linear light, whichever they are: OpenEXR files as {@link ImageWriter}
- * makes them, portable float maps, and PNG and JPEG files, whose values are taken for sRGB and
- * decoded. What a PNG had lost, by clamping and by rounding to 8 or 16 bits, stays lost; its alpha
- * is not read.
+ * Reads picture files of any supported format as linear RGB: OpenEXR files as {@link ImageWriter}
+ * writes them, portable float maps, and PNG and JPEG files, whose values are decoded as sRGB.
+ * Clamping and rounding to 8 or 16 bits cannot be undone. The alpha of a PNG is not read.
  */
 public final class LinearReader {
-  /** What an array holds. */
+  /** The largest size of an array. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
   private LinearReader() {}
 
   /**
-   * Returns the picture in a file; the content decides its format, not the name.
+   * Returns the picture in a file, whose format is recognized by its content, not by its name.
    *
-   * @throws ImageFormatException if the file is none of the formats, or damaged, or too large
+   * @throws ImageFormatException if the file is in none of the formats, damaged or too large
    * @throws IOException if the file cannot be read
    */
   public static Image read(Path file) throws IOException {
@@ -38,7 +37,7 @@ public final class LinearReader {
   /**
    * Returns the picture in a file's bytes.
    *
-   * @throws ImageFormatException if they are none of the formats, or damaged, or too large
+   * @throws ImageFormatException if they are in none of the formats, damaged or too large
    */
   public static Image decode(byte[] file) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
@@ -65,9 +64,10 @@ public final class LinearReader {
   }
 
   /**
-   * Returns memory for a picture whose size is within the limits.
+   * Returns an array for a picture whose size is within the limits.
    *
-   * @throws ImageFormatException if the heap has none, before it is allocated
+   * @throws ImageFormatException if the picture does not fit into the heap; nothing is allocated
+   *     then
    */
   static float[] raster(int width, int height, int channels) throws ImageFormatException {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();

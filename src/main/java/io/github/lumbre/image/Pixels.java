@@ -9,11 +9,12 @@ import java.awt.image.Raster;
 import java.util.Objects;
 
 /**
- * A decoded picture file: the encoded channel values as the file has them, 8 or 16 bits each, row 0
- * at the top. Whether they are sRGB or data is not known here. Alpha is not accessible.
+ * A decoded picture file: the encoded channel values of the file, 8 or 16 bits each, row 0 at the
+ * top. It does not record whether they are sRGB or linear data. Alpha is not accessible.
  *
- * <p>Immutable and safe for use by any thread, as long as nobody changes the arrays it was made of.
- * It takes at most 4 bytes a texel for 8 bits and 8 for 16.
+ * <p>Immutable and safe for use by any thread, as long as nobody changes the arrays from which it
+ * was created. It takes at most 4 bytes per pixel with 8 bits per channel, and at most 8 with 16
+ * bits.
  */
 public final class Pixels {
   private static final byte[] NO_BYTES = {};
@@ -44,24 +45,24 @@ public final class Pixels {
   }
 
   /**
-   * Returns the picture of 8-bit values, which are shared with the caller.
+   * Returns a picture of 8-bit values. The array is shared with the caller.
    *
-   * @param channels 1 for grey or 3 for red, green and blue
-   * @param values row by row from the top, channel after channel in each texel
-   * @throws IllegalArgumentException if the sizes do not fit together
+   * @param channels 1 for gray, or 3 for red, green and blue
+   * @param values row by row from the top; the channels of a pixel are adjacent
+   * @throws IllegalArgumentException if the sizes are inconsistent
    */
   public static Pixels of(int width, int height, int channels, byte[] values) {
     check(width, height, channels, values.length);
     return new Pixels(width, height, values, NO_SHORTS, channels, natural(channels));
   }
 
-  /** Returns the picture of 16-bit values; see {@link #of(int, int, int, byte[])}. */
+  /** Returns a picture of 16-bit values; see {@link #of(int, int, int, byte[])}. */
   public static Pixels of(int width, int height, int channels, short[] values) {
     check(width, height, channels, values.length);
     return new Pixels(width, height, NO_BYTES, values, channels, natural(channels));
   }
 
-  /** Returns the values of a decoded picture, without copying them where that is possible. */
+  /** Returns the values of a decoded picture, without copying them if possible. */
   static Pixels of(BufferedImage picture) {
     Raster raster = picture.getRaster();
     if (picture.getColorModel() instanceof IndexColorModel palette) {
@@ -108,7 +109,7 @@ public final class Pixels {
     }
     if (values != (long) width * height * channels) {
       throw new IllegalArgumentException(
-          "values: expected %dx%dx%d of them, found %d".formatted(width, height, channels, values));
+          "values: expected %dx%dx%d values, found %d".formatted(width, height, channels, values));
     }
   }
 
@@ -132,9 +133,9 @@ public final class Pixels {
   /**
    * Returns an encoded value from 0 to {@link #max}.
    *
-   * @param x the column, counted from the left
-   * @param y the row, counted from the top
-   * @param channel 0 red, 1 green, 2 blue; in a grey picture all are the same
+   * @param x column from the left, from 0
+   * @param y row from the top, from 0
+   * @param channel 0 for red, 1 for green, 2 for blue; in a gray picture all are equal
    */
   public int raw(int x, int y, int channel) {
     int offset = channel == 0 ? red : channel == 1 ? green : blue;

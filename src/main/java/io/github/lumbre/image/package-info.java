@@ -1,18 +1,17 @@
 /**
- * Linear colour, pictures, transfer curves and picture files.
+ * Linear colors, pictures, transfer curves and picture files.
  *
- * <p>{@link io.github.lumbre.image.Rgb} is a colour or a radiance, {@link
- * io.github.lumbre.image.Image} a raster of them. Inside the program all values are linear light;
- * the sRGB curve exists only at the edge, where files are read and written.
+ * <p>{@link io.github.lumbre.image.Rgb} is a color or a radiance, and {@link
+ * io.github.lumbre.image.Image} is a raster of them. Inside the program all values are linear; the
+ * sRGB curve is applied only when files are read or written.
  *
- * <p>The way out: {@link io.github.lumbre.image.ImageWriter} brings a picture into an {@link
- * io.github.lumbre.file.OutputFile}, with {@link io.github.lumbre.image.Exposure} and {@link
- * io.github.lumbre.image.ToneCurve} if the format is for the screen. The way in: {@link
- * io.github.lumbre.image.ImageReader} decodes files of unknown origin to {@link
- * io.github.lumbre.image.Pixels}, {@link io.github.lumbre.image.LinearReader} those and the
- * program's own to linear light. Rows are counted from the top, but for the inside of PFM files.
+ * <p>For output, {@link io.github.lumbre.image.ImageWriter} writes a picture to an {@link
+ * io.github.lumbre.file.OutputFile}. In formats for display it applies {@link
+ * io.github.lumbre.image.Exposure} and {@link io.github.lumbre.image.ToneCurve}. For input, {@link
+ * io.github.lumbre.image.ImageReader} decodes untrusted files to {@link
+ * io.github.lumbre.image.Pixels}, and {@link io.github.lumbre.image.LinearReader} decodes all
+ * supported formats to linear light. Rows are counted from the top, except inside PFM files.
  *
- * <p>All public types but OutputFile are immutable or without state, and safe for use by any
- * thread.
+ * <p>All public types are immutable or stateless, and safe for use by any thread.
  */
 package io.github.lumbre.image;

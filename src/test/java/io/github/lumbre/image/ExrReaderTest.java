@@ -199,7 +199,7 @@ class ExrReaderTest {
     header.putInt(window, Integer.MIN_VALUE).putInt(window + 8, Integer.MAX_VALUE);
     assertRefused(parts.file(), "the picture has 2147483647x1 pixels");
     header.putInt(window, 1).putInt(window + 8, 0);
-    assertRefused(parts.file(), "its window ends before it begins");
+    assertRefused(parts.file(), "the data window ends before it begins");
   }
 
   @Test
