@@ -27,7 +27,7 @@ public record Forecast(double least, double most) {
     return new Forecast(samples * Elementary.pow(excess, 1 / SMOOTH), samples * excess);
   }
 
-  /** Returns the geometric mean of the two numbers: the most likely one. */
+  /** Returns the geometric mean of the two numbers, as the likely value. */
   public double likely() {
     return Math.sqrt(least * most);
   }

@@ -142,10 +142,10 @@ class ExrReaderTest {
     Image image = ImageFixture.random(6, 32, false);
     Parts twice = new Parts(image, 3, 16);
     twice.blocks.set(1, twice.blocks.get(0));
-    assertRefused(twice.file(), "one for each 16 lines");
+    assertRefused(twice.file(), "one block for every 16 lines");
     Parts moved = new Parts(image, 3, 16);
     little(moved.blocks.get(1)).putInt(0, 15);
-    assertRefused(moved.file(), "one for each 16 lines");
+    assertRefused(moved.file(), "one block for every 16 lines");
     Parts outside = new Parts(image, 3, 16);
     little(outside.blocks.get(1)).putInt(0, 32);
     assertRefused(outside.file(), "damaged or ends too early");
