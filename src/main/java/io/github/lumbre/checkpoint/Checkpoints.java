@@ -23,6 +23,8 @@ public final class Checkpoints {
   private Optional<Film> copy = Optional.empty();
 
   /**
+   * Creates a scheduler whose first save is due after one interval.
+   *
    * @param interval time between the starts of two saves
    * @param copies whether there is memory for a second film; if not, rendering waits for each save
    */

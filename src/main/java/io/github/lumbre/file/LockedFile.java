@@ -111,7 +111,9 @@ final class LockedFile implements Closeable {
     }
   }
 
-  /** Returns the error text for a file system that refuses locks. */
+  /**
+   * Returns the reason of a file system error; "permission denied" if the exception states none.
+   */
   static String reason(FileSystemException e) {
     return e.getReason() == null ? "permission denied" : e.getReason();
   }

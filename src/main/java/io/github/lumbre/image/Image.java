@@ -18,6 +18,8 @@ public final class Image {
   private final float[] alpha;
 
   /**
+   * Creates a picture from its rasters, which are not copied.
+   *
    * @param width in pixels, at least 1
    * @param height in pixels, at least 1
    * @param rgb three values per pixel, row by row

@@ -52,6 +52,8 @@ public final class PathTracer implements Integrator {
   private final boolean hasAmbient;
 
   /**
+   * Creates a path tracer with the default options.
+   *
    * @param maxDepth the largest number of scattering vertices of a path, at least 0: with 0 only
    *     emitters are visible, with 1 also direct light
    */

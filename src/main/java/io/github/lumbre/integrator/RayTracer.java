@@ -41,6 +41,8 @@ public final class RayTracer implements Integrator {
   private final int maxRefractions;
 
   /**
+   * Creates a ray tracer.
+   *
    * @param maxReflections the largest number of mirror reflections along a path, at least 0
    * @param maxRefractions the largest number of glass surfaces along a path, at least 0
    */

@@ -15,6 +15,8 @@ public final class SpotLight implements Light {
   private final double sinOuter;
 
   /**
+   * Creates a spotlight.
+   *
    * @param source the point light without the cone
    * @param axis unit axis of the cone, the direction in which the light travels, in world space
    * @param halfAngleDegrees half angle of the cone in degrees, in (0, 90]

@@ -24,6 +24,8 @@ public final class Distribution1d {
   private final double mean;
 
   /**
+   * Creates a distribution.
+   *
    * @param weights at least one value; each finite and ≥ 0; if all are 0, the distribution is
    *     uniform
    * @throws IllegalArgumentException if there are no weights, or one is negative or not finite

@@ -13,7 +13,10 @@ public final class Distribution2d {
   private final Distribution1d[] columns;
 
   /**
-   * @param weights {@code [row][column]}, row 0 at y = 0; each finite and ≥ 0
+   * Creates a distribution over a grid.
+   *
+   * @param weights {@code [row][column]}, row 0 at y = 0; each finite and ≥ 0; if all are 0, the
+   *     distribution is uniform
    */
   public Distribution2d(double[][] weights) {
     columns = new Distribution1d[weights.length];

@@ -13,7 +13,9 @@ public final class IndependentSampler implements Sampler {
   private long sampleKey;
 
   /**
-   * @param seed any number; different seeds give different numbers
+   * Creates a sampler.
+   *
+   * @param seed any number; different seeds give different random numbers
    */
   public IndependentSampler(long seed) {
     seedKey = Hash.mix(seed + 0x9e3779b97f4a7c15L);
