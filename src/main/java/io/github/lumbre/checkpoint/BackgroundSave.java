@@ -3,7 +3,10 @@ package io.github.lumbre.checkpoint;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 
-/** A save in a thread of its own, which ends with it. For the thread that started it. */
+/**
+ * A save in a background thread, which ends when the save has ended. Used by the thread that
+ * started it.
+ */
 final class BackgroundSave {
   private final FutureTask<Void> task;
   private final Thread thread;
@@ -27,9 +30,10 @@ final class BackgroundSave {
   }
 
   /**
-   * Returns when it has ended; an interruption is kept for later.
+   * Waits until the save has ended. If the calling thread is interrupted meanwhile, its interrupt
+   * status is set on return.
    *
-   * @throws IllegalStateException if it ended by an exception
+   * @throws IllegalStateException if the save threw an exception
    */
   void await() {
     boolean interrupted = false;

@@ -12,10 +12,10 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Where a running render keeps its film: each save replaces the one before, which stays beside it
- * with the ending {@code .bak}. Whenever the program ends, one of the two is complete. Reserved
- * from the start, so that two renders cannot keep their films in one file. Mutable, for one thread
- * at a time.
+ * The checkpoint file to which a running render saves its film. Each save replaces the previous
+ * one, which is kept beside it with the suffix {@code .bak}. At every moment, one of the two files
+ * is complete. The file is reserved from the start, so that two renders cannot save to the same
+ * file. Mutable, for one thread at a time.
  */
 public final class CheckpointFile implements Closeable {
   private final Disk disk;
@@ -37,10 +37,10 @@ public final class CheckpointFile implements Closeable {
   }
 
   /**
-   * Reserves a file.
+   * Reserves a checkpoint file.
    *
-   * @throws IOException with a message for the user, if it cannot be written or another render has
-   *     reserved it
+   * @throws IOException with a message for the user, if the file cannot be written or another
+   *     render has reserved it
    */
   public static CheckpointFile reserve(Path path) throws IOException {
     return reserve(path, Disk.REAL);
@@ -55,10 +55,10 @@ public final class CheckpointFile implements Closeable {
   }
 
   /**
-   * Saves a film: when this returns, it is on the disk.
+   * Saves a film. When this method returns, the film is on the disk.
    *
-   * @throws IOException if that fails; what was saved before is still there, under its name or that
-   *     of the previous one
+   * @throws IOException if the film cannot be saved; the previous save still exists, in the file or
+   *     in the {@code .bak} file
    */
   public void save(FilmFile film) throws IOException {
     if (!isOpen) {
@@ -72,7 +72,7 @@ public final class CheckpointFile implements Closeable {
     isOpen = true;
   }
 
-  /** Gives the file free; what was saved stays. */
+  /** Releases the reservation. Saved films stay. */
   @Override
   public void close() throws IOException {
     try (reservation) {
@@ -81,17 +81,19 @@ public final class CheckpointFile implements Closeable {
   }
 
   /**
-   * A film that was read.
+   * A film that was read from a checkpoint file.
    *
-   * @param from the file it was read from: the requested one, or the previous one
-   * @param problem why the requested file was not used; empty if it was
+   * @param file the film with its header
+   * @param from the file from which the film was read: the requested file, or its {@code .bak} file
+   * @param problem why the requested file was not used; empty if it was used
    */
   public record Loaded(FilmFile file, Path from, Optional<String> problem) {}
 
   /**
-   * Reads a film, or if that cannot be, the one saved before it.
+   * Reads a film from a checkpoint file, or from its {@code .bak} file if the first is missing or
+   * damaged.
    *
-   * @throws IOException what was wrong with the first, if the second cannot be read either
+   * @throws IOException with the problem of the first file, if neither can be read
    */
   public static Loaded load(Path path) throws IOException {
     Path previous = OutputFile.previous(path);
@@ -110,7 +112,8 @@ public final class CheckpointFile implements Closeable {
     try {
       return FilmFile.read(previous);
     } catch (IOException e) {
-      throw new FilmFormatException(problem + "; nor can " + previous + " be used: " + reason(e));
+      throw new FilmFormatException(
+          problem + "; " + previous + " cannot be used either: " + reason(e));
     }
   }
 

@@ -7,12 +7,13 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Saves the film of a running render: once in an interval. A pass over the film is cancelled for it
- * wherever it is, and made up for by the next, so that long passes do not put it off. Rendering
- * waits until the film is copied, and continues while another thread saves the copy. There is one
- * save at a time: if one takes longer than the interval, the next begins when it has ended.
+ * Saves the film of a running render at regular intervals. When a save is due, the current pass
+ * over the film is canceled, so that long passes do not delay the save; the next pass completes it.
+ * Rendering pauses while the film is copied, and continues while another thread saves the copy.
+ * Saves never overlap: if one takes longer than the interval, the next starts when it has ended.
  *
- * <p>{@link #pausing} is for the render's threads, all else for the one that starts their passes.
+ * <p>The result of {@link #pausing} may be used by all threads of the render. All methods are for
+ * the thread that starts its passes.
  */
 public final class Checkpoints {
   private final long intervalNanos;
@@ -22,6 +23,9 @@ public final class Checkpoints {
   private Optional<Film> copy = Optional.empty();
 
   /**
+   * Creates a scheduler whose first save is due after one interval.
+   *
+   * @param interval time between the starts of two saves
    * @param copies whether there is memory for a second film; if not, rendering waits for each save
    */
   public Checkpoints(Duration interval, boolean copies) {
@@ -30,7 +34,10 @@ public final class Checkpoints {
     next = System.nanoTime() + intervalNanos;
   }
 
-  /** Returns a listener that cancels a pass when the film is to be saved, or the other does. */
+  /**
+   * Returns a listener that cancels a pass when a save is due or when the given listener cancels
+   * it.
+   */
   public Progress pausing(Progress listener) {
     return listener.cancelledAlsoIf(this::isDue);
   }
@@ -40,11 +47,11 @@ public final class Checkpoints {
   }
 
   /**
-   * Saves a film if the interval is over; called between passes.
+   * Saves a film if a save is due; called between passes.
    *
-   * @param saver saves the film it is given, which nobody changes meanwhile; called in one thread
-   *     at a time
-   * @throws IllegalStateException if the save before ended by an exception
+   * @param saver saves the film that it receives, which does not change meanwhile; never called by
+   *     two threads at the same time
+   * @throws IllegalStateException if the previous save threw an exception
    */
   public void saveIfDue(Film film, Consumer<Film> saver) {
     if (!isDue()) {
@@ -70,11 +77,11 @@ public final class Checkpoints {
   }
 
   /**
-   * Saves a film now, after the save that is running, if one is.
+   * Saves a film now, after any running save has ended.
    *
-   * @param saver saves the film it is given
-   * @throws IllegalStateException if the save before ended by an exception; this one is done all
-   *     the same
+   * @param saver saves the film that it receives
+   * @throws IllegalStateException if the previous save threw an exception; this film is saved
+   *     nevertheless
    */
   public void saveLast(Film film, Consumer<Film> saver) {
     try {

@@ -18,8 +18,11 @@ import java.util.Objects;
 import java.util.zip.CRC32C;
 
 /**
- * A film and what it is of, as kept in a file: header, pixels, checksum; docs/film-format.md
- * describes the bytes. Shares the film.
+ * A film with its header, as stored in a checkpoint file: header, pixels, checksum.
+ * docs/film-format.md describes the bytes. The film is not copied.
+ *
+ * @param header what the film's samples depend on, and which samples it has
+ * @param film the sums of the samples
  */
 public record FilmFile(FilmHeader header, Film film) {
   private static final int BUFFER_BYTES = 1 << 16;
@@ -32,12 +35,12 @@ public record FilmFile(FilmHeader header, Film film) {
   }
 
   /**
-   * Returns what a render has so far.
+   * Returns the film file of a running render.
    *
    * @param identity see {@link FilmHeader#identity(String, RenderSettings)}
-   * @param film whose own numbers of samples are correct
+   * @param film film of one render, whose numbers of samples become the header's only part
    * @param notes see {@link FilmHeader#notes}
-   * @param statistics of all samples that it has
+   * @param statistics statistics of all samples of the film
    */
   public static FilmFile of(
       Map<String, String> identity,
@@ -49,7 +52,7 @@ public record FilmFile(FilmHeader header, Film film) {
         new FilmHeader(identity, film.hasAlpha(), film.window(), parts, statistics, notes), film);
   }
 
-  /** Writes this from the start of a reserved file, which is not committed. */
+  /** Writes this film file to a reserved file, from its start. Does not commit the file. */
   @SuppressWarnings("exports") // internal
   public void write(OutputFile output) throws IOException {
     output.restart();
@@ -75,10 +78,10 @@ public record FilmFile(FilmHeader header, Film film) {
   }
 
   /**
-   * Reads a film. The checksum is verified before anything else is believed.
+   * Reads a film from a file. The checksum is verified before the content is parsed.
    *
-   * @throws FilmFormatException if the file is no film, or is damaged
-   * @throws IOException if it cannot be read
+   * @throws FilmFormatException if the file is not a film, or is damaged
+   * @throws IOException if the file cannot be read
    */
   public static FilmFile read(Path path) throws IOException {
     try (FileChannel channel = FileChannel.open(path)) {
@@ -90,7 +93,7 @@ public record FilmFile(FilmHeader header, Film film) {
     }
   }
 
-  /** Returns where the checksum begins, which is that of all before it. */
+  /** Verifies the checksum, which covers all bytes before it. Returns its position. */
   private static long verify(FileChannel channel) throws IOException {
     requireMagic(channel);
     long end = channel.size() - CHECKSUM_BYTES;
@@ -112,12 +115,12 @@ public record FilmFile(FilmHeader header, Film film) {
       continue;
     }
     if (buffer.hasRemaining() || buffer.flip().getInt() != (int) checksum.getValue()) {
-      throw new FilmFormatException("is damaged: its checksum is not that of its content");
+      throw new FilmFormatException("is damaged: the checksum does not match the content");
     }
     return end;
   }
 
-  /** Returns whether a file is a film, of any version, by its first bytes. */
+  /** Returns whether a file is a film of any format version, given its first bytes. */
   public static boolean startsIn(byte[] start) {
     return new String(start, StandardCharsets.ISO_8859_1).startsWith(HeaderText.MAGIC);
   }
@@ -136,7 +139,7 @@ public record FilmFile(FilmHeader header, Film film) {
     return ByteBuffer.allocate(bytes).order(ByteOrder.LITTLE_ENDIAN);
   }
 
-  /** What comes before the checksum. */
+  /** The input before the checksum: header and pixels. */
   private static final class Input {
     private final FileChannel channel;
     private final ByteBuffer buffer = ByteBuffer.allocate(BUFFER_BYTES).limit(0);
@@ -147,7 +150,7 @@ public record FilmFile(FilmHeader header, Film film) {
       left = bytes;
     }
 
-    /** Moves on in the file, until the buffer is full or nothing is left. */
+    /** Reads from the file until the buffer is full or nothing is left. */
     private void fill() throws IOException {
       buffer.compact().limit((int) Math.min(buffer.capacity(), buffer.position() + left));
       while (buffer.hasRemaining()) {
@@ -177,7 +180,7 @@ public record FilmFile(FilmHeader header, Film film) {
         text.write(next);
         last = next;
       }
-      throw new FilmFormatException("has no end of its header");
+      throw new FilmFormatException("is damaged: the header does not end in an empty line");
     }
 
     private static FilmHeader parsed(String text) throws FilmFormatException {
@@ -192,7 +195,7 @@ public record FilmFile(FilmHeader header, Film film) {
     Film film(FilmHeader header) throws IOException {
       long pixels = (long) header.window().width() * header.window().height();
       if (left + buffer.remaining() < pixels) {
-        throw new FilmFormatException("has less than a byte for each pixel of its window");
+        throw new FilmFormatException("is damaged: it has fewer bytes than its window has pixels");
       }
       int first = header.parts().stream().mapToInt(FilmPart::first).min().orElse(0);
       Film film = new Film(header.window(), header.hasAlpha(), first);
@@ -207,7 +210,7 @@ public record FilmFile(FilmHeader header, Film film) {
         }
       }
       if (left + buffer.remaining() != 0) {
-        throw new FilmFormatException("continues after its last pixel");
+        throw new FilmFormatException("is damaged: there are extra bytes after the last pixel");
       }
       return film;
     }

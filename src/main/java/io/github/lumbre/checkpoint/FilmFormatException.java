@@ -2,7 +2,10 @@ package io.github.lumbre.checkpoint;
 
 import java.io.IOException;
 
-/** A file that is not a checkpoint file, or a damaged one. The message does not have its name. */
+/**
+ * Thrown when a file is not a checkpoint file, or is damaged. The message does not contain the
+ * file's name.
+ */
 public final class FilmFormatException extends IOException {
   private static final long serialVersionUID = 1;
 

@@ -16,16 +16,16 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What a film is of.
+ * The header of a film: the scene and settings of its samples, and which samples it has.
  *
- * @param identity what samples depend on, texts by name: films that agree in all of it are of the
- *     same picture, and their samples may be added
+ * @param identity everything on which the samples depend, as texts by name. Films with equal
+ *     identities belong to the same picture, and their samples may be added
  * @param hasAlpha whether the film counts the samples that cover each pixel
- * @param window the part of the full frame
- * @param parts which samples the film has, without overlaps; usually one
- * @param faults of its samples that count as black or are cut, and where the first are; nothing
- *     else
- * @param notes what else there is to know, texts by name, such as the scene's path
+ * @param window the film's window in the full frame
+ * @param parts the samples of the film, in parts that do not overlap; usually one part
+ * @param faults numbers of rejected and of saturated samples, and the positions of the first
+ *     rejected ones; all other statistics are dropped
+ * @param notes further information, as texts by name, such as the path of the scene
  */
 public record FilmHeader(
     Map<String, String> identity,
@@ -34,12 +34,15 @@ public record FilmHeader(
     List<FilmPart> parts,
     RenderStatistics faults,
     Map<String, String> notes) {
-  /** Name in the identity: SHA-256 of the scene and of every file that it uses. */
+  /** Name in the identity: SHA-256 hash of the scene and of every file that it uses. */
   public static final String SCENE_HASH = "scene-hash";
 
   public static final String MODE = "mode";
 
-  /** Name in the identity: one number for path tracing; mirrors and glass for ray tracing. */
+  /**
+   * Name in the identity: the trace depth. One number for path tracing; two numbers, reflections
+   * and refractions, for ray tracing.
+   */
   public static final String DEPTH = "depth";
 
   public static final String SEED = "seed";
@@ -52,7 +55,7 @@ public record FilmHeader(
 
   private static final String NOTHING = "nothing";
 
-  /** Settings that every identity states in lines of their own form. */
+  /** The settings that every identity contains in an entry with its own format. */
   private static final Set<Setting<?>> COMBINED =
       Set.of(
           Setting.MODE,
@@ -71,7 +74,7 @@ public record FilmHeader(
     faults = faults.faults();
   }
 
-  /** Returns what the samples of a scene, rendered by such settings, depend on. */
+  /** Returns the identity of a render: everything on which its samples depend. */
   public static Map<String, String> identity(String sceneHash, RenderSettings settings) {
     Map<String, String> identity = new LinkedHashMap<>();
     identity.put(SCENE_HASH, sceneHash);
@@ -91,8 +94,8 @@ public record FilmHeader(
   }
 
   /**
-   * Returns the settings that stand in an identity under their own names, unless they have their
-   * default.
+   * Returns the settings that an identity contains under their own names, unless they have their
+   * default values.
    */
   public static List<Setting<?>> named() {
     return Setting.all().stream()
@@ -100,7 +103,9 @@ public record FilmHeader(
         .toList();
   }
 
-  /** Returns what a name stands for that an identity lacks. */
+  /**
+   * Returns the value of a name that an identity lacks: the default of the setting, or "nothing".
+   */
   private static String missing(String name) {
     return named().stream()
         .filter(setting -> setting.name().equals(name))
@@ -109,7 +114,7 @@ public record FilmHeader(
         .orElse(NOTHING);
   }
 
-  /** Returns a value for people, who do not read all digits of a hash. */
+  /** Returns a value for messages, with long hashes shortened. */
   private static String shown(String value) {
     return value.length() == 64 ? value.substring(0, 12) + "…" : value;
   }
@@ -121,17 +126,17 @@ public record FilmHeader(
     };
   }
 
-  /** Returns the header of a film of other parts. */
+  /** Returns the same header with another window, other parts and other faults. */
   FilmHeader withParts(Crop newWindow, List<FilmPart> newParts, RenderStatistics newFaults) {
     return new FilmHeader(identity, hasAlpha, newWindow, newParts, newFaults, notes);
   }
 
   /**
-   * Passes if another identity is the same.
+   * Requires that another identity equals this one.
    *
-   * @param here what this header belongs to, for the message
-   * @param there what the other belongs to
-   * @throws FilmMismatchException naming all that differs
+   * @param here name of the owner of this header, for the message
+   * @param there name of the owner of the other identity
+   * @throws FilmMismatchException if they differ, with all differences in the message
    */
   public void requireSame(Map<String, String> other, String here, String there)
       throws FilmMismatchException {

@@ -8,19 +8,22 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
-/** Joins films of one picture, rendered at different places, to the bits of one render. */
+/**
+ * Merges films of one picture that were rendered separately; the result is bit-identical to a
+ * single render.
+ */
 public final class FilmMerge {
   private FilmMerge() {}
 
-  /** A film and the name it has for people. */
+  /** A film and its name for messages. */
   public record Named(String name, FilmFile file) {}
 
   /**
-   * Returns the film of all samples.
+   * Returns the merged film with the samples of all films.
    *
    * @param films at least one
-   * @throws FilmMismatchException if they are of different scenes or settings, or if two may have
-   *     the same sample
+   * @throws FilmMismatchException if the films have different scenes or settings, or if two of them
+   *     may have a sample in common
    */
   public static FilmFile of(List<Named> films) throws FilmMismatchException {
     Named first = films.get(0);
@@ -36,7 +39,8 @@ public final class FilmMerge {
     List<FilmPart> joined = joined(parts);
     int firstSample = joined.stream().mapToInt(FilmPart::first).min().orElse(0);
     Film sum = new Film(window, header.hasAlpha(), firstSample);
-    // In the order of their samples, so that the halves of the pixels stay known where they can.
+    // Add the films in the order of their samples, which keeps the halves of the pixels known if
+    // possible.
     films.stream()
         .map(film -> film.file().film())
         .sorted(Comparator.comparingInt(Film::firstSample))
@@ -71,7 +75,7 @@ public final class FilmMerge {
   }
 
   /**
-   * Joins parts, two at a time: those with consecutive samples before those with adjacent windows.
+   * Joins parts in pairs, first those with consecutive samples, then those with adjacent windows.
    */
   private static List<FilmPart> joined(List<FilmPart> parts) {
     List<FilmPart> result = new ArrayList<>(parts);

@@ -1,6 +1,9 @@
 package io.github.lumbre.checkpoint;
 
-/** Films, or a film and a scene, that do not belong together; the message names what differs. */
+/**
+ * Thrown when films, or a film and a scene, do not belong to the same picture; the message states
+ * what differs.
+ */
 public final class FilmMismatchException extends Exception {
   private static final long serialVersionUID = 1;
 

@@ -6,12 +6,13 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Which samples a film has: each pixel of a window has those of consecutive numbers from the first
- * on.
+ * A set of samples of a film: each pixel of a window has samples with consecutive numbers from the
+ * first on.
  *
- * @param first number of each pixel's first sample
- * @param fewest samples that a pixel has
- * @param most samples that a pixel has
+ * @param window window in the full frame
+ * @param first number of each pixel's first sample, at least 0
+ * @param fewest smallest number of samples of a pixel
+ * @param most largest number of samples of a pixel
  */
 public record FilmPart(Crop window, int first, int fewest, int most) {
   public FilmPart {
@@ -22,18 +23,18 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
     }
   }
 
-  /** Returns what a film has that was rendered at one place. */
+  /** Returns the samples of a film that was not merged. */
   public static FilmPart of(Film film) {
     return new FilmPart(
         film.window(), film.firstSample(), film.fewestSamples(), film.mostSamples());
   }
 
-  /** Returns the number after that of the last sample of the pixel with the most. */
+  /** Returns the number after the last sample, in the pixel with the most samples. */
   public int end() {
     return first + most;
   }
 
-  /** Returns whether there may be a sample that both have. */
+  /** Returns whether the two parts may have a sample in common. */
   boolean overlaps(FilmPart o) {
     return first < o.end()
         && o.first < end()
@@ -43,10 +44,13 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
         && o.window.y() < window.y() + window.height();
   }
 
-  /** Returns both as one, if that is a part: one continues where the other ends. */
+  /**
+   * Returns the union of the two parts if it is a part: the other part must continue where this one
+   * ends, in samples or in pixels.
+   */
   Optional<FilmPart> joined(FilmPart o) {
     if (window.equals(o.window)) {
-      // All pixels must be as far as the other part begins.
+      // All pixels of this part must end where the other part begins.
       return fewest == most && end() == o.first
           ? Optional.of(new FilmPart(window, first, most + o.fewest, most + o.most))
           : Optional.empty();
@@ -59,7 +63,7 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
             hull(window, o.window), first, Math.min(fewest, o.fewest), Math.max(most, o.most)));
   }
 
-  /** Returns whether the other window lies just right of this one or just below. */
+  /** Returns whether the other window is directly to the right of this one or directly below it. */
   private boolean continues(FilmPart o) {
     boolean right =
         window.y() == o.window.y()
@@ -72,7 +76,7 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
     return right || below;
   }
 
-  /** Returns the smallest window that holds both. */
+  /** Returns the smallest window that contains both. */
   static Crop hull(Crop a, Crop b) {
     int x = Math.min(a.x(), b.x());
     int y = Math.min(a.y(), b.y());

@@ -12,9 +12,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** A film's header as lines of text; docs/film-format.md describes them. */
+/** Writes and parses a film's header as lines of text, which docs/film-format.md describes. */
 final class HeaderText {
-  /** The version of the format that is written, and the only one that is read. */
+  /** The first word of every film file. */
   static final String MAGIC = "LUMBRE-FILM";
 
   static final String VERSION = "1";
@@ -33,7 +33,7 @@ final class HeaderText {
 
   private HeaderText() {}
 
-  /** Returns the lines, each ended, and the empty one after them. */
+  /** Returns the lines, each with a line feed, and the empty line that ends the header. */
   static String of(FilmHeader header) {
     StringBuilder text = new StringBuilder(MAGIC + " " + VERSION + "\n");
     header.identity().forEach((name, value) -> line(text, name, value));
@@ -81,9 +81,9 @@ final class HeaderText {
   }
 
   /**
-   * Reads lines without the empty one.
+   * Parses the lines of a header, without the empty line at its end.
    *
-   * @throws FilmFormatException if they are no header
+   * @throws FilmFormatException if the text is not a header
    */
   static FilmHeader parse(String text) throws FilmFormatException {
     Map<String, String> identity = new LinkedHashMap<>();
@@ -107,14 +107,14 @@ final class HeaderText {
     }
     String pixel = String.valueOf(identity.remove("pixel"));
     if (!pixel.equals(WITH_ALPHA) && !pixel.equals(WITHOUT_ALPHA)) {
-      throw new FilmFormatException("pixel: '" + pixel + "' is not known to this version");
+      throw new FilmFormatException("pixel: unknown layout '" + pixel + "'");
     }
     Crop window = valid("window", String.valueOf(identity.remove("window")), HeaderText::window);
     RenderStatistics faults = faults(identity);
     return new FilmHeader(identity, pixel.equals(WITH_ALPHA), window, parts, faults, notes);
   }
 
-  /** Removes the faults from the values; a missing one is 0. */
+  /** Removes the faults from the values and returns them; missing ones are 0. */
   private static RenderStatistics faults(Map<String, String> values) throws FilmFormatException {
     long rejected = count(REJECTED, values.remove(REJECTED));
     String first = values.remove(FIRST_REJECTED);
@@ -148,7 +148,7 @@ final class HeaderText {
     try {
       return reader.apply(value);
     } catch (IllegalArgumentException e) {
-      throw new FilmFormatException(name + ": unexpected '" + value + "'");
+      throw new FilmFormatException(name + ": invalid value '" + value + "'");
     }
   }
 

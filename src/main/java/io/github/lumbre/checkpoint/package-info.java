@@ -1,11 +1,12 @@
 /**
- * Films in files: kept while a render runs, continued, joined and developed afterwards.
+ * Checkpoint files: films that are saved while a render runs, and resumed, merged or developed
+ * afterwards.
  *
  * <p>A {@link io.github.lumbre.checkpoint.FilmFile} is a film with a {@link
- * io.github.lumbre.checkpoint.FilmHeader} that states what its samples depend on;
- * docs/film-format.md describes its bytes. A {@link io.github.lumbre.checkpoint.CheckpointFile} is
- * where a running render saves it again and again, and {@link
- * io.github.lumbre.checkpoint.Checkpoints} says when. A {@link
- * io.github.lumbre.checkpoint.FilmMerge} joins films of one picture.
+ * io.github.lumbre.checkpoint.FilmHeader} that states everything on which its samples depend;
+ * docs/film-format.md describes its bytes. A running render saves its film to a {@link
+ * io.github.lumbre.checkpoint.CheckpointFile}, at the intervals that {@link
+ * io.github.lumbre.checkpoint.Checkpoints} controls. {@link io.github.lumbre.checkpoint.FilmMerge}
+ * merges films of one picture.
  */
 package io.github.lumbre.checkpoint;

@@ -10,24 +10,24 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * What an {@link OutputFile} does to the disk, a step a method: so that each of them can be made to
+ * The disk operations of an {@link OutputFile}, one per method, so that tests can make each of them
  * fail.
  */
 public interface Disk {
-  /** The disk itself. */
+  /** The real disk. */
   Disk REAL = new Disk() {};
 
-  /** Writes bytes of a buffer at a channel's position: at least one, if there are any. */
+  /** Writes bytes of a buffer at a channel's position: at least one if the buffer is not empty. */
   default void write(FileChannel channel, ByteBuffer buffer) throws IOException {
     channel.write(buffer);
   }
 
-  /** Returns when all that was written to a channel is on the disk. */
+  /** Forces all data written to a channel to the disk before it returns. */
   default void force(FileChannel channel) throws IOException {
     channel.force(true);
   }
 
-  /** Gives a file another name, in one step where that is possible; replaces what has that name. */
+  /** Renames a file, atomically if possible, and replaces any file with the new name. */
   default void move(Path from, Path to) throws IOException {
     try {
       Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
@@ -36,12 +36,12 @@ public interface Disk {
     }
   }
 
-  /** Forces the names of a directory to the disk, on systems that support it. */
+  /** Forces the entries of a directory to the disk, on systems that support it. */
   default void forceDirectory(Path directory) {
     try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
       channel.force(true);
     } catch (IOException e) {
-      // Windows cannot open directories; there the file system keeps names by itself.
+      // Windows cannot open directories. There the file system itself keeps their entries safe.
       return;
     }
   }

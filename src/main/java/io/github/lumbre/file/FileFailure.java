@@ -11,9 +11,9 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.Locale;
 
-/** Why a file could not be read or written, in words. */
+/** Describes in words why a file could not be read or written. */
 public final class FileFailure {
-  /** What to do where a locale lacks letters. */
+  /** The remedy if the locale's encoding cannot express a file name. */
   public static final String REMEDY = "set the environment variable LC_ALL to C.UTF-8";
 
   private FileFailure() {}
@@ -33,21 +33,21 @@ public final class FileFailure {
       return "not a directory";
     }
     if (e instanceof FileSystemLoopException) {
-      return "symbolic links lead in a circle";
+      return "symbolic links form a loop";
     }
     if (e instanceof CharacterCodingException) {
-      return "not a text in UTF-8";
+      return "not UTF-8 text";
     }
     String message = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
     if (message == null || message.isEmpty()) {
-      return "the system gives no reason (" + e.getClass().getSimpleName() + ")";
+      return "the system reports no reason (" + e.getClass().getSimpleName() + ")";
     }
     return begunSmall(message);
   }
 
   /**
-   * Returns why a text is no path. Java takes the encoding of file names from the locale; without
-   * one it is ASCII, which cannot express other letters.
+   * Returns why a text is not a path. Java takes the encoding of file names from the locale.
+   * Without a locale it is ASCII, which has no other letters.
    */
   public static String reason(InvalidPathException e) {
     String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
@@ -57,12 +57,15 @@ public final class FileFailure {
             && e.getInput().indexOf('\ufffd') < 0;
     return isEncodable
         ? begunSmall(e.getReason())
-        : "the locale's encoding of file names, " + encoding + ", lacks letters of it; " + REMEDY;
+        : "the locale's encoding, " + encoding + ", cannot express this name; " + REMEDY;
   }
 
-  /** Returns the system's own words, such as "Is a directory", as the rest of a sentence. */
+  /**
+   * Returns the system's message, such as "Is a directory", with a lowercase first letter, so that
+   * it can continue a sentence.
+   */
   private static String begunSmall(String message) {
-    // Not "OpenEXR" or "PNG".
+    // Keep names such as "OpenEXR" or "PNG".
     boolean isWord = message.split("[^\\p{L}]", 2)[0].matches("\\p{Lu}\\p{Ll}+");
     return isWord
         ? message.substring(0, 1).toLowerCase(Locale.ROOT) + message.substring(1)

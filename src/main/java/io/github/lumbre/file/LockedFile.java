@@ -13,13 +13,13 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A hidden file beside another, which it stands for: only one run at a time has it. What a killed
- * run left behind is used up by the next. Mutable, for one thread.
+ * A hidden lock file or temporary file beside a target file. Only one run at a time can hold it.
+ * The next run reuses a file that a killed run left behind. Mutable, for one thread.
  */
 final class LockedFile implements Closeable {
   private static final int ATTEMPTS = 10;
 
-  /** Those that this virtual machine has locked. */
+  /** The files that this JVM holds. */
   private static final Set<Path> OPEN = ConcurrentHashMap.newKeySet();
 
   private final Path path;
@@ -31,11 +31,12 @@ final class LockedFile implements Closeable {
   }
 
   /**
-   * Creates the file, or takes one that nobody has.
+   * Creates the file, or takes an existing one that no run holds.
    *
-   * @param target the user's name of the file that this one stands for
+   * @param target the target file as the user named it, for messages
+   * @param path the hidden file
    * @throws IOException with a message for the user, if the directory cannot be written, or if
-   *     another run has the file
+   *     another run holds the file
    */
   static LockedFile open(Path target, Path path) throws IOException {
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
@@ -44,7 +45,7 @@ final class LockedFile implements Closeable {
         channel.close();
         throw new IOException(target + ": another run is writing this file");
       }
-      // Start over if a run that has just ended had deleted our file, or given it another name.
+      // Start over if a run that has just ended has deleted or renamed our file.
       if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
         OPEN.add(path);
         return new LockedFile(path, channel);
@@ -62,19 +63,19 @@ final class LockedFile implements Closeable {
     return channel;
   }
 
-  /** Gives the file free, but leaves it where it is. */
+  /** Releases the file without deleting it. */
   void release() throws IOException {
     OPEN.remove(path);
     channel.close();
   }
 
-  /** Deletes all files that this virtual machine has locked, as far as that is possible. */
+  /** Deletes all files that this JVM holds, as far as possible. */
   static void deleteAll() {
     for (Path path : OPEN) {
       try {
         Files.deleteIfExists(path);
       } catch (IOException e) {
-        // The program ends, so there is nobody to report to; the next run uses the file up.
+        // The program is ending and cannot report this. The next run reuses the file.
         continue;
       }
     }
@@ -105,12 +106,14 @@ final class LockedFile implements Closeable {
     } catch (OverlappingFileLockException e) {
       return false;
     } catch (IOException e) {
-      // Some network file systems have no locks; the file can be written all the same.
+      // Some network file systems do not support locks. The file can be written nevertheless.
       return true;
     }
   }
 
-  /** Returns the error text for a file system that refuses locks. */
+  /**
+   * Returns the reason of a file system error; "permission denied" if the exception states none.
+   */
   static String reason(FileSystemException e) {
     return e.getReason() == null ? "permission denied" : e.getReason();
   }

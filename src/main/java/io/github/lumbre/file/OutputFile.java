@@ -12,15 +12,17 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Objects;
 
 /**
- * A file that appears complete or not at all; mutable, for one thread.
+ * An output file that appears complete or not at all. Mutable, for one thread.
  *
- * <p>{@link #open} reserves the place early, so that a missing directory is known before hours of
- * work and not after: it creates and locks a hidden temporary file beside the target. {@link
- * #commit} forces its bytes to the disk and gives it the target's name in one step, replacing what
- * was there. Closed without commit, the temporary file is deleted and the target is as it was.
+ * <p>{@link #open} creates and locks a hidden temporary file beside the target. A problem such as a
+ * missing directory is therefore found before hours of rendering, not after. {@link #commit} forces
+ * the bytes to the disk and atomically renames the temporary file to the target, replacing an
+ * existing file. If the file is closed without a commit, the temporary file is deleted and the
+ * target is unchanged.
  *
- * <p>The temporary file's name is a function of the target's, so that two runs cannot write the
- * same target at once, and what a killed run left behind is used up by the next.
+ * <p>The name of the temporary file depends only on that of the target. Two runs therefore cannot
+ * write the same target at the same time, and the next run reuses a file that a killed run left
+ * behind.
  */
 public final class OutputFile implements Closeable {
   private final Disk disk;
@@ -37,8 +39,8 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * Reserves a place for a file. A target that is a symbolic link stays one; the file it leads to
-   * is replaced.
+   * Reserves an output file. If the target is a symbolic link, the link stays and the file it leads
+   * to is replaced.
    *
    * @throws IOException with a message for the user, if the directory is missing or cannot be
    *     written, if the target is not a regular file or is protected, or if another run has
@@ -48,7 +50,10 @@ public final class OutputFile implements Closeable {
     return open(target, Disk.REAL);
   }
 
-  /** Reserves a place for a file, to be written by a disk; see {@link #open(Path)}. */
+  /**
+   * Reserves an output file that is written through the given disk operations; see {@link
+   * #open(Path)}.
+   */
   public static OutputFile open(Path target, Disk disk) throws IOException {
     Path destination = destination(Objects.requireNonNull(target, "target"));
     LockedFile temporary = LockedFile.open(target, hidden(destination, ".tmp"));
@@ -56,9 +61,9 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * Reserves a place for files that are written one after the other, until what is returned is
-   * closed: between two of them {@link #open} finds it free. Keeps out those who reserve it like
-   * this as well, not those who only open it.
+   * Reserves a target to which several files are written in turn, until the returned object is
+   * closed. It excludes other callers of this method, but not callers of {@link #open}, which finds
+   * the target free between two of the files.
    *
    * @throws IOException as {@link #open(Path)}
    */
@@ -67,8 +72,8 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * Deletes the temporary files and reservations of this virtual machine that are neither committed
-   * nor closed. For a program that ends at once; those files cannot be used afterwards. Safe for
+   * Deletes the temporary files and reservations of this JVM that are neither committed nor closed.
+   * For a program that ends immediately, because those files cannot be used afterwards. Safe for
    * use by any thread.
    */
   public static void deleteUnfinished() {
@@ -85,8 +90,8 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * Returns a channel to write the file's content through, at position 0 of an empty file: what was
-   * written before is discarded. The file owns the channel; it is not to be closed.
+   * Discards what was written before and returns a channel at position 0 of the empty file. This
+   * object owns the channel; callers must not close it.
    *
    * @throws IllegalStateException if the file is committed or closed
    */
@@ -96,7 +101,7 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * Writes all that is left in a buffer at the channel's position.
+   * Writes all remaining bytes of a buffer at the channel's position.
    *
    * @throws IllegalStateException if the file is committed or closed
    */
@@ -107,19 +112,21 @@ public final class OutputFile implements Closeable {
     }
   }
 
-  /** Returns the hidden file beside a file that {@link #open} creates while it is reserved. */
+  /** Returns the path of the hidden temporary file that {@link #open} creates beside a file. */
   public static Path temporary(Path file) {
     return hidden(file, ".tmp");
   }
 
-  /** Returns where a file's predecessor is kept by {@link #commitKeepingPrevious}. */
+  /**
+   * Returns the path at which {@link #commitKeepingPrevious} keeps the previous version of a file.
+   */
   public static Path previous(Path file) {
     return file.resolveSibling(file.getFileName() + ".bak");
   }
 
   /**
-   * Does what {@link #commit} does, and keeps what was there under a name of its own: at every
-   * moment, one of the two names leads to a complete file.
+   * Commits the file as {@link #commit} does, and keeps the previous version under the name {@link
+   * #previous}. At every moment, one of the two names leads to a complete file.
    */
   public void commitKeepingPrevious() throws IOException {
     requireOpen();
@@ -131,10 +138,11 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * Makes the file appear under its name, complete and on the disk, when this returns.
+   * Makes the complete file appear under the target's name. When this method returns, it is on the
+   * disk.
    *
-   * @throws IOException if that fails; the target is then as it was, and content may be written and
-   *     committed again
+   * @throws IOException if the commit fails; the target is then unchanged, and content may be
+   *     written and committed again
    * @throws IllegalStateException if the file is committed or closed
    */
   public void commit() throws IOException {
@@ -144,9 +152,8 @@ public final class OutputFile implements Closeable {
   }
 
   private void appear() throws IOException {
-    // Rename while the lock is still held, so that no other run starts over in our file. Hold it
-    // while
-    // the disk takes its time, too: whoever writes the next version locks that at once.
+    // Rename while the lock is held, so that no other run starts over in our file. Release it only
+    // after the directory is on the disk, because the next writer locks the file at once.
     disk.move(temporary.path(), destination);
     done = true;
     try {
@@ -156,7 +163,7 @@ public final class OutputFile implements Closeable {
     }
   }
 
-  /** Deletes the temporary file, unless the file is committed. Does nothing the second time. */
+  /** Deletes the temporary file unless the file is committed. Further calls do nothing. */
   @Override
   public void close() throws IOException {
     if (done) {
@@ -186,7 +193,7 @@ public final class OutputFile implements Closeable {
         throw new IOException(target + ": is not a regular file");
       }
       if (isProtected(target)) {
-        throw new IOException(target + ": is protected against writing");
+        throw new IOException(target + ": is write-protected");
       }
       return target.toRealPath();
     } catch (NoSuchFileException e) {
@@ -196,7 +203,10 @@ public final class OutputFile implements Closeable {
     }
   }
 
-  /** A file that another program replaces may be gone for a moment, which is no protection. */
+  /**
+   * Returns whether an existing file cannot be written. A file that another program is replacing
+   * may be missing for a moment, which does not count.
+   */
   private static boolean isProtected(Path target) {
     return !Files.isWritable(target) && Files.exists(target) && !Files.isWritable(target);
   }

@@ -10,9 +10,9 @@ import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 
 /**
- * Finds the color space that a PNG or JPEG file states, if it is not sRGB: {@link ImageReader}
- * ignores it. Sources: PNG specification, third edition, sec. 11.3.2; ICC.1:2022, sec. 7 and B.4.
- * Nothing is decoded but the profile's description.
+ * Finds the color space that a PNG or JPEG file states if it is not sRGB, because {@link
+ * ImageReader} ignores it. Only the description of an ICC profile is decoded. Sources: PNG
+ * specification, third edition, sec. 11.3.2; ICC.1:2022, sec. 7 and B.4.
  */
 final class ColorTag {
   private static final int SRGB = 0x73524742;
@@ -23,19 +23,21 @@ final class ColorTag {
   private static final int MULTI_LOCALIZED = 0x6d6c7563;
   private static final int SRGB_GAMMA = 45455;
 
-  /** Gammas are rounded in different ways; this is 0.1 % of sRGB's. */
+  /** Tolerance for gammas, which programs round differently: 0.1 % of sRGB's gamma. */
   private static final int GAMMA_TOLERANCE = 45;
 
-  /** A description is near the beginning of a profile. */
+  /** The number of bytes of a profile that are read; the description is near its beginning. */
   private static final int MAX_PROFILE = 1 << 16;
 
   private static final int MAX_NAME = 60;
-  private static final byte[] JPEG_PROFILE =
-      "ICC_PROFILE\0".getBytes(StandardCharsets.ISO_8859_1);
+  private static final byte[] JPEG_PROFILE = "ICC_PROFILE\0".getBytes(StandardCharsets.ISO_8859_1);
 
   private ColorTag() {}
 
-  /** Returns what the file states, for messages; empty if that is sRGB, or nothing. */
+  /**
+   * Returns the color space that the file states, as text for messages; empty if it states sRGB or
+   * none.
+   */
   static Optional<String> ignoredIn(byte[] file) {
     try {
       if (PngFile.startsIn(file)) {
@@ -43,7 +45,7 @@ final class ColorTag {
       }
       return JpegFile.startsIn(file) ? ofJpeg(ByteBuffer.wrap(file)) : Optional.empty();
     } catch (IndexOutOfBoundsException e) {
-      // A damaged file, which decoding reports.
+      // The file is damaged. Decoding reports that.
       return Optional.empty();
     }
   }
@@ -61,7 +63,7 @@ final class ColorTag {
         return Optional.empty();
       }
       if (type == ICCP) {
-        // A profile wins over a gamma.
+        // A profile takes precedence over a gamma.
         found = profile(pngProfile(file, at + 8, length));
         if (found.isEmpty()) {
           return found;
@@ -77,7 +79,10 @@ final class ColorTag {
     return found;
   }
 
-  /** Returns the inflated beginning of the profile behind a name, a zero and a method. */
+  /**
+   * Returns the inflated beginning of the profile, which follows a name, a zero byte and a
+   * compression method.
+   */
   private static byte[] pngProfile(ByteBuffer file, int start, int length) {
     int at = start;
     while (at < start + length && file.get(at) != 0) {
@@ -104,7 +109,7 @@ final class ColorTag {
       if (marker == 0xda || length < 2) {
         break;
       }
-      // Two bytes behind the name number the parts; the first part holds the description.
+      // The two bytes after the name number the parts. The first part contains the description.
       int start = at + 4 + JPEG_PROFILE.length + 2;
       int end = Math.min(at + 2 + length, file.limit());
       if (marker == 0xe2 && start < end && hasProfile(file, at + 4)) {
@@ -129,7 +134,7 @@ final class ColorTag {
     return Optional.of("an ICC profile" + (name.isEmpty() ? "" : " (" + name + ")"));
   }
 
-  /** Returns the description of a profile, empty if it has none that can be read. */
+  /** Returns the description of a profile; empty if it has none or is damaged. */
   private static String description(ByteBuffer profile) {
     try {
       int tags = profile.getInt(128);

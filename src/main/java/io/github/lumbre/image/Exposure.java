@@ -3,15 +3,15 @@ package io.github.lumbre.image;
 import java.util.OptionalDouble;
 
 /**
- * A factor on a finished picture: a fixed number of stops, or chosen by the picture's brightness.
+ * The exposure of a finished picture: a fixed number of stops, or automatic.
  *
- * @param stops each doubles the brightness; empty means automatic
+ * @param stops number of stops, each of which doubles the brightness; empty for automatic exposure
  */
 public record Exposure(OptionalDouble stops) {
-  /** The picture as it is. */
+  /** No change of brightness. */
   public static final Exposure NONE = of(0);
 
-  /** Brings the geometric mean of the luminances to 18 % grey. */
+  /** Automatic exposure: scales the geometric mean of the luminances to 18 % gray. */
   public static final Exposure AUTO = new Exposure(OptionalDouble.empty());
 
   /**
@@ -30,9 +30,9 @@ public record Exposure(OptionalDouble stops) {
   }
 
   /**
-   * Returns the factor for a picture. Automatic: .18 / exp(mean of ln max(Y, 1e-6)) over the pixels
-   * with luminance Y &gt; 0, and 1 for a black picture. An infinite luminance counts as {@link
-   * Float#MAX_VALUE}.
+   * Returns the factor by which a picture is multiplied. Automatic exposure uses 0.18 / exp(mean of
+   * ln max(Y, 1e-6)) over the pixels with luminance Y &gt; 0, and 1 for a black picture. An
+   * infinite luminance counts as {@link Float#MAX_VALUE}.
    */
   public double factor(Image image) {
     return stops.isPresent() ? StrictMath.pow(2, stops.getAsDouble()) : automatic(image);

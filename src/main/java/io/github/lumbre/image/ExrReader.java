@@ -23,7 +23,10 @@ final class ExrReader {
   private static final int LONG_NAMES = 0x400;
   private static final int PARTS = 0x1000;
 
-  /** No more than this many bytes come from one byte of deflated data (zlib technical notes). */
+  /**
+   * The largest number of bytes that one byte of deflated data can inflate to (zlib technical
+   * notes).
+   */
   private static final long MAX_INFLATION = 1032;
 
   private final ByteBuffer in;

@@ -17,8 +17,8 @@ import java.util.zip.Deflater;
  */
 final class ExrWriter {
   /**
-   * Names that metadata cannot bear: the attributes that every file has, and those that files of
-   * several parts or tiles have and readers believe in any file.
+   * Reserved names, which metadata cannot use: the attributes that every file has, and those of
+   * multi-part or tiled files, which readers interpret in any file.
    */
   static final Set<String> RESERVED =
       Set.of(
@@ -43,7 +43,7 @@ final class ExrWriter {
   private static final int ZIP = 3;
   private static final int BLOCK_LINES = 16;
 
-  /** OpenEXR's own default: nearly as small as the best, and much faster. */
+  /** OpenEXR's own default: files nearly as small as at the best level, and much faster. */
   private static final int DEFLATE_LEVEL = 4;
 
   private final Image image;
@@ -57,8 +57,8 @@ final class ExrWriter {
   }
 
   /**
-   * Writes a picture to an empty channel. Colours are multiplied by alpha; metadata become string
-   * attributes, in UTF-8.
+   * Writes a picture to an empty channel. Colors are multiplied by alpha; metadata become string
+   * attributes in UTF-8.
    */
   static void write(Image image, Map<String, String> metadata, SeekableByteChannel channel)
       throws IOException {
@@ -85,7 +85,7 @@ final class ExrWriter {
     } finally {
       deflater.end();
     }
-    // Fill in the table, now that the blocks' sizes are known.
+    // Fill in the offset table, now that the block sizes are known.
     channel.position(header.length);
     writeFully(offsets.flip());
   }
@@ -114,7 +114,7 @@ final class ExrWriter {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     for (String name : (channels == 4 ? "A B G R" : "B G R").split(" ")) {
       text(out, name);
-      // Type, not perceptually linear, no subsampling.
+      // Pixel type, not perceptually linear, no subsampling.
       out.writeBytes(ints(FLOAT, 0, 1, 1));
     }
     out.write(0);
@@ -141,7 +141,7 @@ final class ExrWriter {
     return buffer.array();
   }
 
-  /** Returns the bytes of up to 16 lines: in each, the channels one after the other. */
+  /** Returns the bytes of up to 16 lines. Each line holds one channel after the other. */
   private byte[] lines(int first) {
     int last = Math.min(first + BLOCK_LINES, image.height());
     ByteBuffer raw = littleEndian(4 * channels * image.width() * (last - first));
@@ -161,7 +161,7 @@ final class ExrWriter {
     return raw.array();
   }
 
-  /** Returns a block compressed, or as it is where compression would not make it smaller. */
+  /** Returns a compressed block, or the raw block if compression would not shrink it. */
   private static byte[] packed(byte[] raw, Deflater deflater) {
     deflater.reset();
     deflater.setInput(predicted(raw));
@@ -172,7 +172,8 @@ final class ExrWriter {
   }
 
   /**
-   * Returns the even bytes, then the odd ones, each as its difference from the one before + 128.
+   * Returns the bytes at even positions, then those at odd positions, each as its difference from
+   * the previous one plus 128.
    */
   private static byte[] predicted(byte[] raw) {
     byte[] split = new byte[raw.length];

@@ -3,10 +3,11 @@ package io.github.lumbre.image;
 import java.util.Objects;
 
 /**
- * A picture of linear light: width × height pixels, row 0 at the top, and optionally an alpha
- * channel (straight, not premultiplied).
+ * A picture in linear RGB: width × height pixels, row 0 at the top, optionally with straight (not
+ * premultiplied) alpha.
  *
- * <p>The arrays are the picture's own; callers who keep a reference share them.
+ * <p>The arrays are not copied: a caller that keeps a reference to them shares them with the
+ * picture.
  */
 public final class Image {
   private static final float[] OPAQUE = {};
@@ -17,8 +18,13 @@ public final class Image {
   private final float[] alpha;
 
   /**
-   * @param rgb three values a pixel, row by row
-   * @param alpha one value in [0,1] a pixel, or an empty array for an opaque picture
+   * Creates a picture from its rasters, which are not copied.
+   *
+   * @param width in pixels, at least 1
+   * @param height in pixels, at least 1
+   * @param rgb three values per pixel, row by row
+   * @param alpha one value in [0,1] per pixel, or an empty array for an opaque picture
+   * @throws IllegalArgumentException if the sizes are inconsistent
    */
   public Image(int width, int height, float[] rgb, float[] alpha) {
     if (width < 1 || height < 1) {
@@ -68,7 +74,7 @@ public final class Image {
     return alpha.length == 0 ? 1 : alpha[index(x, y)];
   }
 
-  /** Returns the raster itself: three values a pixel, row by row. */
+  /** Returns the raster itself, not a copy: three values per pixel, row by row. */
   public float[] rgb() {
     return rgb;
   }

@@ -6,25 +6,31 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** A kind of picture file that can be written. */
+/** The formats of picture files that can be written. */
 public enum ImageFormat {
-  /** 8 or 16 bits a channel, for the screen: exposure and tone curve are applied. */
+  /** PNG, for display: 8 or 16 bits per channel; exposure and tone curve are applied. */
   PNG,
-  /** Portable float map: linear light, no alpha, no metadata. */
+  /** Portable float map: linear light, without alpha and metadata. */
   PFM,
-  /** OpenEXR: linear light, alpha and metadata. */
+  /** OpenEXR: linear light, with alpha and metadata. */
   EXR,
-  /** 8 bits a channel, for the screen, with loss: exposure and tone curve are applied, no alpha. */
+  /**
+   * JPEG, for display: 8 bits per channel, lossy, without alpha; exposure and tone curve are
+   * applied.
+   */
   JPG;
 
   private static final String LONG_JPEG = ".jpeg";
 
-  /** Returns the ending of the format's files, with its dot: {@code .png}. */
+  /** Returns the file name extension of the format with its dot, for example {@code .png}. */
   public String ending() {
     return "." + name().toLowerCase(Locale.ROOT);
   }
 
-  /** Returns the format that a file's ending names, in any case, or empty if it names none. */
+  /**
+   * Returns the format of a file by its extension, ignoring case; empty if the extension is
+   * unknown.
+   */
   public static Optional<ImageFormat> of(Path file) {
     Path name = file.getFileName();
     if (name == null) {
@@ -37,10 +43,10 @@ public enum ImageFormat {
   }
 
   /**
-   * Returns whether a file is a picture of any kind that this package writes or reads, or a
+   * Returns whether a file is a picture in any format that this package reads or writes, or a
    * Radiance HDR picture.
    *
-   * @param start the first bytes of the file, at least eight of them if it has so many
+   * @param start the first bytes of the file, at least eight if the file has that many
    */
   public static boolean startsPicture(byte[] start) {
     return PngFile.startsIn(start)
@@ -50,12 +56,12 @@ public enum ImageFormat {
         || (start.length >= 2 && start[0] == '#' && start[1] == '?');
   }
 
-  /** Returns whether pictures are for the screen: exposure and tone curve are applied. */
+  /** Returns whether the format is for display, so that exposure and tone curve are applied. */
   public boolean isForScreen() {
     return this == PNG || this == JPG;
   }
 
-  /** Returns all endings, for messages: {@code .png, .pfm, .exr, .jpg, .jpeg}. */
+  /** Returns all extensions, for messages: {@code .png, .pfm, .exr, .jpg, .jpeg}. */
   public static String endings() {
     return Arrays.stream(values())
         .map(ImageFormat::ending)

@@ -3,15 +3,17 @@ package io.github.lumbre.image;
 import java.io.IOException;
 import java.util.Objects;
 
-/** Bytes that are not a usable picture, and the reason. */
+/** Thrown when bytes are not a usable picture; the message states the reason. */
 public final class ImageFormatException extends IOException {
   private static final long serialVersionUID = 1;
 
   /** The kind of problem. */
   public enum Kind {
-    /** Truncated, contradictory, or no PNG or JPEG at all. */
+    /** The file is truncated or inconsistent, or not in a supported format. */
     MALFORMED,
-    /** More pixels than the limit or than memory holds, or more work than pixels justify. */
+    /**
+     * The picture exceeds a limit, does not fit into memory, or would take far too long to decode.
+     */
     TOO_LARGE
   }
 

@@ -16,18 +16,18 @@ import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /**
- * Decodes PNG and JPEG files that nobody vouches for.
+ * Decodes PNG and JPEG files from untrusted sources.
  *
- * <p>The file's own header is read first, and a picture beyond the limits, or larger than the data
- * can be, is refused before any memory is taken for it. All colour types and depths of PNG are
- * read, of JPEG those of 8 bits. Values are the file's: colour profiles, gamma and orientation are
- * ignored.
+ * <p>The header is read first. A picture that exceeds the limits, or is larger than its data can
+ * hold, is rejected before memory is allocated for it. All color types and bit depths of PNG are
+ * supported, and JPEG with 8 bits per channel. Values are returned as the file has them: color
+ * profiles, gamma and orientation are ignored.
  */
 public final class ImageReader {
-  /** The largest number of pixels. */
+  /** The largest number of pixels of a picture: 2^28. */
   public static final long MAX_PIXELS = 1L << 28;
 
-  /** The largest width and the largest height. */
+  /** The largest width and height of a picture, in pixels. */
   public static final int MAX_SIDE = 65535;
 
   private ImageReader() {}
@@ -35,9 +35,10 @@ public final class ImageReader {
   /**
    * Returns the picture in a file's bytes.
    *
-   * @throws ImageFormatException if they are no sound PNG or JPEG, or the picture is too large
-   * @throws CancellationException if the calling thread is interrupted, which is looked at before
-   *     each block of some kilobytes; the interrupt status stays set
+   * @throws ImageFormatException if they are not an intact PNG or JPEG file, or the picture is too
+   *     large
+   * @throws CancellationException if the calling thread is interrupted, which is checked every few
+   *     kilobytes; the interrupt status stays set
    */
   public static Pixels decode(byte[] file) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
@@ -62,14 +63,19 @@ public final class ImageReader {
 
   /**
    * Returns the color space that a file states and {@link #decode} ignores, such as "an ICC profile
-   * (Adobe RGB (1998))" or "a gamma of 1.0"; empty if it states none, or sRGB. The text may hold
-   * any characters.
+   * (Adobe RGB (1998))" or "a gamma of 1.0"; empty if it states none, or sRGB. The text comes from
+   * the file and may contain any characters.
    */
   public static Optional<String> ignoredColorSpace(byte[] file) {
     return ColorTag.ignoredIn(Objects.requireNonNull(file, "file"));
   }
 
-  /** Checks the size that a header claims. */
+  /**
+   * Checks that the size stated in a header is within the limits.
+   *
+   * @param width in pixels, unsigned
+   * @param height in pixels, unsigned
+   */
   static void checkSize(int width, int height) throws ImageFormatException {
     if (width == 0 || height == 0) {
       throw malformed("the picture has no pixels");
@@ -79,12 +85,12 @@ public final class ImageReader {
     if (w > MAX_SIDE || h > MAX_SIDE || w * h > MAX_PIXELS) {
       throw new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE,
-          "the picture has %dx%d pixels, expected at most %d on a side and %d in all"
+          "the picture has %dx%d pixels, expected at most %d per side and %d in total"
               .formatted(w, h, MAX_SIDE, MAX_PIXELS));
     }
   }
 
-  /** Checks that a picture of so many pixels fits into a heap. */
+  /** Checks that a picture fits into a heap of the given size. */
   static void checkMemory(int width, int height, int bytesPerPixel, long maxHeapBytes)
       throws ImageFormatException {
     long bytes = (long) bytesPerPixel * width * height;
@@ -96,7 +102,7 @@ public final class ImageReader {
     }
   }
 
-  /** One way to take the pixels from a reader that has its input. */
+  /** A function that decodes the pixels with a reader whose input is set. */
   @FunctionalInterface
   private interface Decoding {
     Pixels from(javax.imageio.ImageReader reader) throws IOException;
@@ -119,14 +125,16 @@ public final class ImageReader {
     } catch (ImageFormatException | CancellationException e) {
       throw e;
     } catch (IOException | RuntimeException | OutOfMemoryError e) {
-      // Decoders answer damaged files with exceptions of any kind.
+      // For damaged files, decoders throw exceptions of any kind.
       throw failure(format, e);
     } finally {
       reader.dispose();
     }
   }
 
-  /** Returns a stream that ends with an exception once the thread that reads it is interrupted. */
+  /**
+   * Returns a stream that throws a CancellationException once the reading thread is interrupted.
+   */
   private static InputStream interruptible(byte[] content) {
     return new ByteArrayInputStream(content) {
       @Override
@@ -139,7 +147,10 @@ public final class ImageReader {
     };
   }
 
-  /** Returns whether a warning is about padding between segments, which some cameras write. */
+  /**
+   * Returns whether a warning is about padding between segments, which some cameras write and which
+   * is harmless.
+   */
   private static boolean isHarmless(String warning) {
     return warning.contains("extraneous bytes before marker");
   }
@@ -150,7 +161,7 @@ public final class ImageReader {
       cause = cause.getCause();
     }
     if (cause instanceof OutOfMemoryError) {
-      // The pixels are one allocation; when it is refused, nothing else is harmed.
+      // The pixels are a single allocation. If it fails, nothing else is affected.
       return new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", thrown);
     }

@@ -13,18 +13,17 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * Writes pictures to files, in the {@link ImageFormat} that the file's ending names.
+ * Writes pictures to files, in the {@link ImageFormat} given by the file name extension.
  *
- * <p>A PNG is for the screen: exposure and tone curve are applied, alpha stays straight. So is a
- * JPEG, in which the picture stands over black, since JPEG has no alpha. PFM and OpenEXR keep
- * linear light as it is, without exposure; values beyond the range of a float are written as
- * ±{@link Float#MAX_VALUE} and NaN as 0. In OpenEXR colours are multiplied by alpha, as that format
- * demands; PFM has no alpha.
+ * <p>PNG and JPEG are for display: exposure and tone curve are applied. Alpha stays straight in
+ * PNG; a JPEG has no alpha and shows the picture over black. PFM and OpenEXR store linear light
+ * without exposure. They store infinite values as ±{@link Float#MAX_VALUE} and NaN as 0. In
+ * OpenEXR, colors are multiplied by alpha, as the format requires; PFM has no alpha.
  *
  * <p>A file appears complete or not at all; see {@link OutputFile}.
  */
 public final class ImageWriter {
-  /** The largest width and the largest height of a JPEG that the encoder can write. */
+  /** The largest width and height of a JPEG that the encoder can write, in pixels. */
   public static final int MAX_JPEG_SIDE = 65500;
 
   private static final int BUFFER_BYTES = 1 << 16;
@@ -32,15 +31,15 @@ public final class ImageWriter {
   private ImageWriter() {}
 
   /**
-   * How to write a picture.
+   * The options for writing a picture.
    *
    * @param exposure used by PNG and JPEG only
-   * @param curve used by PNG and JPEG only
-   * @param pngBits 8 or 16 bits a channel
-   * @param jpegQuality from 1, the smallest file, to 100
+   * @param curve tone curve, used by PNG and JPEG only
+   * @param pngBits bits per channel of a PNG, 8 or 16
+   * @param jpegQuality quality of a JPEG, from 1 (smallest file) to 100
    * @param metadata texts by keyword, in the order in which they are written; used by PNG, JPEG and
-   *     OpenEXR. A keyword is 1 to 79 printable ASCII characters, without spaces at its ends or two
-   *     in a row, and none of the names that OpenEXR reserves
+   *     OpenEXR. A keyword has 1 to 79 printable ASCII characters, no leading, trailing or
+   *     consecutive spaces, and is not a name that OpenEXR reserves
    */
   public record Options(
       Exposure exposure,
@@ -48,19 +47,19 @@ public final class ImageWriter {
       int pngBits,
       int jpegQuality,
       Map<String, String> metadata) {
-    /** The quality of a JPEG unless another is given. */
+    /** The default quality of a JPEG. */
     public static final int DEFAULT_JPEG_QUALITY = 90;
 
-    /** As bright as it is, by the sRGB curve, in 8 bits, without metadata. */
+    /** The defaults: no exposure, the sRGB curve, 8 bits, no metadata. */
     public static final Options DEFAULT = new Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of());
 
-    /** Options with {@link #DEFAULT_JPEG_QUALITY}. */
+    /** Creates options with {@link #DEFAULT_JPEG_QUALITY}. */
     public Options(Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
       this(exposure, curve, pngBits, DEFAULT_JPEG_QUALITY, metadata);
     }
 
     /**
-     * @throws IllegalArgumentException if a number or a keyword is not as described
+     * @throws IllegalArgumentException if a number or keyword is invalid
      */
     public Options {
       Objects.requireNonNull(exposure, "exposure");
@@ -92,18 +91,18 @@ public final class ImageWriter {
   }
 
   /**
-   * Writes a picture by {@link Options#DEFAULT}; see {@link #write(Image, Path, Options)}. The
-   * exposure and the tone curve that a scene's settings have are options, and are not known here.
+   * Writes a picture with {@link Options#DEFAULT}; see {@link #write(Image, Path, Options)}. The
+   * exposure and tone curve in a scene's settings are not applied; pass them as options.
    */
   public static void write(Image image, Path file) throws IOException {
     write(image, file, Options.DEFAULT);
   }
 
   /**
-   * Writes a picture; an existing file is replaced when the new one is complete.
+   * Writes a picture. An existing file is replaced once the new one is complete.
    *
-   * @throws IllegalArgumentException if the file's ending names no format
-   * @throws IOException if the file cannot be written; an existing one is then as it was
+   * @throws IllegalArgumentException if the file name extension is unknown
+   * @throws IOException if the file cannot be written; an existing file is then unchanged
    */
   public static void write(Image image, Path file, Options options) throws IOException {
     requireFormat(file);
@@ -113,10 +112,11 @@ public final class ImageWriter {
   }
 
   /**
-   * Writes a picture into a file reserved before, and commits it.
+   * Writes a picture to a reserved file and commits it.
    *
-   * @throws IllegalArgumentException if the file's ending names no format
-   * @throws IOException if that fails; the file is then still reserved, and may be tried again
+   * @throws IllegalArgumentException if the file name extension is unknown
+   * @throws IOException if the file cannot be written; it then stays reserved, and the caller may
+   *     try again
    */
   @SuppressWarnings("exports") // internal
   public static void write(Image image, OutputFile output, Options options) throws IOException {
@@ -125,7 +125,7 @@ public final class ImageWriter {
     output.commit();
   }
 
-  /** Writes a picture to a channel at position 0, which stays open. */
+  /** Writes a picture to a channel at position 0 and leaves the channel open. */
   static void encode(Image image, ImageFormat format, Options options, SeekableByteChannel channel)
       throws IOException {
     Objects.requireNonNull(image, "image");
@@ -140,7 +140,7 @@ public final class ImageWriter {
     out.flush();
   }
 
-  /** Returns a value that every reader of float pictures can bear: infinities and NaN replaced. */
+  /** Returns a finite value: infinities become ±{@link Float#MAX_VALUE}, and NaN becomes 0. */
   static float finite(float v) {
     return Float.isNaN(v) ? 0 : Math.max(-Float.MAX_VALUE, Math.min(v, Float.MAX_VALUE));
   }

@@ -8,12 +8,14 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The outline of a JPEG file, read without decoding it (ITU-T T.81, annex B).
+ * The structure of a JPEG file, read without decoding it (ITU-T T.81, annex B).
  *
- * @param components the number of colour components
- * @param adobe the colour transform that an Adobe marker states, or -1 without one
- * @param content the file without colour profiles, previews and comments, and with a JFIF marker
- *     where three components are YCbCr
+ * @param width in pixels
+ * @param height in pixels
+ * @param components number of color components
+ * @param adobe color transform in the Adobe marker, or -1 if there is no such marker
+ * @param content the file without color profiles, previews and comments, and with a JFIF marker if
+ *     the three components are YCbCr
  */
 record JpegFile(int width, int height, int components, int adobe, byte[] content) {
   private static final int YCCK = 2;
@@ -27,10 +29,10 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
   }
 
   /**
-   * Reads the outline of a file that {@link #startsIn} recognises.
+   * Reads the structure of a file that {@link #startsIn} recognizes.
    *
-   * @throws ImageFormatException if the segments are damaged or end early, or the picture is beyond
-   *     the limits, has too many scans, or is larger than the data can be
+   * @throws ImageFormatException if the segments are damaged or truncated, or the picture exceeds
+   *     the limits, has too many scans, or is larger than its data can hold
    */
   static JpegFile read(byte[] file) throws ImageFormatException {
     ByteArrayOutputStream kept = new ByteArrayOutputStream(file.length);
@@ -70,8 +72,8 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
     int width = frame.getShort(3) & 0xffff;
     int components = frame.get(5);
     ImageReader.checkSize(width, height);
-    // Each block of 8x8 samples takes at least a bit, and with the coarsest subsampling there is
-    // one for each 128 pixels.
+    // Each block of 8×8 samples takes at least one bit. With the coarsest subsampling there is one
+    // block for every 128 pixels.
     if ((long) width * height > 8L * 128 * kept.length) {
       throw malformed("JPEG data are too short for " + width + "x" + height + " pixels");
     }
@@ -85,8 +87,8 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
   }
 
   /**
-   * Returns the colours of a decoded picture of four components. By Adobe's convention the values
-   * are inverted: 255 means no ink.
+   * Returns the RGB values of a decoded picture with four components (CMYK or YCCK). By Adobe's
+   * convention the values are inverted: 255 means no ink.
    */
   Pixels inks(Raster raster) {
     byte[] rgb = new byte[3 * raster.getWidth() * raster.getHeight()];
@@ -130,7 +132,7 @@ record JpegFile(int width, int height, int components, int adobe, byte[] content
   private static int segmentLength(byte[] file, int at) throws ImageFormatException {
     int length = unsigned(file, at + 2);
     if (length < 2) {
-      throw malformed("JPEG is damaged: a segment of no length at byte " + at);
+      throw malformed("JPEG is damaged: a segment with an invalid length at byte " + at);
     }
     if (at + 2 + length > file.length) {
       throw malformed("JPEG is truncated");

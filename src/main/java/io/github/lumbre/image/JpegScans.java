@@ -3,14 +3,14 @@ package io.github.lumbre.image;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 /**
- * The scans of a JPEG file, counted without decoding them (ITU-T T.81, annex B). Every scan of a
- * progressive picture visits all blocks, however few bytes it has, so that decoding takes time in
- * proportion to the number of scans times the number of pixels.
+ * Counts the scans of a JPEG file without decoding them (ITU-T T.81, annex B). Every scan of a
+ * progressive picture visits all blocks, even if it has few bytes. The decoding time is therefore
+ * proportional to the number of scans times the number of pixels.
  */
 final class JpegScans {
   /**
-   * The largest number of scans. Encoders write about ten; the scripts that the tools of libjpeg
-   * accept have at most a hundred ({@code MAX_SCANS} in its rdswitch.c).
+   * The largest number of scans. Encoders write about ten. The scan scripts that the libjpeg tools
+   * accept have at most a hundred ({@code MAX_SCANS} in rdswitch.c).
    */
   static final int MAX_SCANS = 100;
 
@@ -22,9 +22,9 @@ final class JpegScans {
   /**
    * Checks the number of scans.
    *
-   * @param from where the first scan's marker is
+   * @param from position of the first scan's marker
    * @throws ImageFormatException if there are more than {@link #MAX_SCANS}, or the file ends before
-   *     the picture does: libraries fill up with grey then
+   *     the picture does, in which case libraries would fill the rest with gray
    */
   static void check(byte[] file, int from) throws ImageFormatException {
     int scans = 0;
@@ -55,7 +55,7 @@ final class JpegScans {
     }
   }
 
-  /** Returns whether no length follows a marker: a stuffed byte, a restart, TEM or SOI. */
+  /** Returns whether a marker has no length field: a stuffed byte, a restart, TEM or SOI. */
   private static boolean isAlone(int marker) {
     return marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd8);
   }
@@ -66,7 +66,7 @@ final class JpegScans {
     }
     int length = (file[at] & 0xff) << 8 | file[at + 1] & 0xff;
     if (length < 2) {
-      throw malformed("JPEG is damaged: a segment of no length at byte " + (at - 2));
+      throw malformed("JPEG is damaged: a segment with an invalid length at byte " + (at - 2));
     }
     return length;
   }

@@ -18,9 +18,9 @@ import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
- * Writes baseline JPEG files: exposure and tone curve, 8 bits, full color resolution (4:4:4),
- * metadata as comments. JPEG has no alpha: the picture is written over black. A whole quantized
- * picture is in memory meanwhile, 3 bytes a pixel.
+ * Writes baseline JPEG files with exposure and tone curve applied: 8 bits, no chroma subsampling
+ * (4:4:4), metadata as a comment. JPEG has no alpha, so the picture is written over black. A
+ * quantized copy takes 3 bytes of memory per pixel during writing.
  */
 final class JpegWriter {
   private static final String METADATA = "javax_imageio_jpeg_image_1.0";
@@ -40,14 +40,14 @@ final class JpegWriter {
       metadata.mergeTree(METADATA, markers(image, options.metadata()));
       writer.write(null, new IIOImage(picture, null, metadata), param);
     } catch (IIOException e) {
-      // Its own message is empty; the cause's is "No space left on device".
+      // The exception's own message is empty; that of its cause is "No space left on device".
       throw e.getCause() instanceof IOException cause ? cause : e;
     } finally {
       writer.dispose();
     }
   }
 
-  /** Returns what the file has besides the encoder's defaults: sampling factors and a comment. */
+  /** Returns the metadata that the encoder's defaults lack: sampling factors and a comment. */
   private static IIOMetadataNode markers(Image image, Map<String, String> metadata) {
     IIOMetadataNode frame = node("sof", "process", 0, "samplePrecision", 8);
     frame.setAttribute("numLines", "" + image.height());
@@ -79,7 +79,10 @@ final class JpegWriter {
     return node;
   }
 
-  /** Returns a line for each keyword, in UTF-8: as text, the default character set would decide. */
+  /**
+   * Returns one line per keyword, as UTF-8 bytes. If it were passed as text, the encoder would use
+   * the default character set.
+   */
   private static byte[] comment(Map<String, String> metadata) {
     String lines =
         metadata.entrySet().stream()

@@ -13,7 +13,7 @@ import java.util.Objects;
  * rounding to 8 or 16 bits, stays lost; its alpha is not read.
  */
 public final class LinearReader {
-  /** What an array holds. */
+  /** The largest size of an array. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
   private LinearReader() {}
@@ -24,9 +24,9 @@ public final class LinearReader {
   }
 
   /**
-   * Returns the picture in a file; the content decides its format, not the name.
+   * Returns the picture in a file, whose format is recognized by its content, not by its name.
    *
-   * @throws ImageFormatException if the file is none of the formats, or damaged, or too large
+   * @throws ImageFormatException if the file is in none of the formats, damaged or too large
    * @throws IOException if the file cannot be read
    */
   public static Image read(Path file) throws IOException {
@@ -75,9 +75,10 @@ public final class LinearReader {
   }
 
   /**
-   * Returns memory for a picture whose size is within the limits.
+   * Returns an array for a picture whose size is within the limits.
    *
-   * @throws ImageFormatException if the heap has none, before it is allocated
+   * @throws ImageFormatException if the picture does not fit into the heap; nothing is allocated
+   *     then
    */
   static float[] raster(int width, int height, int channels) throws ImageFormatException {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();

@@ -7,8 +7,9 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads portable float maps of either byte order, in colour or grey (Debevec 2001, "PFM: Portable
- * FloatMap Image Format"). The scale's absolute value, which programs disagree about, is ignored.
+ * Reads portable float maps in either byte order, in color or gray (Debevec 2001, "PFM: Portable
+ * FloatMap Image Format"). The absolute value of the scale is ignored, because programs disagree
+ * about its meaning.
  */
 final class PfmReader {
   private static final int MAX_TOKEN = 64;
@@ -27,7 +28,7 @@ final class PfmReader {
         && Character.isWhitespace(file[2]);
   }
 
-  /** Reads a file that {@link #startsIn} recognises. */
+  /** Reads a file that {@link #startsIn} recognizes. */
   static Image read(byte[] file) throws ImageFormatException {
     return new PfmReader(file).read();
   }

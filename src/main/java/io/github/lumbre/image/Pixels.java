@@ -13,8 +13,9 @@ import java.util.stream.IntStream;
  * A decoded picture file: the encoded channel values as the file has them, 8 or 16 bits each, row 0
  * at the top. Whether they are sRGB or data is not known here.
  *
- * <p>Immutable and safe for use by any thread, as long as nobody changes the arrays it was made of.
- * It takes at most 4 bytes a texel for 8 bits and 8 for 16.
+ * <p>Immutable and safe for use by any thread, as long as nobody changes the arrays from which it
+ * was created. It takes at most 4 bytes per pixel with 8 bits per channel, and at most 8 with 16
+ * bits.
  */
 public final class Pixels {
   private static final byte[] NO_BYTES = {};
@@ -49,7 +50,7 @@ public final class Pixels {
   }
 
   /**
-   * Returns the picture of 8-bit values, which are shared with the caller.
+   * Returns a picture of 8-bit values. The array is shared with the caller.
    *
    * @param channels 1 for gray, 2 for gray and alpha, 3 for red, green and blue, or 4 with alpha
    * @param values row by row from the top, channel after channel in each texel
@@ -60,13 +61,13 @@ public final class Pixels {
     return new Pixels(width, height, values, NO_SHORTS, channels, natural(channels));
   }
 
-  /** Returns the picture of 16-bit values; see {@link #of(int, int, int, byte[])}. */
+  /** Returns a picture of 16-bit values; see {@link #of(int, int, int, byte[])}. */
   public static Pixels of(int width, int height, int channels, short[] values) {
     check(width, height, channels, values.length);
     return new Pixels(width, height, NO_BYTES, values, channels, natural(channels));
   }
 
-  /** Returns the values of a decoded picture, without copying them where that is possible. */
+  /** Returns the values of a decoded picture, without copying them if possible. */
   static Pixels of(BufferedImage picture) {
     Raster raster = picture.getRaster();
     if (picture.getColorModel() instanceof IndexColorModel palette) {
@@ -117,7 +118,7 @@ public final class Pixels {
     }
     if (values != (long) width * height * channels) {
       throw new IllegalArgumentException(
-          "values: expected %dx%dx%d of them, found %d".formatted(width, height, channels, values));
+          "values: expected %dx%dx%d values, found %d".formatted(width, height, channels, values));
     }
   }
 

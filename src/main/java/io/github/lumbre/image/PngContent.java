@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.zip.CRC32;
 
 /**
- * Collects the chunks of a PNG file that a decoder gets. Consecutive chunks of image data become
- * one: the decoder of the JDK takes about 8 µs for each chunk, however small, which is a minute for
- * 90 MB of empty ones. Mutable.
+ * Collects the chunks of a PNG file for the decoder. Consecutive image data chunks are merged into
+ * one, because the JDK's decoder takes about 8 µs per chunk of any size: a minute for 90 MB of
+ * empty chunks. Mutable.
  */
 final class PngContent {
-  /** Length and type. */
+  /** The bytes before a chunk's data: its length and type. */
   private static final int HEAD_BYTES = 8;
 
   private final byte[] file;
@@ -18,7 +18,7 @@ final class PngContent {
   private int run = -1;
 
   /**
-   * @param file that contains the chunks
+   * @param file the bytes of the PNG file
    */
   PngContent(byte[] file) {
     this.file = file;
@@ -28,8 +28,9 @@ final class PngContent {
   /**
    * Adds a chunk.
    *
-   * @param start of its frame in the file
-   * @param length of its data
+   * @param type chunk type
+   * @param start position of the chunk in the file
+   * @param length number of bytes of its data
    */
   void add(int type, int start, int length) {
     if (type != PngFile.IDAT) {
@@ -54,7 +55,7 @@ final class PngContent {
     }
   }
 
-  /** Returns the signature and the chunks up to the image data. */
+  /** Returns the signature and all chunks added. The last chunk added must not be image data. */
   byte[] bytes() {
     return Arrays.copyOf(out.array(), out.position());
   }

@@ -6,10 +6,13 @@ import java.nio.ByteBuffer;
 import java.util.zip.CRC32;
 
 /**
- * The outline of a PNG file, read without decoding it (PNG specification, third edition).
+ * The structure of a PNG file, read without decoding it (PNG specification, third edition).
  *
- * @param content the file without the chunks that pixels do not need, see {@link PngContent}: no
- *     profile or gamma can change the values then, and no compressed text can fill the memory
+ * @param width in pixels
+ * @param height in pixels
+ * @param content the file without the chunks that decoding does not need, see {@link PngContent}.
+ *     Without them, no profile or gamma can change the values, and no compressed text can exhaust
+ *     memory
  */
 record PngFile(int width, int height, byte[] content) {
   private static final long SIGNATURE = 0x89504e470d0a1a0aL;
@@ -20,7 +23,10 @@ record PngFile(int width, int height, byte[] content) {
   private static final int HEADER_BYTES = 13;
   static final int FRAME_BYTES = 12;
 
-  /** No more than this many bytes come from one byte of deflated data (zlib technical notes). */
+  /**
+   * The largest number of bytes that one byte of deflated data can inflate to (zlib technical
+   * notes).
+   */
   private static final long MAX_INFLATION = 1032;
 
   static boolean startsIn(byte[] file) {
@@ -28,10 +34,10 @@ record PngFile(int width, int height, byte[] content) {
   }
 
   /**
-   * Reads the outline of a file that {@link #startsIn} recognises.
+   * Reads the structure of a file that {@link #startsIn} recognizes.
    *
-   * @throws ImageFormatException if the chunks are damaged, or the picture is beyond the limits or
-   *     larger than the data can be
+   * @throws ImageFormatException if the chunks are damaged, or the picture exceeds the limits or is
+   *     larger than its data can hold
    */
   static PngFile read(byte[] file) throws ImageFormatException {
     ByteBuffer in = ByteBuffer.wrap(file);
@@ -98,7 +104,7 @@ record PngFile(int width, int height, byte[] content) {
           case 2 -> 3;
           case 4 -> 2;
           case 6 -> 4;
-          default -> throw malformed("PNG has the unknown colour type " + colourType);
+          default -> throw malformed("PNG has the unknown color type " + colourType);
         };
     return channels * depth;
   }

@@ -21,8 +21,9 @@ import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
- * Writes PNG files: exposure and tone curve, 8 or 16 bits, straight alpha if the picture has any,
- * metadata as text chunks. A whole quantised picture is in memory meanwhile, 3 to 8 bytes a pixel.
+ * Writes PNG files with exposure and tone curve applied: 8 or 16 bits, straight alpha if the
+ * picture has any, metadata as text chunks. A quantized copy takes 3 to 8 bytes of memory per pixel
+ * during writing.
  */
 final class PngWriter {
   private static final String METADATA = "javax_imageio_png_1.0";
@@ -38,7 +39,7 @@ final class PngWriter {
       metadata.mergeTree(METADATA, chunks(options));
       writer.write(new IIOImage(picture, null, metadata));
     } catch (IIOException e) {
-      // Its own message is empty; the cause's is "No space left on device".
+      // The exception's own message is empty; that of its cause is "No space left on device".
       throw e.getCause() instanceof IOException cause ? cause : e;
     } finally {
       writer.dispose();
@@ -46,10 +47,10 @@ final class PngWriter {
   }
 
   /**
-   * Returns the picture as it is shown on a screen.
+   * Returns the picture quantized for display, with exposure and tone curve applied.
    *
-   * @param bits per channel, 8 or 16
-   * @param alpha whether to keep alpha; otherwise the picture stands over black
+   * @param bits bits per channel, 8 or 16
+   * @param alpha whether to keep alpha; if not, the picture is composited over black
    */
   static BufferedImage quantised(
       Image image, ImageWriter.Options options, int bits, boolean alpha) {
@@ -70,7 +71,7 @@ final class PngWriter {
 
   private static void fill(
       WritableRaster raster, Image image, ImageWriter.Options options, int max) {
-    // Keep products finite: a huge factor must not make NaN of black.
+    // Keep the factor finite, so that black does not become NaN.
     double factor = Math.min(options.exposure().factor(image), Double.MAX_VALUE);
     int bands = raster.getNumBands();
     boolean isOverBlack = image.hasAlpha() && bands == 3;
@@ -133,7 +134,7 @@ final class PngWriter {
             "compressionMethod", "0",
             "languageTag", "",
             "translatedKeyword", "",
-            // A zero byte would end the text.
+            // A NUL character would end the text.
             "text", text.replace('\0', '\uFFFD')));
   }
 
@@ -143,7 +144,10 @@ final class PngWriter {
     return node;
   }
 
-  /** Returns whether a text is printable Latin-1 and line feeds, which is what tEXt can hold. */
+  /**
+   * Returns whether a text consists of printable Latin-1 characters and line feeds, as a tEXt chunk
+   * requires.
+   */
   private static boolean isLatin(String text) {
     return text.chars()
         .allMatch(c -> c == '\n' || (c >= 0x20 && c <= 0x7e) || (c >= 0xa1 && c <= 0xff));

@@ -1,8 +1,6 @@
 package io.github.lumbre.image;
 
-/**
- * A linear colour: a radiance, an irradiance, a reflectance or a weight, component by component.
- */
+/** A linear RGB color: a radiance, an irradiance, a reflectance or a weight. Immutable. */
 public record Rgb(double r, double g, double b) {
   public static final Rgb BLACK = new Rgb(0, 0, 0);
   public static final Rgb WHITE = new Rgb(1, 1, 1);
@@ -23,14 +21,14 @@ public record Rgb(double r, double g, double b) {
     return new Rgb(r * s, g * s, b * s);
   }
 
-  /** Returns each component, but at most 1. */
+  /** Returns the color with each component limited to at most 1. */
   public Rgb clampedToOne() {
     return r <= 1 && g <= 1 && b <= 1
         ? this
         : new Rgb(Math.min(r, 1), Math.min(g, 1), Math.min(b, 1));
   }
 
-  /** Returns the relative luminance, by the weights of ITU-R BT.709. */
+  /** Returns the relative luminance with the weights of ITU-R BT.709. */
   public double luminance() {
     return .2126 * r + .7152 * g + .0722 * b;
   }

@@ -4,30 +4,33 @@ import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
 
-/** How linear light becomes the values of a picture file with few bits. */
+/** The tone curves, which map linear light to the encoded values of a picture for display. */
 public enum ToneCurve {
-  /** Clamp to [0,1], then the sRGB curve. */
+  /** Clamps to [0,1], then applies the sRGB curve. */
   SRGB("srgb") {
     @Override
     public Rgb apply(Rgb linear) {
       return encode(linear);
     }
   },
-  /** The 2016 report's: clamp, then v^(1/2.2). */
+  /** Clamps to [0,1], then applies v^(1/2.2), as the 2016 report does. */
   GAMMA22("gamma22") {
     @Override
     public Rgb apply(Rgb linear) {
       return new Rgb(gamma(linear.r()), gamma(linear.g()), gamma(linear.b()));
     }
   },
-  /** c / (1 + Y), then sRGB (Reinhard et al. 2002, on luminance Y). */
+  /** c / (1 + Y) with luminance Y, then the sRGB curve (Reinhard et al. 2002). */
   REINHARD("reinhard") {
     @Override
     public Rgb apply(Rgb linear) {
       return encode(compressed(linear));
     }
   },
-  /** x(2.51x+.03) / (x(2.43x+.59)+.14) for each channel, clamped, then sRGB (Narkowicz 2015). */
+  /**
+   * x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14) for each channel, clamped to [0,1], then the
+   * sRGB curve (Narkowicz 2015).
+   */
   ACES("aces") {
     @Override
     public Rgb apply(Rgb linear) {
@@ -54,7 +57,7 @@ public enum ToneCurve {
 
   private static final double HUGE = 1e100;
 
-  /** From here on the filmic curve is above 1, so that nothing is lost by stopping. */
+  /** Larger values are clamped to this one: the filmic curve exceeds 1 from here on anyway. */
   private static final double FILMIC_WHITE = 100;
 
   private final String label;
@@ -64,18 +67,18 @@ public enum ToneCurve {
   }
 
   /**
-   * Returns the encoded values in [0,1] that a display is to show.
+   * Returns the encoded values in [0,1] for display.
    *
    * @param linear any finite values; negative ones count as 0
    */
   public abstract Rgb apply(Rgb linear);
 
-  /** Returns the name in scene files and on the command line. */
+  /** Returns the name of the curve in scene files and on the command line. */
   public String label() {
     return label;
   }
 
-  /** Returns the curve with that label, or empty if there is none. */
+  /** Returns the curve with the given label; empty if there is none. */
   public static Optional<ToneCurve> of(String label) {
     Objects.requireNonNull(label, "label");
     return Arrays.stream(values()).filter(curve -> curve.label.equals(label)).findFirst();
@@ -158,7 +161,7 @@ public enum ToneCurve {
     if (max <= HUGE) {
       return positive.times(1 / (1 + positive.luminance()));
     }
-    // Divide by the largest component first: the luminance itself could overflow.
+    // Divide by the largest component first, because the luminance could overflow.
     Rgb scaled = positive.times(1 / HUGE).times(HUGE / max);
     return scaled.times(1 / (1 / max + scaled.luminance()));
   }

@@ -1,9 +1,9 @@
 /**
- * Linear colour, pictures, transfer curves and picture files.
+ * Linear colors, pictures, transfer curves and picture files.
  *
- * <p>{@link io.github.lumbre.image.Rgb} is a colour or a radiance, {@link
- * io.github.lumbre.image.Image} a raster of them. Inside the program all values are linear light;
- * the sRGB curve exists only at the edge, where files are read and written.
+ * <p>{@link io.github.lumbre.image.Rgb} is a color or a radiance, and {@link
+ * io.github.lumbre.image.Image} is a raster of them. Inside the program all values are linear; the
+ * sRGB curve is applied only when files are read or written.
  *
  * <p>The way out: {@link io.github.lumbre.image.ImageWriter} brings a picture into an {@link
  * io.github.lumbre.file.OutputFile}, with {@link io.github.lumbre.image.Exposure} and {@link
@@ -13,7 +13,6 @@
  * Radiance and float maps to linear light. Rows are counted from the top, but for the inside of PFM
  * files.
  *
- * <p>All public types but OutputFile are immutable or without state, and safe for use by any
- * thread.
+ * <p>All public types are immutable or stateless, and safe for use by any thread.
  */
 package io.github.lumbre.image;

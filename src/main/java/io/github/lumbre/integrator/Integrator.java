@@ -7,9 +7,9 @@ import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 
-/** An algorithm of light transport in one scene. Immutable, shared by all threads. */
+/** A light transport algorithm for one scene. Immutable and shared by all threads. */
 public interface Integrator {
-  /** Returns the integrator of a render with such settings. */
+  /** Returns the integrator that the settings select: a path tracer or a ray tracer. */
   static Integrator of(Scene scene, RenderSettings settings) {
     return switch (settings.mode()) {
       case PATH -> new PathTracer(scene, PathOptions.of(settings));
@@ -19,18 +19,19 @@ public interface Integrator {
   }
 
   /**
-   * Returns the radiance that arrives at the ray's origin from its direction.
+   * Returns an estimate of the radiance that arrives at the ray's origin from its direction, in
+   * linear RGB.
    *
-   * @param ray of unit direction
-   * @param sampler started at the current sample
-   * @param context the calling thread's own
+   * @param ray in world space, with a unit direction
+   * @param sampler already moved to the current sample
+   * @param context belongs to the calling thread
    */
   Rgb radiance(Ray ray, Sampler sampler, RenderContext context);
 
   /**
-   * Returns the same for a ray that a camera has aimed.
+   * Returns the same estimate for a camera ray.
    *
-   * @param ray not changed here
+   * @param ray read only
    */
   default Rgb radiance(CameraRay ray, Sampler sampler, RenderContext context) {
     return radiance(ray.toRay(), sampler, context);

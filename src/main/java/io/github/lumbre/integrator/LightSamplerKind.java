@@ -4,16 +4,24 @@ import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSampler;
 import io.github.lumbre.scene.Scene;
 
-/** How a vertex selects the emitter that it samples. All kinds have the same mean. */
+/**
+ * The light sampler that a path tracer uses. All kinds give the same mean and differ in variance.
+ */
 public enum LightSamplerKind {
-  /** By what may come from each to the vertex: see {@link LightSampler#over}. */
+  /**
+   * Selects by an estimate of each light's contribution at the vertex: see {@link
+   * LightSampler#over}.
+   */
   PLACE {
     @Override
     LightSampler over(Scene scene) {
       return LightSampler.over(scene.emitters());
     }
   },
-  /** By power, at all vertices alike: see {@link LightSampler#byPower}. */
+  /**
+   * Selects by power, with the same probabilities at all vertices: see {@link
+   * LightSampler#byPower}.
+   */
   POWER {
     @Override
     LightSampler over(Scene scene) {
@@ -21,7 +29,7 @@ public enum LightSamplerKind {
       return LightSampler.byPower(powers.length == 0 ? new double[1] : powers);
     }
   },
-  /** Each as often as any other. */
+  /** Selects all lights with the same probability. */
   UNIFORM {
     @Override
     LightSampler over(Scene scene) {

@@ -5,11 +5,11 @@ import io.github.lumbre.sampling.Mis;
 import java.util.List;
 
 /**
- * Which of two ways to find an emitter counts how much: asking it for light, or meeting it with a
- * scattered ray. All have the same mean and differ in variance (Veach 1997, ch. 9).
+ * The weights of the two sampling techniques that find light: light sampling and BSDF sampling. All
+ * heuristics give the same mean and differ in variance (Veach 1997, ch. 9).
  */
 public enum MisHeuristic {
-  /** Both, by the power heuristic of multiple importance sampling. */
+  /** Both techniques, weighted by the power heuristic of multiple importance sampling. */
   BOTH {
     @Override
     double lightWeight(double lightPdf, double bsdfPdf) {
@@ -21,7 +21,7 @@ public enum MisHeuristic {
       return Mis.power(bsdfPdf, lightPdf);
     }
   },
-  /** Both, by the balance heuristic. */
+  /** Both techniques, weighted by the balance heuristic. */
   BALANCE {
     @Override
     double lightWeight(double lightPdf, double bsdfPdf) {
@@ -33,7 +33,7 @@ public enum MisHeuristic {
       return Mis.balance(bsdfPdf, lightPdf);
     }
   },
-  /** Light sampling alone, where it is possible. */
+  /** Light sampling alone, wherever it is possible. */
   LIGHT {
     @Override
     double lightWeight(double lightPdf, double bsdfPdf) {
@@ -64,18 +64,18 @@ public enum MisHeuristic {
   };
 
   /**
-   * Returns the weight of light found by light sampling.
+   * Returns the weight in [0,1] of light that light sampling found.
    *
-   * @param lightPdf of asking for it, positive and finite
-   * @param bsdfPdf of meeting it
+   * @param lightPdf density of light sampling per solid angle, positive and finite
+   * @param bsdfPdf density of BSDF sampling per solid angle
    */
   abstract double lightWeight(double lightPdf, double bsdfPdf);
 
   /**
-   * Returns the weight of an emitter that a scattered ray has met.
+   * Returns the weight in [0,1] of emission that a scattered ray hit.
    *
-   * @param bsdfPdf of meeting it, positive and finite
-   * @param lightPdf of asking for it
+   * @param bsdfPdf density of BSDF sampling per solid angle, positive and finite
+   * @param lightPdf density of light sampling per solid angle; 0 if it cannot draw this direction
    */
   abstract double bsdfWeight(double bsdfPdf, double lightPdf);
 

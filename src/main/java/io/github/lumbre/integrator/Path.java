@@ -4,8 +4,8 @@ import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.image.Rgb;
 
 /**
- * The state of a path: the light found so far, and the throughput by which further light is
- * multiplied. Mutable, in plain numbers, since every vertex changes all of it.
+ * The state of a path: its throughput and the radiance found so far. Mutable; it stores plain
+ * numbers because every vertex changes all of them.
  */
 final class Path {
   private double red, green, blue;
@@ -14,13 +14,16 @@ final class Path {
 
   private int branches;
 
-  /** Number of the vertex where the path was split. */
+  /** Number of the vertex where the path was split, from 0. */
   private int splitDepth;
 
   /** The throughput of each branch at that vertex. */
   private double splitRed, splitGreen, splitBlue;
 
-  /** Starts a path at the camera, whose ray light sampling could not have drawn. */
+  /**
+   * Starts a path at the camera. Its first ray has an infinite density: light sampling cannot draw
+   * it.
+   */
   void begin() {
     red = 0;
     green = 0;
@@ -32,7 +35,7 @@ final class Path {
     branches = 1;
   }
 
-  /** Splits the path at a vertex: each branch has an equal share of the throughput. */
+  /** Splits the path at a vertex. Each branch gets an equal share of the throughput. */
   void split(int depth, int newBranches) {
     branches = newBranches;
     splitDepth = depth;
@@ -46,7 +49,10 @@ final class Path {
     return branches > 1;
   }
 
-  /** Returns to the vertex where the path was split, keeping the light found; returns its number. */
+  /**
+   * Goes back to the vertex where the path was split and keeps the light found so far. Returns the
+   * number of that vertex.
+   */
   int returnToSplit() {
     throughputRed = splitRed;
     throughputGreen = splitGreen;
@@ -55,45 +61,48 @@ final class Path {
   }
 
   /**
-   * Leaves a vertex.
+   * Leaves a vertex in a sampled direction.
    *
-   * @param newPdf density of the path's direction; infinite if light sampling could not have drawn
+   * @param newPdf density of that direction per solid angle; infinite if light sampling cannot draw
    *     it
    */
   void leave(double newPdf) {
     pdf = newPdf;
   }
 
-  /** Returns the density of the ray's direction; infinite if light sampling could not draw it. */
+  /**
+   * Returns the density of the current ray's direction per solid angle; infinite if light sampling
+   * cannot draw it.
+   */
   double pdf() {
     return pdf;
   }
 
-  /** Adds light found where the path is, times the throughput. */
+  /** Adds radiance found at the current vertex, times the throughput. */
   void add(double r, double g, double b) {
     red += throughputRed * r;
     green += throughputGreen * g;
     blue += throughputBlue * b;
   }
 
-  /** Multiplies the throughput. */
+  /** Multiplies the throughput by a color. */
   void scale(double r, double g, double b) {
     throughputRed *= r;
     throughputGreen *= g;
     throughputBlue *= b;
   }
 
-  /** Returns the largest component of the throughput, without the division by splitting. */
+  /** Returns the largest component of the throughput, not divided by the number of branches. */
   double throughput() {
     return branches * Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));
   }
 
-  /** Reports a ray that was traced with the present throughput. */
+  /** Reports a ray that was traced, with the current throughput. */
   void reportRay(NearestHit ray, PathListener listener) {
     listener.rayTraced(ray, throughputRed, throughputGreen, throughputBlue);
   }
 
-  /** Returns the light found so far. */
+  /** Returns the radiance found so far, in linear RGB. */
   Rgb radiance() {
     return new Rgb(red, green, blue);
   }

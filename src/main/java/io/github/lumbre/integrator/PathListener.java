@@ -10,26 +10,29 @@ import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.Source;
 
 /**
- * Receives the steps of a path while an {@link Integrator} traces it.
+ * Receives the events of a path while an {@link Integrator} traces it.
  *
- * <p>Arguments are plain numbers and objects that the {@link RenderContext} reuses: an event
- * allocates nothing, and an object is valid during the call only. Without a listener, the events
- * cost one predictable branch each.
+ * <p>An event allocates nothing: its arguments are plain numbers and objects that the {@link
+ * RenderContext} reuses. Such an object is valid only during the call. Without a listener, each
+ * event costs one predictable branch.
+ *
+ * <p>Colors are linear RGB, passed as three components; only the red one is documented.
  */
 interface PathListener {
   /** A path starts at the camera. */
   void pathStarted();
 
   /**
-   * A ray was traced: from the camera, or from the vertex where the path scattered last.
+   * A ray was traced from the camera, or from the vertex where the path last scattered.
    *
    * @param ray origin and unit direction in world space, and the nearest hit if there is one
-   * @param r red component of the throughput, by which the light found next is multiplied
+   * @param r red component of the throughput, which multiplies the light found next
    */
   void rayTraced(NearestHit ray, double r, double g, double b);
 
   /**
-   * The ray hit a surface that is not shaded: it emits, or the path has reached its greatest depth.
+   * The ray hit a surface that is not shaded, because it emits or because the path has reached its
+   * greatest depth.
    */
   void surfaceHit(int primitive, SurfaceHit surface);
 
@@ -41,8 +44,8 @@ interface PathListener {
    *
    * @param emitter index among the scene's emitters
    * @param value f·|cos θi| and density of the BSDF for the light's direction
-   * @param lightPdf density per solid angle of the sample, the probability of the emitter included;
-   *     for a delta light that probability
+   * @param lightPdf density of the sample per solid angle, times the probability of selecting the
+   *     emitter; for a delta light, that probability alone
    * @param misWeight weight of multiple importance sampling
    * @param blocked whether the shadow ray hit something
    */
@@ -55,12 +58,14 @@ interface PathListener {
       boolean blocked);
 
   /**
-   * The ray found light by itself, or the vertex receives ambient light.
+   * The ray hit light without light sampling, or the vertex receives ambient light.
    *
    * @param emitter index among the scene's emitters; -1 if it is none of them
    * @param r red component of the radiance, unweighted
-   * @param lightPdf density with which light sampling would have drawn the ray; 0 if it cannot
-   * @param bsdfPdf density with which the ray was drawn; infinite for delta lobes and the camera
+   * @param lightPdf density per solid angle with which light sampling would have drawn the ray; 0
+   *     if it cannot
+   * @param bsdfPdf density per solid angle with which the ray was drawn; infinite for delta lobes
+   *     and the camera
    * @param misWeight weight of multiple importance sampling
    */
   void lightFound(
@@ -74,15 +79,16 @@ interface PathListener {
       double misWeight);
 
   /**
-   * Light is added to the sample: the throughput times this. It comes from the lights reported
-   * since the last such event.
+   * Light is added to the sample. The light comes from the lights reported since the last such
+   * event.
    *
-   * @param r red component of the light, weighted
+   * @param r red component of the light after MIS weighting, before multiplication by the
+   *     throughput
    */
   void lightAdded(double r, double g, double b);
 
   /**
-   * A direction was sampled at the vertex. If it does not survive, the path ends.
+   * A direction was sampled at the vertex. If it does not survive Russian roulette, the path ends.
    *
    * @param sample not absorbed
    * @param survival probability with which Russian roulette continues the path; 1 without it
@@ -93,6 +99,6 @@ interface PathListener {
   /** A branch of a split path starts at the vertex where the path was split. */
   void branchStarted(int branch);
 
-  /** The path ends where the last ray led, or is split there. */
+  /** The path ends, or is split, where the last ray led. */
   void pathEnded(End end);
 }

@@ -4,15 +4,17 @@ import io.github.lumbre.scene.RenderSettings;
 import java.util.Objects;
 
 /**
- * How a {@link PathTracer} looks for light. Depth alone decides what it finds; the others decide
- * how much noise and time that takes.
+ * The options of a {@link PathTracer}. Only the depth changes the expected image; the other options
+ * change noise and render time.
  *
- * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
- *     seen, with 1 direct light
- * @param firstRoulette number of the first vertex, the one that the camera sees being 0, at which a
- *     weak path may end at random
- * @param split number of branches of each path from its first vertex that is no mirror or clear
- *     glass, at least 1; each counts for its share (PBRT 4e, sec. 2.2.5)
+ * @param maxDepth the largest number of scattering vertices of a path, at least 0: with 0 only
+ *     emitters are visible, with 1 also direct light
+ * @param heuristic how light sampling and BSDF sampling are weighted
+ * @param lightSampler how a vertex selects a light
+ * @param firstRoulette number of the first vertex at which Russian roulette may end a path, at
+ *     least 0; the vertex that the camera sees is 0
+ * @param split number of branches into which a path is split at its first non-specular vertex, at
+ *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5)
  */
 public record PathOptions(
     int maxDepth,
@@ -20,7 +22,7 @@ public record PathOptions(
     LightSamplerKind lightSampler,
     int firstRoulette,
     int split) {
-  /** The first vertex at which roulette may end a path, unless another is set. */
+  /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 3;
 
   public PathOptions {
@@ -35,27 +37,27 @@ public record PathOptions(
     }
   }
 
-  /** Returns the options that renders use, for paths of so many scattering vertices at most. */
+  /** Returns the default options, for paths of at most {@code maxDepth} scattering vertices. */
   public static PathOptions toDepth(int maxDepth) {
     return new PathOptions(maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1);
   }
 
-  /** Returns the options by which a render of such settings follows paths. */
+  /** Returns the options that a render with these settings uses. */
   public static PathOptions of(RenderSettings settings) {
     return toDepth(settings.maxTraceDepth()).splitInto(settings.split());
   }
 
-  /** Returns the same with another heuristic. */
+  /** Returns the same options with another heuristic. */
   public PathOptions by(MisHeuristic newHeuristic) {
     return new PathOptions(maxDepth, newHeuristic, lightSampler, firstRoulette, split);
   }
 
-  /** Returns the same with another choice of emitters. */
+  /** Returns the same options with another light sampler. */
   public PathOptions by(LightSamplerKind newSampler) {
     return new PathOptions(maxDepth, heuristic, newSampler, firstRoulette, split);
   }
 
-  /** Returns the same with another first vertex at which a path may end at random. */
+  /** Returns the same options with another first vertex for Russian roulette. */
   public PathOptions rouletteFrom(int vertex) {
     return new PathOptions(maxDepth, heuristic, lightSampler, vertex, split);
   }

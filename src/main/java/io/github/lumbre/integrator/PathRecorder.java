@@ -21,7 +21,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Records the vertices of the last path that was traced with a {@link RenderContext}. Mutable, and
+ * Records the vertices of the last path that was traced with a {@link RenderContext}. Mutable and
  * confined to one thread.
  */
 public final class PathRecorder implements PathListener {
@@ -36,7 +36,7 @@ public final class PathRecorder implements PathListener {
   /** Whether the next direction is sampled at the split vertex. */
   private boolean isAtSplit;
 
-  /** Makes a recorder of no path. */
+  /** Creates a recorder that holds no path yet. */
   public PathRecorder() {}
 
   /** A vertex under construction. Mutable. */
@@ -56,7 +56,7 @@ public final class PathRecorder implements PathListener {
       this.throughput = throughput;
     }
 
-    /** Adds the lights reported since the last time as one contribution. */
+    /** Adds the lights reported since the last call as one contribution. */
     void add(Rgb amount) {
       if (!pending.isEmpty() || !amount.isBlack()) {
         contributions.add(new Contribution(pending, amount));

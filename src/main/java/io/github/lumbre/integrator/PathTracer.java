@@ -27,12 +27,12 @@ import java.util.Objects;
 
 /**
  * A unidirectional path tracer with next-event estimation and multiple importance sampling (Kajiya
- * 1986; PBRT 4e, sec. 13.4): an unbiased estimate of all light that is scattered at most a given
- * number of times.
+ * 1986; PBRT 4e, sec. 13.4). Its estimate is unbiased for all light that is scattered at most a
+ * given number of times.
  *
- * <p>Each step traces a ray to the next vertex and does, in this order: add what the surface emits,
- * sample one light, sample the BSDF for the next direction, and end weak paths by Russian roulette.
- * With splitting, the rest of the path is repeated from the first vertex that is not specular.
+ * <p>Each step traces a ray to the next vertex. There it adds the emission of the surface, samples
+ * one light, samples the BSDF for the next direction, and applies Russian roulette, in this order.
+ * With splitting, the rest of the path is repeated from the first non-specular vertex.
  */
 public final class PathTracer implements Integrator {
   private final Scene scene;
@@ -62,14 +62,16 @@ public final class PathTracer implements Integrator {
   private final boolean hasAbsorption;
 
   /**
-   * @param maxDepth how many vertices of a path may scatter, at least 0: with 0 only emitters are
-   *     visible, with 1 direct light
+   * Creates a path tracer with the default options.
+   *
+   * @param maxDepth the largest number of scattering vertices of a path, at least 0: with 0 only
+   *     emitters are visible, with 1 also direct light
    */
   public PathTracer(Scene scene, int maxDepth) {
     this(scene, PathOptions.toDepth(maxDepth));
   }
 
-  /** Makes a path tracer with options that change its noise and speed, but not its mean. */
+  /** Creates a path tracer with the given options. */
   public PathTracer(Scene scene, PathOptions options) {
     this(scene, options, options.lightSampler().over(scene));
   }
@@ -110,7 +112,7 @@ public final class PathTracer implements Integrator {
     return trace(sampler, context);
   }
 
-  /** Traces a path along the ray at which {@code context.hit} is aimed. */
+  /** Traces a path that starts with the ray of {@code context.hit}. */
   private Rgb trace(Sampler sampler, RenderContext context) {
     Path path = context.path;
     path.begin();
@@ -129,7 +131,8 @@ public final class PathTracer implements Integrator {
 
   /**
    * Traces the ray to the next vertex and adds the light found there. Returns whether the path
-   * continues with a new ray; if it is to be split at the vertex, {@link #traceBranches} continues.
+   * continues with a new ray. If the path is split at the vertex, the result is false and {@link
+   * #traceBranches} continues.
    */
   private boolean extend(int depth, Sampler sampler, RenderContext context) {
     NearestHit hit = context.hit;
@@ -192,7 +195,7 @@ public final class PathTracer implements Integrator {
       path.split(depth, split);
       return end(End.SPLIT, context);
     }
-    // Drawn before the light is sampled: the processor computes both points at once.
+    // Drawn before the light is sampled, so that the processor can compute both points in parallel.
     Point2 uDirection = sampler.get2d(dimension + Sampler.DIRECTION);
     if (samplesLights && !isSpecular) {
       direct(vertex, sampler, dimension, context);
@@ -221,9 +224,9 @@ public final class PathTracer implements Integrator {
   }
 
   /**
-   * Samples the BSDF for the path's next direction; returns whether the path continues.
+   * Samples the BSDF for the path's next direction. Returns whether the path continues.
    *
-   * @param u uniform in [0,1), as is v: they determine the direction
+   * @param u uniform in [0,1), as is v; the two determine the direction
    */
   private boolean scatter(
       Vertex vertex, int depth, double u, double v, Sampler sampler, RenderContext context) {
@@ -263,8 +266,8 @@ public final class PathTracer implements Integrator {
         context.listener.branchStarted(branch);
       }
       if (samplesLights && branch > 0) {
-        // Emitters hit by this branch are weighted against light sampling from the split vertex,
-        // where the branch before it has moved on.
+        // Emitters hit by this branch are weighted against light sampling at the split vertex. The
+        // previous branch has moved the receiver elsewhere, so move it back.
         vertex.receiveFrom(context.choice);
       }
       Point2 uDirection = sampler.get2d(Sampler.vertex(depth) + Sampler.DIRECTION);
@@ -276,7 +279,7 @@ public final class PathTracer implements Integrator {
     }
   }
 
-  /** Samples one light, selected at random, and adds what the vertex scatters of it. */
+  /** Samples one light, selected at random, and adds its light that the vertex scatters. */
   private void direct(Vertex vertex, Sampler sampler, int dimension, RenderContext context) {
     LightChoice choice = context.choice;
     LightSample light = context.light;
@@ -323,7 +326,10 @@ public final class PathTracer implements Integrator {
     }
   }
 
-  /** Adds what a surface emits towards the path, weighted against sampling it as a light. */
+  /**
+   * Adds the emission of a surface towards the previous vertex, with its MIS weight against light
+   * sampling.
+   */
   private void addEmission(Emission emission, SurfaceHit surface, RenderContext context) {
     Rgb emitted = emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
     int emitter = scene.emitterAt(context.hit);
@@ -349,7 +355,11 @@ public final class PathTracer implements Integrator {
     add(emitted.r() * weight, emitted.g() * weight, emitted.b() * weight, context);
   }
 
-  /** Adds the environment lights that a ray leaves the scene for, each with its own weight. */
+  /**
+   * Adds the environment lights for a ray that leaves the scene, each with its own MIS weight.
+   *
+   * @param direction of unit length, in world space
+   */
   private void addEnvironment(RenderContext context, Vec3 direction) {
     double bsdfPdf = context.path.pdf();
     double r = 0;
@@ -407,16 +417,17 @@ public final class PathTracer implements Integrator {
     }
   }
 
-  /** Returns whether light that a ray hits could have been found by light sampling as well. */
+  /** Returns whether light sampling could also have found light that a ray hits. */
   private boolean isWeighted(double bsdfPdf) {
     return samplesLights && bsdfPdf != Double.POSITIVE_INFINITY;
   }
 
   /**
-   * Returns the density with which light sampling would have drawn the path's ray: at the vertex
-   * that sampled a light last, since a path leaves any other by a delta lobe.
+   * Returns the density, per solid angle, with which light sampling would have drawn the path's
+   * ray. It is the density at the vertex that last sampled a light: the path leaves every later
+   * vertex by a delta lobe.
    *
-   * @param pdf of the emitter's own sampling
+   * @param pdf density with which the emitter itself draws the ray
    */
   private double lightPdf(int emitter, double pdf, RenderContext context) {
     return selects ? selector.probability(context.choice, emitter) * pdf : pdf;
@@ -429,7 +440,7 @@ public final class PathTracer implements Integrator {
     }
   }
 
-  /** Reports why the path ends; returns false, since it does not continue. */
+  /** Reports why the path ends. Always returns false, so that callers can return the result. */
   private static boolean end(End end, RenderContext context) {
     if (context.isRecorded) {
       context.listener.pathEnded(end);

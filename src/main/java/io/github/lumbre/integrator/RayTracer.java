@@ -24,13 +24,14 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Whitted's ray tracing (1980): direct light from every light, mirrors, and glass; no light from
- * one diffuse or glossy surface to another. Each area light and environment light is sampled once.
+ * A ray tracer after Whitted (1980): direct light from every light, mirrors and glass, but no light
+ * between diffuse or glossy surfaces. It samples each area light and environment light once per
+ * vertex.
  */
 public final class RayTracer implements Integrator {
   /**
-   * At this many glass surfaces a path is split into reflection and refraction; after that it takes
-   * one of the two at random, so that deep glass does not cost 2^depth rays.
+   * The number of glass surfaces at which a path is split into reflection and refraction. After
+   * that it follows one of the two at random, so that deep glass does not cost 2^depth rays.
    */
   private static final int MAX_SPLITS = 4;
 
@@ -40,8 +41,10 @@ public final class RayTracer implements Integrator {
   private final int maxRefractions;
 
   /**
-   * @param maxReflections how many mirrors a path may hit, at least 0
-   * @param maxRefractions how many glass surfaces a path may hit, at least 0
+   * Creates a ray tracer.
+   *
+   * @param maxReflections the largest number of mirror reflections along a path, at least 0
+   * @param maxRefractions the largest number of glass surfaces along a path, at least 0
    */
   public RayTracer(Scene scene, int maxReflections, int maxRefractions) {
     this.scene = Objects.requireNonNull(scene, "scene");
@@ -79,7 +82,11 @@ public final class RayTracer implements Integrator {
     return new Rgb(r, g, b);
   }
 
-  /** Returns the light that a branch finds at its end, and pushes the branches that start there. */
+  /**
+   * Traces a branch, returns the light found at its end, and pushes the branches that start there.
+   *
+   * @param number of the branch within the sample, from 0; selects its random numbers
+   */
   private Rgb trace(Branch branch, int number, Sampler sampler, RenderContext context) {
     NearestHit hit = context.hit;
     context.rays++;
@@ -123,7 +130,7 @@ public final class RayTracer implements Integrator {
     return emitted.plus(shade(branch, number, sampler, context));
   }
 
-  /** Returns the light scattered from the lights at a vertex, and pushes what continues there. */
+  /** Returns the direct light that a vertex scatters, and pushes the branches that start there. */
   private Rgb shade(Branch branch, int number, Sampler sampler, RenderContext context) {
     Deque<Branch> pending = context.branches;
     Vertex vertex = context.vertex;
@@ -185,7 +192,7 @@ public final class RayTracer implements Integrator {
     context.listener.lightFound(source, emitter, light.r(), light.g(), light.b(), 0, bsdfPdf, 1);
   }
 
-  /** Returns the ambient light and one sample of each light, as the vertex scatters them. */
+  /** Returns the ambient light and one sample of each light, scattered at the vertex. */
   private Rgb direct(Vertex vertex, int number, Sampler sampler, RenderContext context) {
     Rgb ambient = scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
     if (context.isRecorded && !ambient.isBlack()) {
@@ -214,7 +221,8 @@ public final class RayTracer implements Integrator {
   }
 
   /**
-   * Returns the light of one sample that is scattered to the viewer.
+   * Returns the light of one light sample that the vertex scatters back along the ray; black if it
+   * is blocked.
    *
    * @param number of the light in the scene's list of lights
    */
@@ -256,7 +264,10 @@ public final class RayTracer implements Integrator {
     }
   }
 
-  /** Continues in one random direction of rough glass, which has no two to split into. */
+  /**
+   * Continues in one random direction: rough glass scatters into a continuum and cannot be split in
+   * two.
+   */
   private void scatterInGlass(
       Branch branch, Sampler sampler, int dimension, RenderContext context, Deque<Branch> pending) {
     if (branch.refractions() < maxRefractions) {

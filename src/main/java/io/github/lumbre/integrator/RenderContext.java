@@ -15,11 +15,14 @@ import java.util.Deque;
 import java.util.Objects;
 
 /**
- * The workspace of one thread: memory and counters that an {@link Integrator} reuses from sample to
- * sample. Mutable; one for each thread.
+ * The per-thread workspace of a render: objects and counters that an {@link Integrator} reuses from
+ * sample to sample. Mutable and confined to one thread.
  */
 public final class RenderContext {
-  /** Whether {@link #listener} receives events: a branch is cheaper than a call for each. */
+  /**
+   * Whether {@link #listener} receives events. Testing this flag costs less than calling a listener
+   * that does nothing.
+   */
   final boolean isRecorded;
 
   final PathListener listener;
@@ -39,7 +42,7 @@ public final class RenderContext {
   boolean hitSomething;
   private long shadowRays;
 
-  /** Makes a workspace whose paths are not recorded. */
+  /** Creates a context that does not record paths. */
   public RenderContext() {
     this(new PathRecorder(), false);
   }
@@ -49,14 +52,17 @@ public final class RenderContext {
     this.isRecorded = isRecorded;
   }
 
-  /** Returns a workspace whose paths are recorded; its samples are bit-identical to others. */
+  /**
+   * Returns a context that records paths. Its samples are bit-identical to those of a context
+   * without a recorder.
+   */
   public static RenderContext recordedBy(PathRecorder recorder) {
     return new RenderContext(recorder, true);
   }
 
   /**
-   * Returns the vertex where the path is, with its hit, and continues in other memory, so that the
-   * vertex stays as it is until the next call.
+   * Returns the current vertex and replaces it and its hit by spare ones. The returned vertex
+   * therefore stays unchanged until the next call.
    */
   Vertex keepVertex() {
     Vertex kept = vertex;
@@ -95,29 +101,30 @@ public final class RenderContext {
     return false;
   }
 
-  /** Returns how many rays were traced to their nearest hit. */
+  /** Returns the number of rays traced to their nearest hit, shadow rays excluded. */
   public long rays() {
     return rays;
   }
 
-  /** Returns how many shadow rays were traced. */
+  /** Returns the number of shadow rays traced. */
   public long shadowRays() {
     return shadowRays;
   }
 
   /**
-   * Returns how many texture coordinates were invalid, that is, not finite, since the last call.
+   * Returns the number of invalid texture coordinates (NaN or infinite) on this thread since the
+   * last call, and resets it to 0.
    */
   public long takeUnreadablePoints() {
     return UnreadablePoints.take();
   }
 
-  /** Prepares for the next ray from the camera. */
+  /** Prepares for the next camera ray. */
   public void startSample() {
     hitSomething = false;
   }
 
-  /** Returns whether the ray from the camera hit a surface. */
+  /** Returns whether the current sample's camera ray hit a surface. */
   public boolean hitSomething() {
     return hitSomething;
   }

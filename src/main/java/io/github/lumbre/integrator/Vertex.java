@@ -10,24 +10,29 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A point where a path hits a surface: the surface's Bsdf in world directions. Mutable: each thread
- * moves one and the same from vertex to vertex.
+ * A point where a path hits a surface: evaluates and samples the surface's BSDF in world space.
+ * Mutable: each thread reuses one instance for all vertices.
  *
- * <p>Interpolated and bent normals may put a direction on one side of the shading plane and on the
- * other of the true surface. Light never passes that way: such directions scatter nothing.
+ * <p>With interpolated or perturbed normals, a direction may lie on one side of the shading plane
+ * but on the other side of the geometric surface. Such directions scatter no light, so that light
+ * never leaks through a surface.
  */
 final class Vertex {
   private SurfaceHit surface;
   private Bsdf bsdf;
 
-  /** Direction back along the path, in the local frame. */
+  /** Unit direction back along the path, in the local shading frame. */
   private double outX, outY, outZ;
 
-  /** Moves to another point; may turn the hit's shading frame. */
+  /**
+   * Moves to another hit. May change the hit's shading frame, by a normal map or back to the
+   * geometric normal.
+   */
   void moveTo(SurfaceHit newSurface, Material material) {
     surface = newSurface;
     material.bend(surface);
-    // A viewer behind the perturbed plane but in front of the true one sees the true one.
+    // If the viewer is behind the shading plane but in front of the surface, shade with the
+    // geometric normal.
     lookBack();
     if (surface.wo().dot(surface.geometricNormal()) * outZ <= 0) {
       surface.shadeFlat();
@@ -51,23 +56,26 @@ final class Vertex {
     return bsdf;
   }
 
-  /** Returns the direction back along the path, in the local frame. */
+  /** Returns the unit direction back along the path, in the local shading frame. */
   Vec3 wo() {
     return new Vec3(outX, outY, outZ);
   }
 
-  /** Returns the world direction of a local one. */
+  /** Returns the world direction of a direction in the local shading frame. */
   Vec3 toWorld(Vec3 local) {
     return surface.toWorld(local);
   }
 
-  /** Selects lights for this vertex: from the side or sides whose light scatters to the viewer. */
+  /**
+   * Moves the light sampler's receiver to this vertex. It receives light from the viewer's side of
+   * the surface, or from both sides if the surface transmits light.
+   */
   void receiveFrom(LightChoice choice) {
     double side = bsdf.isTransmissive() ? 0 : Math.copySign(1, outZ);
     choice.moveTo(surface.position(), surface.shadingNormal().times(side));
   }
 
-  /** Sets f·|cos θi| and the density of the unit world direction that light comes from. */
+  /** Computes f·|cos θi| and the density of BSDF sampling for the direction of a light sample. */
   void evaluate(LightSample light, BsdfValue value) {
     Vec3 wi = light.wi();
     Vec3 local = surface.toLocal(wi);
@@ -78,7 +86,7 @@ final class Vertex {
     }
   }
 
-  /** Draws a direction; the sample's wi is in world space. */
+  /** Samples the BSDF; the sampled direction is in world space. */
   void sample(double uLobe, double u, double v, BsdfSample drawn) {
     bsdf.sample(outX, outY, outZ, uLobe, u, v, drawn);
     if (drawn.isAbsorbed()) {
@@ -97,7 +105,12 @@ final class Vertex {
     }
   }
 
-  /** Returns whether a world direction, with the given local z, is on a consistent side. */
+  /**
+   * Returns whether the shading plane and the geometric surface agree on which side of the surface
+   * a world direction lies.
+   *
+   * @param localZ the direction's z in the local shading frame
+   */
   private boolean isConsistent(double wx, double wy, double wz, double localZ) {
     Vec3 normal = surface.geometricNormal();
     double cosine = wx * normal.x() + wy * normal.y() + wz * normal.z();

@@ -1,11 +1,10 @@
 /**
- * Light transport: the radiance that arrives along a ray.
+ * Light transport: estimates of the radiance that arrives along a ray.
  *
- * <p>{@link io.github.lumbre.integrator.PathTracer} estimates all of it, up to a depth; {@link
- * io.github.lumbre.integrator.RayTracer} is Whitted's: direct light, mirrors and glass. Both are
- * stateless and shared by all threads; each thread has its own {@link
+ * <p>{@link io.github.lumbre.integrator.PathTracer} estimates all light up to a path length limit.
+ * {@link io.github.lumbre.integrator.RayTracer} implements Whitted's ray tracing: direct light,
+ * mirrors and glass. Both are immutable and shared by all threads; each thread has its own {@link
  * io.github.lumbre.integrator.RenderContext}. A {@link io.github.lumbre.integrator.PathRecorder}
- * listens to the steps of a path and explains how a sample came about.
+ * records the vertices and contributions of a path, so that a sample can be explained.
  */
 package io.github.lumbre.integrator;
-

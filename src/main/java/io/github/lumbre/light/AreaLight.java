@@ -9,10 +9,11 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * A shape that emits. The same shape and emission stand in the scene as a primitive, which rays can
- * hit.
+ * A shape that emits light. The scene also contains it as a primitive with the same emission, which
+ * rays can hit.
  *
- * @param shape of finite area
+ * @param shape shape of finite area, in world space
+ * @param emission radiance that its surface emits
  */
 public record AreaLight(Shape shape, Emission emission) implements Light {
   public AreaLight {
@@ -45,7 +46,11 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
     return emission.meanRadiance() * Math.PI * shape.area() * (emission.twoSided() ? 2 : 1);
   }
 
-  /** The projected area of a convex body is a quarter of its surface (Cauchy 1832). */
+  /**
+   * {@inheritDoc}
+   *
+   * <p>The mean projected area of a convex body is a quarter of its surface area (Cauchy 1832).
+   */
   @Override
   public Optional<LightBounds> bounds() {
     double strongest = emission.meanRadiance() * shape.area();

@@ -5,10 +5,10 @@ import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 
 /**
- * Parallel light from infinitely far.
+ * Parallel light from infinity.
  *
- * @param direction unit direction in which it shines
- * @param irradiance at normal incidence
+ * @param direction unit direction in which the light travels, in world space
+ * @param irradiance irradiance at normal incidence, linear RGB
  */
 public record DirectionalLight(Vec3 direction, Rgb irradiance) implements Light {
   public DirectionalLight {

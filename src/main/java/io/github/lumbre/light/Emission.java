@@ -9,10 +9,10 @@ import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 
 /**
- * The light that a surface sends out by itself.
+ * The light that a surface emits.
  *
- * @param radiance the same in all directions
- * @param twoSided whether the inside shines as the outside does
+ * @param radiance emitted radiance in linear RGB, the same in all directions
+ * @param twoSided whether the inside emits as well as the outside
  */
 public record Emission(Texture<Rgb> radiance, boolean twoSided) {
   private static final int GRID = 16;
@@ -22,21 +22,29 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided) {
   }
 
   /**
-   * Returns the radiance that leaves a point of the surface.
+   * Returns the radiance that leaves a point of the surface in a direction.
    *
-   * @param direction in which it leaves, any length
-   * @param normal the surface's geometric normal, outward
+   * @param direction direction away from the surface, in world space, of any length
+   * @param normal outward geometric normal of the surface, in world space
+   * @param point texture coordinates of the point
    */
   public Rgb towards(Vec3 direction, Vec3 normal, TexturePoint point) {
     return twoSided || direction.dot(normal) > 0 ? radiance.at(point) : Rgb.BLACK;
   }
 
-  /** Returns the radiance that a point drawn from the surface sends to a reference. */
+  /**
+   * Returns the radiance that a point sampled on the surface emits towards a reference point.
+   *
+   * @param reference point in world space
+   */
   Rgb towards(Vec3 reference, SurfaceSample point) {
     return twoSided || point.isSeenFrontally(reference) ? radiance.at(point.texture()) : Rgb.BLACK;
   }
 
-  /** Returns about the mean radiance, by its strongest component: from a grid over the texture. */
+  /**
+   * Returns an estimate of the mean radiance, using the largest color component. It averages a grid
+   * of 16 × 16 points of the texture.
+   */
   double meanRadiance() {
     double sum = 0;
     for (int i = 0; i < GRID * GRID; i++) {
@@ -47,7 +55,7 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided) {
     return sum / (GRID * GRID);
   }
 
-  /** Returns whether nothing is emitted anywhere. */
+  /** Returns whether the emission is known to be black everywhere. */
   public boolean isBlack() {
     return radiance instanceof Constant<Rgb> constant && constant.value().isBlack();
   }

@@ -12,11 +12,12 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Light from infinitely far in all directions: of one radiance, or of a latitude-longitude image.
- * An image reads unmirrored from inside, its centre towards the dome's +z, its top up. Immutable.
+ * An environment light: light from infinity in all directions, either of one constant radiance or
+ * from a latitude-longitude image. Seen from inside, the image is not mirrored; its center lies
+ * towards the light's local +z and its top towards +y. Immutable.
  */
 public final class EnvironmentLight implements Light {
-  /** Textures repeat: at 1 the zenith would show the nadir. */
+  /** The largest texture coordinate. Textures repeat, so at 1 the zenith would show the nadir. */
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
   private final Frame axes;
@@ -35,19 +36,20 @@ public final class EnvironmentLight implements Light {
     this.meanBrightness = meanBrightness;
   }
 
-  /** Returns a dome of one radiance in all directions. */
+  /** Returns an environment light with the same radiance in all directions. */
   public static EnvironmentLight uniform(Rgb radiance) {
     return new EnvironmentLight(
         Frame.WORLD, Texture.constant(radiance), Optional.empty(), radiance.max());
   }
 
   /**
-   * Returns a dome that shows an image and is sampled in proportion to its brightness.
+   * Returns an environment light from an image, sampled in proportion to the image's brightness.
    *
-   * @param axes the dome's right, up and forward in the world
-   * @param radiance over u, v in [0,1]², v = 1 at the top
-   * @param columns of the grid on which the brightness is tabulated: the image's own, for instance
-   * @param rows of that grid
+   * @param axes directions of the light's right, up and forward axes in world space
+   * @param radiance radiance over (u, v) in [0,1]², with v = 1 at the top
+   * @param columns number of columns of the grid on which brightness is tabulated, for example the
+   *     width of the image
+   * @param rows number of rows of that grid
    */
   public static EnvironmentLight image(Frame axes, Texture<Rgb> radiance, int columns, int rows) {
     Objects.requireNonNull(axes, "axes");
@@ -67,13 +69,16 @@ public final class EnvironmentLight implements Light {
         axes, radiance, Optional.of(new Distribution2d(weights)), total / (2 * columns));
   }
 
-  /** Returns a brightness that is positive wherever the cell's radiance is, filtering included. */
+  /**
+   * Returns a brightness of a grid cell that is positive if the filtered radiance is positive
+   * anywhere in the cell.
+   */
   private static double brightest(
       Texture<Rgb> radiance, int column, int row, int columns, int rows) {
     double most = 0;
     for (double dy = 0; dy <= 1; dy += .5) {
       for (double dx = 0; dx <= 1; dx += .5) {
-        // Just inside the cell, so that an unfiltered neighbour does not count.
+        // Stay just inside the cell, so that an unfiltered neighbor does not count.
         double u = (column + .001 + .998 * dx) / columns;
         double v = (row + .001 + .998 * dy) / rows;
         most = Math.max(most, radiance.at(u, v).max());
@@ -82,7 +87,7 @@ public final class EnvironmentLight implements Light {
     return most;
   }
 
-  /** Returns the radiance that arrives from a unit direction. */
+  /** Returns the radiance that arrives from a unit direction in world space. */
   public Rgb from(Vec3 direction) {
     if (distribution.isEmpty()) {
       return radiance.at(.5, .5);
@@ -129,19 +134,28 @@ public final class EnvironmentLight implements Light {
     result.setInfinite(wi, radiance.at(texel.x(), texel.y()), pdf);
   }
 
-  /** From per area of the image: dω is 2π² cos latitude times the area element. */
+  /**
+   * Converts a density per unit area of the image to one per solid angle: dω = 2π² cos(latitude)
+   * dA.
+   */
   private static double perSolidAngle(double pdf, double cosLatitude) {
     return pdf / (2 * Math.PI * Math.PI * cosLatitude);
   }
 
-  /** Returns how far to the right in the image, in [0,1), a direction of the dome's space lies. */
+  /**
+   * Returns the horizontal image coordinate in [0,1) of a direction in the light's local space,
+   * from left to right.
+   */
   private static double u(Vec3 d) {
     return Math.min(.5 + Elementary.atan2(d.x(), d.z()) / Elementary.TWO_PI, BELOW_ONE);
   }
 
-  /** Returns how far up in the image, in [0,1), a direction of the dome's space lies. */
+  /**
+   * Returns the vertical image coordinate in [0,1) of a direction in the light's local space, from
+   * bottom to top.
+   */
   private static double v(Vec3 d) {
-    // An arc sine would lose half the digits near the poles.
+    // An arcsine would lose half the digits near the poles.
     return Math.min(.5 + Elementary.atan2(d.y(), cosLatitude(d)) / Math.PI, BELOW_ONE);
   }
 
@@ -155,15 +169,18 @@ public final class EnvironmentLight implements Light {
   }
 
   /**
-   * Of a dome of one radiance a quarter of what a surface has from it, since scattered rays find it
-   * about as well; of an image, what a surface that faces it has from a spot with all of its light.
+   * {@inheritDoc}
+   *
+   * <p>For a constant radiance, a quarter of the irradiance of a surface, because BSDF sampling
+   * finds this light about as well as light sampling. For an image, the irradiance of a surface
+   * that faces a small spot with all the light of the image.
    */
   @Override
   public double farIrradiance() {
     return (isEven() ? .25 : 4) * Math.PI * meanBrightness;
   }
 
-  /** Returns whether all directions have the same radiance. */
+  /** Returns whether the radiance is the same in all directions. */
   boolean isEven() {
     return distribution.isEmpty();
   }

@@ -2,9 +2,9 @@ package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
 
-/** How the light of a point-like source depends on distance. */
+/** How the irradiance from a point light or spotlight depends on distance. */
 public enum Falloff {
-  /** Not at all: the intensity is the irradiance at normal incidence at any distance. */
+  /** No falloff: the light's intensity is the irradiance at normal incidence at any distance. */
   NONE {
     @Override
     Rgb irradiance(Rgb intensity, double distanceSquared) {
@@ -13,12 +13,14 @@ public enum Falloff {
 
     @Override
     double sphere(double sceneRadius) {
-      // As parallel light that covers the scene.
+      // The power of parallel light that covers the scene.
       return Math.PI * sceneRadius * sceneRadius;
     }
   },
 
-  /** Physically: the intensity is radiant intensity, power per solid angle. */
+  /**
+   * Inverse-square falloff: the light's intensity is radiant intensity, in power per solid angle.
+   */
   INVERSE_SQUARE {
     @Override
     Rgb irradiance(Rgb intensity, double distanceSquared) {
@@ -34,9 +36,12 @@ public enum Falloff {
     }
   };
 
-  /** Returns the irradiance at normal incidence. */
+  /** Returns the irradiance at normal incidence at a squared distance &gt; 0. */
   abstract Rgb irradiance(Rgb intensity, double distanceSquared);
 
-  /** Returns about what an intensity of 1 in all directions sends into a scene. */
+  /**
+   * Returns an estimate of the power that a light of intensity 1 in all directions sends into a
+   * scene of the given radius.
+   */
   abstract double sphere(double sceneRadius);
 }

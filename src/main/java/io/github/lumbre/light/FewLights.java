@@ -3,22 +3,23 @@ package io.github.lumbre.light;
 import java.util.List;
 
 /**
- * A few emitters of limited reach, each weighted by its own bounds. With four that takes less time
- * than a {@link LightTree}, and tells more than bounds of pairs. Immutable.
+ * A light sampler for a few lights at finite distances, which weights each light by its own bounds.
+ * For four lights it is faster than a {@link LightTree}, and more accurate, because bounds of pairs
+ * are looser. Immutable.
  */
 final class FewLights implements NearLights {
-  /** The largest number of emitters that are weighted one by one. */
+  /** The largest number of lights. */
   static final int MOST = LightChoice.WEIGHTS;
 
   private final LightNodes nodes;
   private final int[] emitters;
 
-  /** Where each emitter stands in the list. */
+  /** The position in {@link #emitters} of each emitter of the scene. */
   private final int[] places;
 
   /**
    * @param items at least one, at most {@link #MOST}
-   * @param count above the largest of the items' indices
+   * @param count number of emitters of the scene, greater than every index in {@code items}
    */
   FewLights(List<LightTreeBuilder.Item> items, int count) {
     nodes =
@@ -61,7 +62,7 @@ final class FewLights implements NearLights {
     double rest = u;
     int chosen = -1;
     double probability = 0;
-    // Rounding may leave a rest after the last of them, which then has it.
+    // Rounding may leave a remainder after the last light, which then is selected.
     for (int i = 0; i < count && rest >= 0; i++) {
       if (weights[i] > 0) {
         chosen = i;
@@ -90,8 +91,8 @@ final class FewLights implements NearLights {
   }
 
   /**
-   * Returns whether a sum of weights is usable: in a light of no size one is infinite, and the
-   * reciprocal of what is below normal numbers overflows.
+   * Returns whether a sum of weights can be used. At the position of a point light the weight is
+   * infinite, and the reciprocal of a subnormal sum may overflow.
    */
   private static boolean isUsable(double sum) {
     return sum >= Double.MIN_NORMAL && sum < Double.POSITIVE_INFINITY;

@@ -5,28 +5,29 @@ import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
 
 /**
- * Where the light of one or more emitters comes from, where it goes and about how much there is:
- * never less in place and direction than is true.
+ * Bounds of the light of one or more emitters: of its origin, its directions and its approximate
+ * intensity. The bounds of origin and direction are conservative.
  *
  * <p>Conty Estevez &amp; Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree
  * Splitting", sec. 4.1.
  *
- * @param box around all that shines
- * @param axis unit axis of the cone that holds all normals
- * @param spread half angle of that cone, in [0, π]; for a point light π
- * @param fall how far from a normal light goes, in [0, π/2] for surfaces
- * @param intensity radiant intensity in the strongest direction, by the strongest colour component
+ * @param box bounding box of the emitters, in world space
+ * @param axis unit axis of the cone that contains all emitter normals
+ * @param spread half angle of that cone in radians, in [0, π]; π for a point light
+ * @param fall largest angle in radians between a normal and emitted light, in [0, π/2] for surfaces
+ * @param intensity approximate radiant intensity in the brightest direction, using the largest
+ *     color component
  */
 public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, double intensity) {
-  /** For the rounding of angles; wider cones cost nothing. */
+  /** Margin in radians for rounding errors of angles; slightly wider cones do no harm. */
   private static final double MARGIN = 1e-9;
 
-  /** Returns the bounds of what shines from a box in all directions. */
+  /** Returns bounds of emitters in a box that emit in all directions. */
   static LightBounds allAround(Bounds3 box, double intensity) {
     return new LightBounds(box, Vec3.Z, Math.PI, .5 * Math.PI, intensity);
   }
 
-  /** Returns the bounds of a cone of light. */
+  /** Returns bounds of emitters in a box whose light stays within a cone. */
   static LightBounds towards(Bounds3 box, Vec3 axis, double spread, double fall, double intensity) {
     return new LightBounds(box, axis, spread + MARGIN, fall + MARGIN, intensity);
   }
@@ -35,7 +36,7 @@ public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, do
     return new LightBounds(box, axis, spread, fall, value);
   }
 
-  /** Returns the bounds of the emitters of both. */
+  /** Returns bounds of the emitters of both operands. */
   LightBounds union(LightBounds o) {
     LightBounds wide = spread >= o.spread ? this : o;
     LightBounds narrow = spread >= o.spread ? o : this;
@@ -60,7 +61,10 @@ public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, do
     return new LightBounds(bothBoxes, middle.normalized(), half, bothFalls, sum);
   }
 
-  /** Returns how bad it is to be treated as one: intensity, size and solid angle together. */
+  /**
+   * Returns the cost of treating the emitters as one: the product of intensity, solid angle and
+   * squared radius of the box.
+   */
   double cost() {
     double radius = box.radius();
     double reach = Math.min(spread + fall, Math.PI);

@@ -3,29 +3,30 @@ package io.github.lumbre.light;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A point where light is sampled, and the emitter that a {@link LightSampler} selected for it.
- * Mutable: each thread moves one and the same from point to point.
+ * A point that receives light, and the emitter that a {@link LightSampler} selected for it.
+ * Mutable: each thread reuses one instance for all points.
  */
 public final class LightChoice {
   static final int WEIGHTS = 8;
 
-  /** Memory for the weights of a few emitters. */
+  /** Workspace for the weights of {@link FewLights}. */
   final double[] weights = new double[WEIGHTS];
 
-  // The point, and the unit normal of the side from which it takes light; zero if from both.
+  // The point, and the unit normal of the side that receives light; zero if both sides do.
   double x, y, z;
   double normalX, normalY, normalZ;
 
   private int emitter;
   private double probability;
 
-  /** Makes the memory of a choice. */
+  /** Creates an instance at the origin, without a selected emitter. */
   public LightChoice() {}
 
   /**
    * Moves to another point.
    *
-   * @param normal unit normal of the side from which the point takes light, or zero if from both
+   * @param point position in world space
+   * @param normal unit world normal of the side that receives light, or zero if both sides do
    */
   public void moveTo(Vec3 point, Vec3 normal) {
     x = point.x();
@@ -36,27 +37,27 @@ public final class LightChoice {
     normalZ = normal.z();
   }
 
-  /** Returns the x of {@link #point}. */
+  /** Returns the x coordinate of {@link #point}. */
   public double x() {
     return x;
   }
 
-  /** Returns the y of {@link #point}. */
+  /** Returns the y coordinate of {@link #point}. */
   public double y() {
     return y;
   }
 
-  /** Returns the z of {@link #point}. */
+  /** Returns the z coordinate of {@link #point}. */
   public double z() {
     return z;
   }
 
-  /** Returns the point, in world space, that light is sampled for. */
+  /** Returns the point, in world space, that receives light. */
   public Vec3 point() {
     return new Vec3(x, y, z);
   }
 
-  /** Returns whether the point takes light from both sides. */
+  /** Returns whether the point receives light from both sides. */
   boolean isOpen() {
     return normalX == 0 && normalY == 0 && normalZ == 0;
   }
@@ -66,19 +67,19 @@ public final class LightChoice {
     probability = newProbability;
   }
 
-  /** Chooses the only emitter that there is. */
+  /** Selects emitter 0, the only one of the scene, with probability 1. */
   public void setOnly() {
     set(0, 1);
   }
 
-  /** Returns the emitter's index. */
+  /** Returns the index of the selected emitter among the scene's emitters. */
   public int emitter() {
     return emitter;
   }
 
   /**
-   * Returns the probability of this choice: the value of {@link LightSampler#probability}, without
-   * its work.
+   * Returns the probability with which the emitter was selected: the value of {@link
+   * LightSampler#probability}, without computing it again.
    */
   public double probability() {
     return probability;

@@ -3,9 +3,12 @@ package io.github.lumbre.light;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
 
-/** Bounds of emitters in a flat array, which bound the light that may come from them. Immutable. */
+/**
+ * Light bounds in a flat array, from which the importance of each node to a point is computed.
+ * Immutable.
+ */
 final class LightNodes {
-  // What is stored of a node.
+  // Offsets of a node's values in the array.
   private static final int CENTRE = 0;
   private static final int RADIUS = 3;
   private static final int AXIS = 4;
@@ -15,7 +18,7 @@ final class LightNodes {
   private static final int INTENSITY = 10;
   private static final int STRIDE = 11;
 
-  /** Where a cosine that decides about darkness counts as rounded. */
+  /** Tolerance for rounding of the cosines that decide whether a node can light the point. */
   private static final double ROUNDING = 1e-8;
 
   private final double[] nodes;
@@ -44,11 +47,13 @@ final class LightNodes {
   }
 
   /**
-   * Returns about the irradiance from a node: positive if any of its emitters can light the point.
+   * Returns an estimate of the irradiance from a node; positive if any of its emitters can light
+   * the point.
    *
-   * <p>The node's sphere covers a half angle b, by which the cone of normals may be closer to the
-   * point, and the sphere's direction to the point's normal: of the cosine of such an angle less b,
-   * cos a cos b + sin a sin b, the bound cos a + sin b is good where b is small and takes no root.
+   * <p>Seen from the point, the node's bounding sphere covers a half angle b. The angle a to the
+   * cone of emitter normals, and the angle a to the receiver's normal, may therefore be smaller by
+   * b. The exact bound is cos(a − b) = cos a cos b + sin a sin b. The code uses cos a + sin b,
+   * which is close for small b and needs no square root.
    */
   double importance(int node, LightChoice receiver) {
     int at = STRIDE * node;
@@ -64,7 +69,7 @@ final class LightNodes {
     double sin = radius * perDistance;
     double along =
         -perDistance * (x * receiver.normalX + y * receiver.normalY + z * receiver.normalZ);
-    // An open point takes light from everywhere.
+    // An open point receives light from all directions.
     double received = receiver.isOpen() ? 1 : along + sin;
     if (!(received > -ROUNDING)) {
       return 0;
@@ -85,9 +90,11 @@ final class LightNodes {
   }
 
   /**
-   * Returns the cosine of the angle between the way to a point and a node's cone of normals.
+   * Returns the cosine of the angle between the direction to a point and a node's cone of normals;
+   * 1 inside the cone.
    *
-   * @param cos of the angle between the way and the cone's axis
+   * @param at offset of the node in the array
+   * @param cos cosine of the angle between that direction and the axis of the cone
    */
   private double cosToCone(int at, double cos) {
     double cosSpread = nodes[at + COS_SPREAD];

@@ -7,17 +7,17 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * Light that may arrive at a point from one direction, or none. Mutable: each thread reuses one
- * instance.
+ * A sample of light that may arrive at a point from one direction, or an empty sample. Mutable:
+ * each thread reuses one instance.
  */
 public final class LightSample {
   /** Where a shadow ray ends. */
   public enum Target {
     /** At a point in space. */
     POINT,
-    /** At a point of a light's surface, which does not block its own light. */
+    /** At a point on a light's surface; that surface point does not block its own light. */
     SURFACE,
-    /** Nowhere. */
+    /** At infinity. */
     INFINITY
   }
 
@@ -28,31 +28,32 @@ public final class LightSample {
   private double endX, endY, endZ;
   private final SurfaceSample surface = new SurfaceSample();
 
-  /** Makes a sample of no light. */
+  /** Creates an empty sample. */
   public LightSample() {}
 
-  /** Sets the sample to none: no light can arrive. */
+  /** Makes the sample empty: no light can arrive. */
   public void clear() {
     pdf = 0;
   }
 
   /**
-   * Sets light from infinitely far.
+   * Sets light from infinity.
    *
-   * @param wi unit direction to the light
-   * @param radiance arriving along wi if nothing is in between; of a delta light, irradiance at
-   *     normal incidence
-   * @param newPdf density per solid angle, &gt; 0; of a delta light, infinite
+   * @param wi unit direction to the light, in world space
+   * @param radiance radiance that arrives along wi if nothing blocks it; for a delta light,
+   *     irradiance at normal incidence
+   * @param newPdf density per solid angle, &gt; 0; infinite for a delta light
    */
   void setInfinite(Vec3 wi, Rgb radiance, double newPdf) {
     set(wi, radiance, newPdf, Target.INFINITY);
   }
 
   /**
-   * Sets light from a point, which no scattered ray can hit.
+   * Sets light from a point light, which no scattered ray can hit.
    *
-   * @param wi unit direction to the light
-   * @param irradiance at normal incidence
+   * @param wi unit direction to the light, in world space
+   * @param irradiance irradiance at normal incidence if nothing blocks it
+   * @param point position of the light in world space
    */
   void setPoint(Vec3 wi, Rgb irradiance, Vec3 point) {
     set(wi, irradiance, Double.POSITIVE_INFINITY, Target.POINT);
@@ -61,7 +62,7 @@ public final class LightSample {
     endZ = point.z();
   }
 
-  /** Sets light from the point that stands in {@link #surface}, with its density. */
+  /** Sets light from the surface point in {@link #surface}, with that point's density. */
   void setSurface(Vec3 wi, Rgb radiance) {
     set(wi, radiance, surface.pdf(), Target.SURFACE);
   }
@@ -77,7 +78,7 @@ public final class LightSample {
     target = newTarget;
   }
 
-  /** Weakens the light, if there is any, by a factor ≥ 0; by 0 none is left. */
+  /** Multiplies the light by a factor ≥ 0; a factor of 0 makes the sample empty. */
   void dim(double factor) {
     r *= factor;
     g *= factor;
@@ -104,14 +105,14 @@ public final class LightSample {
     return pdf == 0;
   }
 
-  /** Returns the unit direction to the light. */
+  /** Returns the unit direction to the light, in world space. */
   public Vec3 wi() {
     return new Vec3(x, y, z);
   }
 
   /**
-   * Returns what arrives along {@link #wi} if nothing is in between: radiance, or of a delta light
-   * irradiance at normal incidence.
+   * Returns the radiance that arrives along {@link #wi} if nothing blocks it; for a delta light,
+   * the irradiance at normal incidence.
    */
   public Rgb radiance() {
     return new Rgb(r, g, b);
@@ -132,12 +133,12 @@ public final class LightSample {
     return b;
   }
 
-  /** Returns the density per solid angle; of a delta light, infinite; of no light, 0. */
+  /** Returns the density per solid angle: infinite for a delta light, 0 if the sample is empty. */
   public double pdf() {
     return pdf;
   }
 
-  /** Returns whether the light can only be sampled, and never be hit by a ray. */
+  /** Returns whether the light is a delta light, which no ray can hit. */
   public boolean isDelta() {
     return pdf == Double.POSITIVE_INFINITY;
   }
@@ -147,12 +148,17 @@ public final class LightSample {
     return target;
   }
 
-  /** Returns the point at which the shadow ray ends, if it ends at one in space. */
+  /**
+   * Returns the world position at which the shadow ray ends; valid for {@link Target#POINT} only.
+   */
   public Vec3 end() {
     return new Vec3(endX, endY, endZ);
   }
 
-  /** Aims a search along the ray that must hit nothing for the light to arrive. */
+  /**
+   * Sets {@code shadow} to the shadow ray from a surface to the light: the light arrives if that
+   * ray hits nothing.
+   */
   public void aimShadowRay(SurfaceHit from, NearestHit shadow) {
     switch (target) {
       case SURFACE -> from.spawnTowards(surface, shadow);

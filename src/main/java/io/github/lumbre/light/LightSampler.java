@@ -8,56 +8,65 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Selects at random one of a scene's emitters to sample at a point. Immutable.
+ * A light sampler: selects at random one of a scene's emitters to sample at a point. Immutable.
  *
- * <p>Emitters of limited reach are chosen by what may come from them to the point, and so are all
- * of them against all that shine everywhere alike; among these the probabilities are the same at
- * all points.
+ * <p>There are two groups of emitters: those whose irradiance decreases with distance (near) and
+ * those that reach the whole scene equally (far). The sampler first selects a group by the
+ * estimated irradiance of each at the point. Within the near group, it selects an emitter by its
+ * estimated irradiance at the point. Within the far group, the probabilities are the same at all
+ * points.
  */
 public final class LightSampler {
   /**
-   * The share of fixed choices that all emitters have alike. What is near and weak can matter more
-   * than what is far and strong; so no emitter is chosen less than half as often as by pure chance.
+   * The fraction of fixed choices that is spread evenly over all emitters, because a weak light
+   * nearby can matter more than a strong one far away. No emitter is therefore selected less than
+   * half as often as by a uniform choice.
    */
   private static final double EVEN_SHARE = .5;
 
   /**
-   * The least intensity in the tree, relative to the mean: a texture may shine where its sum, over
-   * a grid, does not see it.
+   * The smallest intensity in the tree, relative to the mean. An emission texture may be bright
+   * between the grid points from which the intensity was estimated.
    */
   private static final double LEAST = 1e-3;
 
-  /** The least share of all that is near together: what is far may be hidden, by a roof. */
+  /**
+   * The smallest probability of the near group if its estimate is positive, because far lights may
+   * be hidden, for example by a roof.
+   */
   private static final double LEAST_NEAR = .25;
 
   /**
-   * The least share of all that is far: near lights may be hidden too, and scattered rays miss
-   * suns.
+   * The smallest probability of the far group, because near lights may be hidden too, and BSDF
+   * sampling misses small bright lights such as the sun.
    */
   private static final double LEAST_FAR = .125;
 
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
-  /** What stands in the place of an emitter that is not in the distribution. */
+  /** Marks, in {@link #places}, an emitter of the near group. */
   private static final int NEAR = -1;
 
-  /** Over the emitters that stand alone. */
+  /** The distribution over {@link #alone}. */
   private final Distribution1d distribution;
 
-  /** The emitters of unlimited reach, or all if there is but one. */
+  /**
+   * The emitters with fixed probabilities: the far group, or all emitters if there is no near
+   * group.
+   */
   private final int[] alone;
 
-  /** Where in the distribution each emitter stands. */
+  /** The index in the distribution of each emitter, or {@link #NEAR}. */
   private final int[] places;
 
   private final Optional<NearLights> near;
 
-  /** Of all that stand alone, in the unit of those that are near. */
+  /** The sum over the far group, in units of the near group's mean intensity. */
   private final double farIrradiance;
 
   private final double leastFar;
 
-  /** A selector with the same probabilities at all points. */
+  /** Creates a sampler with the same probabilities at all points. */
   private LightSampler(double[] weights, int[] alone, int[] places) {
     distribution = halfEven(weights);
     this.alone = alone;
@@ -68,10 +77,10 @@ public final class LightSampler {
   }
 
   /**
-   * A selector by place.
+   * Creates a sampler whose probabilities depend on the point.
    *
-   * @param far indices of emitters of unlimited reach
-   * @param items all the others, at least one
+   * @param far indices of the far emitters
+   * @param items the near emitters, at least one
    */
   private LightSampler(List<Light> emitters, int[] far, List<LightTreeBuilder.Item> items) {
     double[] weights =
@@ -94,10 +103,10 @@ public final class LightSampler {
   }
 
   /**
-   * Returns the selector that makes half of its choices in proportion to power and half evenly, at
-   * all points alike.
+   * Returns a sampler that makes half of its choices in proportion to power and half uniformly,
+   * with the same probabilities at all points.
    *
-   * @param powers at least one; each at least 0; if any is infinite, all choices are even
+   * @param powers at least one value; each at least 0; if any is infinite, all choices are uniform
    */
   public static LightSampler byPower(double... powers) {
     int[] all = IntStream.range(0, powers.length).toArray();
@@ -105,9 +114,9 @@ public final class LightSampler {
   }
 
   /**
-   * Returns the selector for a scene's emitters, which it names by their places in the list.
+   * Returns a sampler for a scene's emitters, which it identifies by their indices in the list.
    *
-   * @param emitters may be empty; then nothing can be chosen
+   * @param emitters may be empty; then nothing can be selected
    */
   public static LightSampler over(List<Light> emitters) {
     List<LightTreeBuilder.Item> items = new ArrayList<>();
@@ -137,7 +146,7 @@ public final class LightSampler {
         : new LightTree(items, count);
   }
 
-  /** Returns the emitters with intensities relative to their mean, and none too small. */
+  /** Returns the emitters with intensities relative to their mean, at least {@link #LEAST}. */
   private static List<LightTreeBuilder.Item> comparable(
       List<LightTreeBuilder.Item> items, double mean) {
     boolean isKnown = mean > 0 && Double.isFinite(mean);
@@ -159,27 +168,27 @@ public final class LightSampler {
             .toArray());
   }
 
-  /** How emitters are chosen. */
+  /** How the emitters of the near group are selected. */
   public enum Method {
-    /** With the same probabilities at all points. */
+    /** With the same probabilities at all points; there is no near group. */
     FIXED,
-    /** By what each of a few may send to the point. */
+    /** By the estimated irradiance of each of a few emitters at the point. */
     ONE_BY_ONE,
-    /** By what halves of many may send to the point, and halves of those. */
+    /** By a tree of many emitters, using the estimated irradiance of each node at the point. */
     HIERARCHY
   }
 
-  /** Returns how emitters of limited reach are chosen. */
+  /** Returns how the emitters of the near group are selected. */
   public Method method() {
     return near.map(n -> n instanceof LightTree ? Method.HIERARCHY : Method.ONE_BY_ONE)
         .orElse(Method.FIXED);
   }
 
   /**
-   * Chooses an emitter that may light a point.
+   * Selects an emitter that may light a point.
    *
    * @param u uniform in [0,1)
-   * @param choice holds the point, and takes the result
+   * @param choice holds the point and receives the result
    */
   public void choose(double u, LightChoice choice) {
     if (alone.length == 0) {
@@ -198,8 +207,8 @@ public final class LightSampler {
   }
 
   /**
-   * Returns the probability with which {@link #choose} returns an emitter; positive unless it
-   * cannot light the point.
+   * Returns the probability with which {@link #choose} selects an emitter for a point; positive
+   * unless the emitter cannot light the point.
    */
   public double probability(LightChoice receiver, int index) {
     int place = places[index];
@@ -209,7 +218,7 @@ public final class LightSampler {
         : (1 - share) * distribution.probability(place);
   }
 
-  /** Returns the probability to choose one of those that are near. */
+  /** Returns the probability of selecting the near group. */
   private double nearShare(LightChoice receiver) {
     if (near.isEmpty()) {
       return 0;
@@ -222,7 +231,7 @@ public final class LightSampler {
       return 0;
     }
     double share = irradiance / (irradiance + farIrradiance);
-    // Lights of no size may be infinitely bright.
+    // Both sums may be infinite, for example at a point light.
     return LEAST_NEAR + (1 - LEAST_NEAR - leastFar) * (share >= 0 ? share : .5);
   }
 }

@@ -4,33 +4,33 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A hierarchy of emitters of limited reach: a choice at random among many of them, about in
- * proportion to the light that each may send to a point, in a time that grows with the logarithm of
- * their number. Immutable.
+ * A binary tree over many lights at finite distances, which selects a light approximately in
+ * proportion to its irradiance at a point. The time grows with the logarithm of the number of
+ * lights. Immutable.
  *
- * <p>From the root on, the way goes left or right in proportion to bounds of the light from either
- * side: PBRT 4e, sec. 12.6.3, after Conty Estevez &amp; Kulla 2018. Their splitting, which samples
- * more than one emitter, is left out: a vertex samples one.
+ * <p>From the root on, the traversal descends to the left or right child in proportion to the
+ * importance of each (PBRT 4e, sec. 12.6.3, after Conty Estevez &amp; Kulla 2018). Their splitting,
+ * which samples more than one light, is left out: a vertex samples one light.
  */
 final class LightTree implements NearLights {
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
   private final LightNodes nodes;
 
-  /** The number of emitters in each node relative to its parent's. */
+  /** The number of emitters in each node, relative to that of its parent. */
   private final double[] shareOfParent;
 
-  /** The left child of each node, beside which lies the right one; of a leaf, ~emitter. */
+  /** The index of each node's left child, which the right one follows; for a leaf, ~emitter. */
   private final int[] children;
 
   private final int[] parents;
 
-  /** The leaf of each emitter that is in the tree. */
+  /** The index of the leaf of each emitter in the tree. */
   private final int[] leaves;
 
   /**
-   * @param items at least one; sorted on the way
-   * @param count above the largest of the items' indices
+   * @param items at least one; this constructor reorders the list
+   * @param count number of emitters of the scene, greater than every index in {@code items}
    */
   LightTree(List<LightTreeBuilder.Item> items, int count) {
     LightTreeBuilder.Node[] built = LightTreeBuilder.build(items);
@@ -84,7 +84,7 @@ final class LightTree implements NearLights {
     double probability = 1 - EVEN_SHARE;
     double even = EVEN_SHARE;
     for (int node = leaves[emitter]; node > 0; node = parents[node]) {
-      // Left children have odd numbers.
+      // Left children have odd indices.
       boolean isLeft = (node & 1) != 0;
       int left = isLeft ? node : node - 1;
       double share = leftShare(left, receiver);
@@ -95,7 +95,10 @@ final class LightTree implements NearLights {
     return even + probability;
   }
 
-  /** Returns the probability to go left: a half where nothing can be said. */
+  /**
+   * Returns the probability of descending to the left child; 0.5 where the ratio of the importances
+   * is undefined.
+   */
   private double leftShare(int left, LightChoice receiver) {
     double one = nodes.importance(left, receiver);
     double other = nodes.importance(left + 1, receiver);
@@ -103,7 +106,10 @@ final class LightTree implements NearLights {
     return share >= 0 ? share : .5;
   }
 
-  /** Returns the probability to go left by the number of emitters, but never into darkness. */
+  /**
+   * Returns the probability of descending to the left child by the number of emitters, but never to
+   * a child that cannot light the point.
+   */
   private double evenShare(int left, double share) {
     return share > 0 && share < 1 ? shareOfParent[left] : share;
   }

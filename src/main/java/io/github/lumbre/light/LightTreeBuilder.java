@@ -3,26 +3,33 @@ package io.github.lumbre.light;
 import java.util.Comparator;
 import java.util.List;
 
-/** Divides emitters into halves that lie and shine together, over and over. Mutable, used once. */
+/**
+ * Builds the nodes of a {@link LightTree} by recursively dividing emitters into groups that are
+ * close in position and direction. Mutable, used once.
+ */
 final class LightTreeBuilder {
-  /** From this depth on halves are of equal number, so that no path becomes long. */
+  /**
+   * From this depth on, both halves get equal numbers of emitters, which limits the depth of the
+   * tree.
+   */
   private static final int DEEPEST_UNEVEN = 40;
 
   private static final int AXES = 3;
 
   /**
-   * A node of the tree. The right child lies beside the left one.
+   * A node of the tree. The right child follows the left one.
    *
-   * @param size how many emitters it holds
-   * @param parent the number of the parent; 0 for the root, whose own number is 0
-   * @param child the number of the left child; of a leaf, ~emitter
+   * @param bounds bounds of all emitters in the node
+   * @param size number of emitters in the node
+   * @param parent index of the parent; 0 for the root, whose own index is 0
+   * @param child index of the left child; for a leaf, ~emitter
    */
   record Node(LightBounds bounds, int size, int parent, int child) {}
 
-  /** An emitter by its index. */
+  /** An emitter, given by its index in the scene, with its bounds. */
   record Item(int emitter, LightBounds bounds) {}
 
-  /** A place to divide a sorted list at, and how bad that would be. */
+  /** A position at which a sorted list can be divided, and the cost of doing so. */
   private record Split(int axis, int at, double cost) {}
 
   private final Node[] nodes;
@@ -32,7 +39,7 @@ final class LightTreeBuilder {
     nodes = new Node[2 * emitters - 1];
   }
 
-  /** Returns the nodes of a tree over at least one emitter; sorts the list. */
+  /** Returns the nodes of a tree over at least one emitter, the root first. Reorders the list. */
   static Node[] build(List<Item> items) {
     LightTreeBuilder builder = new LightTreeBuilder(items.size());
     builder.fill(0, 0, 0, items);
@@ -55,7 +62,10 @@ final class LightTreeBuilder {
     return bounds;
   }
 
-  /** Sorts the emitters and returns how many of them go left. */
+  /**
+   * Sorts the emitters along the cheapest axis and returns how many of them belong to the left
+   * child.
+   */
   private static int divide(List<Item> items, int depth) {
     Split best = new Split(0, items.size() / 2, Double.POSITIVE_INFINITY);
     for (int axis = 0; axis < AXES; axis++) {
@@ -75,7 +85,10 @@ final class LightTreeBuilder {
             .thenComparingInt(item -> item.emitter));
   }
 
-  /** Returns the cheapest place; among equally cheap ones the one nearest the middle. */
+  /**
+   * Returns the cheapest split of a list sorted along an axis; among equally cheap ones, the split
+   * nearest the middle.
+   */
   private static Split cheapest(List<Item> items, int axis) {
     int size = items.size();
     double[] costs = new double[size];

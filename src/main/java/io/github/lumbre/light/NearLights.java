@@ -1,21 +1,24 @@
 package io.github.lumbre.light;
 
-/** Emitters of limited reach, of which a point sees others than its neighbour. Immutable. */
+/**
+ * A light sampler for emitters whose irradiance decreases with distance, so that their importance
+ * depends on the point. Immutable.
+ */
 sealed interface NearLights permits FewLights, LightTree {
   /**
-   * The share of choices that all emitters have alike: nothing is known of what stands between them
-   * and the point.
+   * The fraction of choices that is spread evenly over all emitters that can light the point,
+   * because occlusion is unknown.
    */
   double EVEN_SHARE = .125;
 
   /**
-   * Returns about the irradiance that a point may have from all of them; 0 if they leave it dark.
+   * Returns an estimate of the irradiance at a point from all the emitters; 0 if none can light it.
    */
   double irradiance(LightChoice receiver);
 
-  /** Chooses an emitter; see {@link LightSampler#choose}. */
+  /** Selects an emitter; see {@link LightSampler#choose}. */
   void choose(double u, LightChoice choice);
 
-  /** Returns the probability with which {@link #choose} finds an emitter. */
+  /** Returns the probability with which {@link #choose} selects an emitter. */
   double probability(LightChoice receiver, int emitter);
 }

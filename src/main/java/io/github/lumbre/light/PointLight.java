@@ -6,7 +6,13 @@ import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
 
-/** A light of no size that shines equally in all directions. */
+/**
+ * A point light that emits equally in all directions.
+ *
+ * @param position in world space
+ * @param intensity in linear RGB; its unit depends on the falloff
+ * @param falloff how the irradiance depends on distance
+ */
 public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implements Light {
   public PointLight {
     Objects.requireNonNull(position, "position");

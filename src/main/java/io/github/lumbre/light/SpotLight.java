@@ -5,7 +5,7 @@ import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
 
-/** A point light that shines inside a cone only, with a sharp or a soft edge. Immutable. */
+/** A spotlight: a point light restricted to a cone with a sharp or soft edge. Immutable. */
 public final class SpotLight implements Light {
   private final PointLight source;
   private final Vec3 axis;
@@ -15,10 +15,14 @@ public final class SpotLight implements Light {
   private final double sinOuter;
 
   /**
-   * @param source the light without its shade
-   * @param axis unit direction in which it shines
-   * @param halfAngleDegrees where the light ends, in (0, 90]
-   * @param penumbraDegrees width of the soft edge inside the half angle, in [0, halfAngleDegrees]
+   * Creates a spotlight.
+   *
+   * @param source the point light without the cone
+   * @param axis unit axis of the cone, the direction in which the light travels, in world space
+   * @param halfAngleDegrees half angle of the cone in degrees, in (0, 90]
+   * @param penumbraDegrees width of the soft edge inside the cone in degrees, in [0,
+   *     halfAngleDegrees]
+   * @throws IllegalArgumentException if an angle is out of range
    */
   public SpotLight(PointLight source, Vec3 axis, double halfAngleDegrees, double penumbraDegrees) {
     this.source = Objects.requireNonNull(source, "source");
@@ -44,7 +48,8 @@ public final class SpotLight implements Light {
   }
 
   private double share(double sinAngle, double cosAngle) {
-    // The sine of the difference of the angles: cosines of narrow cones are all nearly 1.
+    // Compare by the sine of the difference of the angles: cosines in narrow cones are all nearly
+    // 1.
     if (sinAngle * cosOuter - cosAngle * sinOuter > 0) {
       return 0;
     }

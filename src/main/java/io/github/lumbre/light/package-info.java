@@ -1,13 +1,14 @@
 /**
- * Who emits light, and how to sample it.
+ * Lights and light sampling.
  *
- * <p>A {@link io.github.lumbre.light.Light} answers a point with a {@link
- * io.github.lumbre.light.LightSample}: a direction to look in, and the light that arrives from
- * there if nothing is in between. Lights never see the scene; integrators trace the shadow ray.
- * {@link io.github.lumbre.light.AreaLight} and {@link io.github.lumbre.light.EnvironmentLight} can
- * also be hit by a ray, and say with which density they would have been sampled there.
+ * <p>Sampling a {@link io.github.lumbre.light.Light} at a point gives a {@link
+ * io.github.lumbre.light.LightSample}: a direction, and the light that arrives from there if
+ * nothing blocks it. Lights do not know the scene; integrators trace the shadow ray. Rays can also
+ * hit an {@link io.github.lumbre.light.AreaLight} or an {@link
+ * io.github.lumbre.light.EnvironmentLight}. These two return the density with which light sampling
+ * would have drawn that ray.
  *
- * <p>Radiance in linear RGB; densities per solid angle at the lit point; world space.
+ * <p>Radiance is linear RGB, densities are per solid angle at the lit point, and positions and
+ * directions are in world space.
  */
 package io.github.lumbre.light;
-

@@ -1,6 +1,6 @@
 package io.github.lumbre.material;
 
-/** Scatters nothing: the surface of a light, as other light sees it. */
+/** A BSDF that scatters no light: the surface of a light. */
 enum Absorber implements SpecularBsdf {
   BLACK;
 

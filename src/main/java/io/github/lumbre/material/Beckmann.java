@@ -5,8 +5,8 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * The Beckmann distribution: slopes of the surface are normally distributed (Walter et al. 2007,
- * sec. 5.2; the 2016 report's choice).
+ * The Beckmann distribution, in which the slopes of the surface are normally distributed (Walter et
+ * al. 2007, sec. 5.2). The 2016 report uses it.
  *
  * @param alpha roughness: √2 times the standard deviation of the slopes, &gt; 0
  */
@@ -21,11 +21,14 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
     double cos2 = m.z() * m.z();
     double tan2 = (m.x() * m.x() + m.y() * m.y()) / cos2;
     double e = Elementary.exp(-tan2 / (alpha * alpha));
-    // Near the horizon the denominator would be 0 as well.
+    // Near the horizon the denominator is 0 too.
     return e == 0 ? 0 : e / (Math.PI * alpha * alpha * cos2 * cos2);
   }
 
-  /** Λ = exp(−a²) / (2a√π) − erfc(a) / 2, a = 1 / (α tan θ) (Walter et al. 2007, sec. 5.2). */
+  /**
+   * Returns Λ(θ) · cos θ with Λ = exp(−a²) / (2a√π) − erfc(a) / 2 and a = 1 / (α tan θ) (Walter et
+   * al. 2007, sec. 5.2).
+   */
   @Override
   public double hidden(double cosTheta) {
     double steepness = alpha * Elementary.safeSqrt(1 - cosTheta * cosTheta);
@@ -37,7 +40,10 @@ record Beckmann(double alpha) implements MicrofacetDistribution {
     return .5 * steepness * Elementary.exp(-a * a) * beyond;
   }
 
-  /** Stretches the surface to α = 1, draws the two slopes, and shrinks it back (Heitz 2014). */
+  /**
+   * Stretches the surface to α = 1, samples the two slopes, and shrinks the surface back (Heitz
+   * 2014).
+   */
   @Override
   public Vec3 sampleVisible(Vec3 wo, Point2 u) {
     Vec3 v = new Vec3(alpha * wo.x(), alpha * wo.y(), wo.z()).normalized();

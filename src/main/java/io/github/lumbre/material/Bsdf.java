@@ -5,14 +5,14 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * How one point of a surface scatters, in its local frame. All directions are of unit length and
- * point away from the surface. Immutable.
+ * The bidirectional scattering distribution function (BSDF) of one point of a surface. Directions
+ * are unit vectors in the local shading frame and point away from the surface. Immutable.
  */
 public interface Bsdf {
   /**
    * Computes f·|cos θi| and the density per solid angle with which {@link #sample} draws wi. Delta
-   * lobes add nothing to either. This is the hot path: plain numbers and a reused result allocate
-   * nothing; {@link #evaluate(Vec3, Vec3)} is the same for other callers.
+   * lobes contribute to neither. This method is for the hot path: with plain numbers and a reused
+   * result it allocates nothing. Other callers use {@link #evaluate(Vec3, Vec3)}.
    *
    * @param woX x of the direction to the viewer: local, of unit length
    * @param wiX x of the direction to the light: local, of unit length
@@ -22,8 +22,8 @@ public interface Bsdf {
       double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result);
 
   /**
-   * Returns f·|cos θi| and the density per solid angle with which {@link #sample} draws wi, delta
-   * lobes aside.
+   * Returns f·|cos θi| and the density per solid angle with which {@link #sample} draws wi. Delta
+   * lobes contribute to neither.
    *
    * @param wo direction to the viewer: local, of unit length
    * @param wi direction to the light: local, of unit length
@@ -34,30 +34,32 @@ public interface Bsdf {
     return result;
   }
 
-  /** Returns the density per solid angle with which {@link #sample} draws wi, delta lobes aside. */
+  /**
+   * Returns the density per solid angle with which {@link #sample} draws wi, without delta lobes.
+   */
   default double pdf(Vec3 wo, Vec3 wi) {
     return evaluate(wo, wi).pdf();
   }
 
   /**
-   * Samples a direction in which light scatters. This is the hot path, as in {@link
-   * #evaluate(double, double, double, double, double, double, BsdfValue)}.
+   * Samples a direction in which light scatters. This method is for the hot path and allocates
+   * nothing, like {@link #evaluate(double, double, double, double, double, double, BsdfValue)}.
    *
    * @param woX x of the direction to the viewer: local, of unit length
-   * @param uLobe uniform in [0,1): selects a lobe, if {@link #choosesLobe}
-   * @param u uniform in [0,1), as is v: they determine the direction
-   * @param result receives the direction, {@linkplain BsdfSample#isAbsorbed absorbed} if the light
-   *     ends here
+   * @param uLobe uniform in [0,1): selects a lobe if {@link #choosesLobe} returns true
+   * @param u uniform in [0,1), as is v; the two determine the direction
+   * @param result receives the direction; it is {@linkplain BsdfSample#isAbsorbed absorbed} if no
+   *     light scatters
    */
   void sample(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result);
 
   /**
-   * Samples a direction in which light scatters, {@linkplain BsdfSample#isAbsorbed absorbed} if the
-   * light ends here.
+   * Returns a sampled direction in which light scatters; it is {@linkplain BsdfSample#isAbsorbed
+   * absorbed} if no light scatters.
    *
    * @param wo direction to the viewer: local, of unit length
-   * @param uLobe uniform in [0,1): selects a lobe, if {@link #choosesLobe}
+   * @param uLobe uniform in [0,1): selects a lobe if {@link #choosesLobe} returns true
    * @param u uniform in [0,1)²: determines the direction
    */
   default BsdfSample sample(Vec3 wo, double uLobe, Point2 u) {
@@ -66,22 +68,24 @@ public interface Bsdf {
     return result;
   }
 
-  /** Returns whether {@link #sample} uses the number that selects a lobe. */
+  /** Returns whether {@link #sample} uses {@code uLobe}. */
   default boolean choosesLobe() {
     return false;
   }
 
-  /** Returns whether all lobes are deltas, so that light sampling is pointless. */
+  /** Returns whether all lobes are delta lobes, so that light sampling would find no light. */
   default boolean isSpecular() {
     return false;
   }
 
-  /** Returns whether light from behind the surface may scatter to the viewer. */
+  /** Returns whether light from behind the surface can scatter to the viewer. */
   default boolean isTransmissive() {
     return false;
   }
 
-  /** Returns the albedo of the diffuse lobe, which reflects ambient light. */
+  /**
+   * Returns the albedo of the diffuse lobe, which reflects ambient light; black if there is none.
+   */
   default Rgb diffuseAlbedo() {
     return Rgb.BLACK;
   }

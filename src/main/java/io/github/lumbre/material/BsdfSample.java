@@ -4,31 +4,32 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A direction sampled from a {@link Bsdf}, with its weight and density; absorbed if there is none.
- * Mutable: each thread reuses one instance, so that the path loop allocates nothing.
+ * A direction sampled from a {@link Bsdf}, with its weight and density, or an absorbed sample
+ * without a direction. Mutable: each thread reuses one instance, so that the path loop allocates
+ * nothing.
  */
 public final class BsdfSample {
   private double x, y, z = 1;
   private double r, g, b;
   private double pdf;
 
-  /** Memory for what is scattered into the direction. */
+  /** Receives the value of the BSDF in {@link #weighBy}. */
   private final BsdfValue value = new BsdfValue();
 
-  /** Creates a sample of absorbed light. */
+  /** Creates an absorbed sample. */
   public BsdfSample() {}
 
-  /** Sets the sample to absorbed: the light ends here. */
+  /** Sets the sample to absorbed: no light scatters. */
   public void absorb() {
     set(Vec3.Z, Rgb.BLACK, 0);
   }
 
   /**
-   * Sets what was drawn.
+   * Sets the direction, its weight and its density.
    *
-   * @param wi local, of unit length
-   * @param weight f·|cos θi| / pdf, over all the lobes that could have drawn wi
-   * @param newPdf per solid angle, delta lobes aside
+   * @param wi unit direction in the local frame
+   * @param weight f·|cos θi| / pdf, summed over all lobes that could have drawn wi
+   * @param newPdf density per solid angle, without delta lobes
    */
   public void set(Vec3 wi, Rgb weight, double newPdf) {
     setDirection(wi);
@@ -38,13 +39,14 @@ public final class BsdfSample {
     pdf = newPdf;
   }
 
-  /** Sets a sample of a delta lobe. */
+  /** Sets a sample of a delta lobe, whose density is infinite. */
   public void setSpecular(Vec3 wi, Rgb weight) {
     set(wi, weight, Double.POSITIVE_INFINITY);
   }
 
   /**
-   * Sets weight and density by the BSDF's value for the direction; absorbs it if that is 0.
+   * Evaluates a BSDF for the current direction and sets the weight and density from it; absorbs the
+   * sample if the density is 0.
    *
    * @param wo direction to the viewer: local, of unit length
    */
@@ -53,17 +55,17 @@ public final class BsdfSample {
     if (value.pdf() > 0 && value.pdf() < Double.POSITIVE_INFINITY) {
       set(wi(), value.f().times(1 / value.pdf()), value.pdf());
     } else {
-      // So close to the horizon that the product of two cosines is 0.
+      // The direction is so close to the horizon that the product of two cosines underflows to 0.
       absorb();
     }
   }
 
-  /** Sets the direction alone. */
+  /** Sets only the direction, a unit vector. */
   public void setDirection(Vec3 wi) {
     setDirection(wi.x(), wi.y(), wi.z());
   }
 
-  /** Sets the direction alone, by its coordinates. */
+  /** Sets only the direction, given by its coordinates. */
   public void setDirection(double newX, double newY, double newZ) {
     x = newX;
     y = newY;
@@ -75,17 +77,17 @@ public final class BsdfSample {
     return new Vec3(x, y, z);
   }
 
-  /** Returns the x of {@link #wi}. */
+  /** Returns the x coordinate of {@link #wi}. */
   public double x() {
     return x;
   }
 
-  /** Returns the y of {@link #wi}. */
+  /** Returns the y coordinate of {@link #wi}. */
   public double y() {
     return y;
   }
 
-  /** Returns the z of {@link #wi}. */
+  /** Returns the z coordinate of {@link #wi}. */
   public double z() {
     return z;
   }
@@ -105,12 +107,14 @@ public final class BsdfSample {
     return b;
   }
 
-  /** Returns f·|cos θi| / pdf; black if the light ends here. */
+  /** Returns f·|cos θi| / pdf; black if the sample is absorbed. */
   public Rgb weight() {
     return new Rgb(r, g, b);
   }
 
-  /** Returns the density per solid angle; of a delta lobe, infinite; of no sample, 0. */
+  /**
+   * Returns the density per solid angle: infinite for a delta lobe, 0 if the sample is absorbed.
+   */
   public double pdf() {
     return pdf;
   }

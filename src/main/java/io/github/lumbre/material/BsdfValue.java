@@ -3,32 +3,32 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 
 /**
- * The value of a {@link Bsdf} for a pair of directions, and the density of sampling the second.
- * Mutable: each thread reuses one instance, so that the path loop allocates nothing.
+ * The value of a {@link Bsdf} for a pair of directions, and the density with which it samples the
+ * second. Mutable: each thread reuses one instance, so that the path loop allocates nothing.
  */
 public final class BsdfValue {
   private double r, g, b;
   private double pdf;
 
-  /** Creates the value of a pair between which nothing is scattered. */
+  /** Creates a value of 0: no light scatters. */
   public BsdfValue() {}
 
-  /** Sets both values to 0. */
+  /** Sets the value and the density to 0. */
   public void clear() {
     set(0, 0, 0, 0);
   }
 
   /**
-   * Sets both values.
+   * Sets the value and the density.
    *
-   * @param f f·|cos θi|, delta lobes aside
-   * @param newPdf density per solid angle with which wi would be drawn, delta lobes aside
+   * @param f f·|cos θi|, without delta lobes
+   * @param newPdf density per solid angle with which wi would be sampled, without delta lobes
    */
   public void set(Rgb f, double newPdf) {
     set(f.r(), f.g(), f.b(), newPdf);
   }
 
-  /** Sets both values, the first by its components. */
+  /** Sets the value, given by its components, and the density. */
   void set(double newR, double newG, double newB, double newPdf) {
     r = newR;
     g = newG;
@@ -56,7 +56,7 @@ public final class BsdfValue {
     return new Rgb(r, g, b);
   }
 
-  /** Returns the density per solid angle with which wi would be drawn. */
+  /** Returns the density per solid angle with which wi would be sampled. */
   public double pdf() {
     return pdf;
   }

@@ -6,12 +6,14 @@ import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /**
- * A diffuse surface under small mirrors: the format's CookTorrance.
+ * The CookTorrance material of the scene format: a diffuse lobe plus microfacet reflection.
  *
- * @param diffuse colour, scaled down with the specular one where both together exceed 1
- * @param specular colour that tints the Fresnel reflection
- * @param roughness α of the distribution, in [0,1]; below {@link #SMOOTH} a perfect mirror
+ * @param diffuse diffuse color; both colors are scaled down wherever their sum exceeds 1
+ * @param specular color that tints the Fresnel reflection
+ * @param roughness α of the distribution, in [0,1]; below {@link #SMOOTH} the surface is a perfect
+ *     mirror
  * @param ior index of refraction of the facets, &gt; 0
+ * @param distribution distribution of the microfacet normals
  */
 public record CookTorrance(
     Texture<Rgb> diffuse,
@@ -20,10 +22,10 @@ public record CookTorrance(
     ScalarTexture ior,
     MicrofacetDistribution.Kind distribution)
     implements Material {
-  /** Below this roughness, facets are taken as one mirror. */
+  /** Below this roughness α, a surface is treated as perfectly smooth. */
   public static final double SMOOTH = 1e-3;
 
-  /** Index of refraction of facets that have no other. */
+  /** Default index of refraction of the facets. */
   public static final double DEFAULT_IOR = 3.0504;
 
   public CookTorrance {

@@ -4,12 +4,12 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A smooth boundary of glass: reflects by the exact Fresnel equations and refracts by Snell's law
- * (PBRT 4e, sec. 9.5). The inside is where z is negative.
+ * The BSDF of smooth glass: reflects by the exact Fresnel equations and refracts by Snell's law
+ * (PBRT 4e, sec. 9.5). The inside of the glass is at negative z.
  *
- * @param reflectance tints what is reflected, each component in [0,1]
- * @param transmittance tints what passes, each component in [0,1]
- * @param ior index of refraction inside over the one outside, in [1e-150, 1e150]
+ * @param reflectance tints the reflected light, each component in [0,1]
+ * @param transmittance tints the refracted light, each component in [0,1]
+ * @param ior index of refraction of the inside relative to the outside, in [1e-150, 1e150]
  */
 public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements SpecularBsdf {
   @Override
@@ -36,12 +36,12 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
     }
   }
 
-  /** Returns the share of light from wo that is reflected, tint aside. */
+  /** Returns the Fresnel reflectance in [0,1] for a viewer at wo, without the tint. */
   public double reflected(Vec3 wo) {
     return Fresnel.dielectric(Math.abs(wo.z()), eta(wo));
   }
 
-  /** Returns the refracted direction; meaningless beyond the critical angle. */
+  /** Returns the unit direction refracted from wo; undefined beyond the critical angle. */
   public Vec3 refract(Vec3 wo) {
     double eta = eta(wo);
     double sin2I = wo.x() * wo.x() + wo.y() * wo.y();

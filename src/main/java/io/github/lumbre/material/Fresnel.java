@@ -2,16 +2,17 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.math.Elementary;
 
-/** How much a smooth boundary between two dielectrics reflects. */
+/** The Fresnel reflectance of a smooth boundary between two dielectrics. */
 public final class Fresnel {
   private Fresnel() {}
 
   /**
-   * Returns the share of unpolarised light that is reflected, exactly (PBRT 4e, eq. 9.6): 0 if eta
-   * is 1, and 1 beyond the critical angle.
+   * Returns the exact reflectance in [0,1] for unpolarized light (PBRT 4e, eq. 9.6): 0 if eta is 1,
+   * and 1 beyond the critical angle.
    *
    * @param cosI cosine of the angle of incidence, in [0,1]
-   * @param eta index of refraction behind the boundary over the one before it, in [1e-150, 1e150]
+   * @param eta index of refraction of the transmitted side relative to the incident side, in
+   *     [1e-150, 1e150]
    */
   public static double dielectric(double cosI, double eta) {
     if (eta == 1) {
@@ -31,7 +32,8 @@ public final class Fresnel {
   /**
    * Returns (a − b)/(a + b).
    *
-   * @param squares a² − b²; takes the place of a − b where that cancels, as it does if η is near 1
+   * @param squares a² − b²; used instead of a − b where that difference cancels, which happens if η
+   *     is near 1
    */
   private static double ratio(double a, double b, double squares) {
     double difference = a - b;
@@ -40,15 +42,15 @@ public final class Fresnel {
   }
 
   /**
-   * Returns the cosine of the refracted angle, or 0 where there is only reflection.
+   * Returns the cosine of the angle of refraction, or 0 at total internal reflection.
    *
-   * @param sin2I the square of the sine that belongs to cosI
+   * @param sin2I squared sine of the angle of incidence
    */
   static double cosTransmitted(double cosI, double sin2I, double eta) {
     if (eta == 1) {
       return cosI;
     }
-    // (η cosT)² by the form whose terms are smaller, and so are their rounding errors.
+    // (η cosT)², computed by the form with the smaller terms and hence the smaller rounding errors.
     double square = cosI < eta ? (eta - 1) * (eta + 1) + cosI * cosI : eta * eta - sin2I;
     return Elementary.safeSqrt(square) / eta;
   }

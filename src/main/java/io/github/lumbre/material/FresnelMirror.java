@@ -4,8 +4,8 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A smooth surface that reflects by the exact Fresnel equations and lets nothing through: the limit
- * of {@link MicrofacetReflection} without roughness, on both sides.
+ * A smooth surface that reflects by the exact Fresnel equations and transmits nothing, on both
+ * sides. It is the limit of {@link MicrofacetReflection} for zero roughness.
  *
  * @param specular tints the reflection, each component in [0,1]
  * @param ior index of refraction, &gt; 0

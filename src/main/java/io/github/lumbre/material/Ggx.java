@@ -6,27 +6,31 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Warp;
 
 /**
- * The Trowbridge–Reitz distribution, with long tails (Walter et al. 2007, sec. 5.2).
+ * The Trowbridge–Reitz (GGX) distribution, which has long tails (Walter et al. 2007, sec. 5.2).
  *
  * @param alpha roughness, &gt; 0
  */
 record Ggx(double alpha) implements MicrofacetDistribution {
   @Override
   public double density(Vec3 m) {
-    // cos⁴ (1 + tan²/α²)², written so that neither a small cosine nor a small α loses digits.
+    // cos⁴ (1 + tan²/α²)², rewritten so that neither a small cosine nor a small α loses digits.
     double sin2 = m.x() * m.x() + m.y() * m.y();
     double root = alpha * m.z() * m.z() + sin2 / alpha;
     return m.z() <= 0 ? 0 : Elementary.INV_PI / (root * root);
   }
 
-  /** Λ = (√(1 + α² tan² θ) − 1) / 2 (Heitz 2014, eq. 72). */
+  /** Returns Λ(θ) · cos θ with Λ = (√(1 + α² tan² θ) − 1) / 2 (Heitz 2014, eq. 72). */
   @Override
   public double hidden(double cosTheta) {
     double cos2 = cosTheta * cosTheta;
     return .5 * (Math.sqrt(cos2 + alpha * alpha * (1 - cos2)) - cosTheta);
   }
 
-  /** Heitz 2018, "Sampling the GGX Distribution of Visible Normals". */
+  /**
+   * {@inheritDoc}
+   *
+   * <p>Heitz 2018, "Sampling the GGX Distribution of Visible Normals".
+   */
   @Override
   public Vec3 sampleVisible(Vec3 wo, Point2 u) {
     Vec3 v = new Vec3(alpha * wo.x(), alpha * wo.y(), wo.z()).normalized();

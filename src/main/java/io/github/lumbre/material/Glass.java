@@ -6,13 +6,14 @@ import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /**
- * Glass, smooth or ground: the format's Refractive.
+ * The Refractive material of the scene format: smooth or rough glass.
  *
- * @param reflectance tints reflections; components above 1 are taken as 1
- * @param transmittance tints what passes; components above 1 are taken as 1
+ * @param reflectance tints the reflected light; components above 1 are clamped to 1
+ * @param transmittance tints the refracted light; components above 1 are clamped to 1
  * @param ior index of refraction of the inside relative to the outside, &gt; 0
  * @param roughness α of the Trowbridge–Reitz distribution, in [0,1]; below {@link
- *     CookTorrance#SMOOTH}, or where the index is as good as 1, the surface is smooth
+ *     CookTorrance#SMOOTH}, or where the index differs from 1 by less than 1e-8, the surface is
+ *     smooth
  */
 public record Glass(
     Texture<Rgb> reflectance,
@@ -20,7 +21,7 @@ public record Glass(
     ScalarTexture ior,
     ScalarTexture roughness)
     implements Material {
-  /** Rough glass whose index is closer to 1 refracts light too little to be seen. */
+  /** Rough glass whose index is closer to 1 than this bends light too little to be visible. */
   private static final double LEAST_CONTRAST = 1e-8;
 
   public Glass {

@@ -8,7 +8,7 @@ import io.github.lumbre.sampling.Warp;
 /**
  * The ideal diffuse reflector: f = albedo / π, on both sides of the surface (PBRT 4e, sec. 9.2).
  *
- * @param albedo share of light reflected, each component in [0,1]
+ * @param albedo fraction of the light that is reflected, each component in [0,1]
  */
 record Lambertian(Rgb albedo) implements Lobe {
   @Override

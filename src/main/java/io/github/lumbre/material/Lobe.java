@@ -1,18 +1,19 @@
 package io.github.lumbre.material;
 
-/** A Bsdf that can be one part of a {@link Mixture}. */
+/** A BSDF that can be one of the two lobes of a {@link Mixture}. */
 interface Lobe extends Bsdf {
   /**
-   * Returns about how much of a viewer's light is scattered, at least 0: it affects how often the
-   * lobe is sampled, not the result.
+   * Returns an estimate, at least 0, of the fraction of light that the lobe scatters. It determines
+   * how often the lobe is sampled and does not bias the result.
    *
-   * @param cosine of the angle between the viewer and the normal, negative below the surface
+   * @param cosine cosine of the angle between the viewer's direction and the normal, negative below
+   *     the surface
    */
   double importance(double cosine);
 
   /**
-   * Samples the direction as {@link #sample} does, and of delta lobes the weight too. Returns
-   * whether there is a direction.
+   * Samples a direction as {@link #sample} does. Only delta lobes must also set the weight. Returns
+   * whether a direction was sampled.
    */
   default boolean draw(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {

@@ -4,17 +4,17 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.TexturePoint;
 
-/** What a surface is made of: reads its textures at a hit. Immutable. */
+/** A surface material: evaluates its textures at a hit and returns the BSDF there. Immutable. */
 public interface Material {
   /**
-   * Returns how the surface scatters at a point of it, in the hit's shading frame.
+   * Returns the BSDF at a point of the surface, in the hit's shading frame.
    *
    * @param u texture coordinate, any finite number
-   * @param v texture coordinate, as u
+   * @param v texture coordinate, any finite number
    */
   Bsdf at(double u, double v);
 
-  /** Returns how the surface scatters at a point of it, in the hit's shading frame. */
+  /** Returns the BSDF at a point of the surface, in the hit's shading frame. */
   default Bsdf at(TexturePoint point) {
     return at(point.u(), point.v());
   }
@@ -51,7 +51,7 @@ public interface Material {
   /** Returns whether the surface is known to scatter everywhere alike, in its frame. */
   boolean isUniform();
 
-  /** Returns a material that looks the same and does no work twice. */
+  /** Returns an equivalent material that evaluates constant textures only once. */
   default Material simplified() {
     return isUniform() ? new UniformMaterial(at(0, 0)) : this;
   }

@@ -5,12 +5,12 @@ import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /**
- * A diffuse surface: the format's Diffuse.
+ * The Diffuse material of the scene format: an ideal diffuse reflector.
  *
- * @param albedo share of light reflected; components above 1 are taken as 1
+ * @param albedo fraction of the light that is reflected; components above 1 are clamped to 1
  */
 public record Matte(Texture<Rgb> albedo) implements Material {
-  /** What surfaces without a material are made of. */
+  /** The default material: albedo 0.5. */
   public static final Matte GREY = new Matte(Texture.constant(Rgb.grey(.5)));
 
   public Matte {

@@ -4,56 +4,71 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * How the small mirrors of a rough surface are turned, and how they hide each other (PBRT 4e, sec.
- * 9.6). All directions are local, of unit length and above the surface. Immutable.
+ * The distribution of the microfacet normals of a rough surface, with its masking and shadowing
+ * (PBRT 4e, sec. 9.6). All directions are unit vectors in the local frame, above the surface.
+ * Immutable.
  */
 public sealed interface MicrofacetDistribution permits Beckmann, Ggx {
-  /** Returns the density D of normals, per solid angle and projected area. */
+  /**
+   * Returns the density D of normals at m, per solid angle and per projected area of the surface.
+   */
   double density(Vec3 m);
 
   /**
-   * Returns Λ(θ) · cos θ, Λ being Smith's ratio of hidden to visible area: unlike Λ itself, it
-   * stays finite towards the horizon.
+   * Returns Λ(θ) · cos θ, where Λ is Smith's ratio of hidden to visible microfacet area. Unlike Λ,
+   * the product stays finite towards the horizon.
    *
-   * @param cosTheta in [0,1]
+   * @param cosTheta cosine of the angle θ to the normal, in [0,1]
    */
   double hidden(double cosTheta);
 
-  /** Returns (1 + Λ(θ)) · cos θ. */
+  /** Returns (1 + Λ(θ)) · cos θ; the argument is in [0,1]. */
   default double visible(double cosTheta) {
     return cosTheta + hidden(cosTheta);
   }
 
-  /** Draws a normal in proportion to its visible area: with density {@link #visibleDensity}. */
+  /**
+   * Samples a microfacet normal in proportion to the area visible from wo: with density {@link
+   * #visibleDensity}.
+   *
+   * @param u uniform in [0,1)²
+   */
   Vec3 sampleVisible(Vec3 wo, Point2 u);
 
-  /** Returns G1 · max(0, wo·m) · D / cos θo, per solid angle, with G1 = 1 / (1 + Λ). */
+  /**
+   * Returns the density of {@link #sampleVisible} per solid angle: G1 · max(0, wo·m) · D / cos θo,
+   * with G1 = 1 / (1 + Λ).
+   */
   default double visibleDensity(Vec3 wo, Vec3 m) {
     return Math.max(0, wo.dot(m)) * density(m) / visible(wo.z());
   }
 
   /**
-   * Returns the share of facets seen from one direction that is also seen from the other: G / G1 =
-   * (1 + Λo) / (1 + Λo + Λi), if height decides about both.
+   * Returns the fraction, in [0,1], of the microfacets visible from one direction that are also
+   * visible from the other. With height-correlated masking it is G / G1 = (1 + Λo) / (1 + Λo + Λi).
    *
-   * @param cosO in (0,1]
-   * @param cosI in (0,1]
+   * @param cosO cosine of the first direction's angle to the normal, in (0,1]
+   * @param cosI cosine of the second direction's angle to the normal, in (0,1]
    */
   default double maskingRatio(double cosO, double cosI) {
     return maskingRatio(cosO, visible(cosO), cosI);
   }
 
-  /** Returns the same, given what {@link #visible} returns for the first direction. */
+  /**
+   * Returns the same ratio.
+   *
+   * @param visibleO result of {@link #visible} for the first direction
+   */
   default double maskingRatio(double cosO, double visibleO, double cosI) {
     return 1 / (1 + hidden(cosI) / cosI * (cosO / visibleO));
   }
 
-  /** Returns the distribution that a roughness α gives. */
+  /** Returns the distribution of a kind for a roughness α &gt; 0. */
   static MicrofacetDistribution of(Kind kind, double alpha) {
     return kind == Kind.BECKMANN ? new Beckmann(alpha) : new Ggx(alpha);
   }
 
-  /** Which distribution. */
+  /** The kinds of distributions. */
   enum Kind {
     BECKMANN,
     GGX

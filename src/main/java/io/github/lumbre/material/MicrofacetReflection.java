@@ -5,12 +5,13 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * Reflection by the small mirrors of a rough surface, each by the exact Fresnel equations: f = F D
- * G / (4 cos θo cos θi), with height-correlated masking (Cook &amp; Torrance 1982; PBRT 4e, sec.
- * 9.6), on both sides of the surface. Light that hits more than one facet is lost.
+ * Microfacet reflection with the exact Fresnel equations, on both sides of the surface: f = F D G /
+ * (4 cos θo cos θi), with height-correlated masking (Cook &amp; Torrance 1982; PBRT 4e, sec. 9.6).
+ * Light that hits more than one microfacet is lost.
  *
  * @param specular tints the reflection, each component in [0,1]
  * @param ior index of refraction of the facets, &gt; 0
+ * @param facets distribution of the microfacet normals
  */
 record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution facets)
     implements Lobe {
@@ -26,9 +27,9 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     Vec3 o = up(wo);
     Vec3 i = up(wi);
     Vec3 sum = o.plus(i);
-    // Half the sum is as long as the cosine at the facet; a dot product would lose digits.
+    // Half the sum's length is the cosine at the facet. A dot product would lose digits.
     double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), ior);
-    // Mirrors spread the density of visible normals by 4 times that cosine, which cancels.
+    // Reflection divides the density of visible normals by 4 times that cosine, which cancels.
     double visible = facets.visible(o.z());
     double pdf = facets.density(sum.normalized()) / (4 * visible);
     result.set(specular.times(fresnel * facets.maskingRatio(o.z(), visible, i.z()) * pdf), pdf);
@@ -60,12 +61,12 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
     return specular.max() * Fresnel.dielectric(Math.abs(cosine), ior);
   }
 
-  /** Returns 1 of directions above the surface, else -1. */
+  /** Returns 1 for directions above the surface, else -1. */
   private static double side(Vec3 w) {
     return w.z() > 0 ? 1 : -1;
   }
 
-  /** Returns the direction turned to the upper side; from behind, the surface is turned over. */
+  /** Returns the direction for a surface flipped so that the direction lies above it. */
   private static Vec3 up(Vec3 w) {
     return w.times(side(w));
   }

@@ -5,9 +5,9 @@ import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /**
- * A perfect mirror: the format's Reflective.
+ * The Reflective material of the scene format: a perfect mirror.
  *
- * @param reflectance share of light reflected; components above 1 are taken as 1
+ * @param reflectance fraction of the light that is reflected; components above 1 are clamped to 1
  */
 public record Mirror(Texture<Rgb> reflectance) implements Material {
   public Mirror {

@@ -4,8 +4,9 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * The sum of two lobes, which must not reflect more than 1 together: one is result, in proportion
- * to its importance, and both count for the direction it gives.
+ * The sum of two lobes, which together must not reflect more than all light. One lobe is selected
+ * in proportion to its importance and sampled; the weight and density of the direction include both
+ * lobes.
  */
 record Mixture(Lobe first, Lobe second) implements Bsdf {
   @Override
@@ -41,7 +42,7 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
     } else if (chosen.isSpecular()) {
       result.setSpecular(result.wi(), result.weight().times(1 / (drawsFirst ? share : 1 - share)));
     } else {
-      // Both lobes count for the direction that one of them gave.
+      // The weight includes both lobes, whichever of them sampled the direction.
       result.weighBy(this, new Vec3(woX, woY, woZ));
     }
   }

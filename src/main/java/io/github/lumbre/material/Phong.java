@@ -6,17 +6,17 @@ import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /**
- * A diffuse surface with a Phong highlight: the format's Phong.
+ * The Phong material of the scene format: a diffuse lobe plus a Phong highlight.
  *
- * @param diffuse colour, scaled down with the specular one where both together exceed 1
- * @param specular colour of the highlight
- * @param exponent of the highlight, at least 0: the larger, the smaller
+ * @param diffuse diffuse color; both colors are scaled down wherever their sum exceeds 1
+ * @param specular color of the highlight
+ * @param exponent exponent of the highlight, at least 0; larger exponents give smaller highlights
  */
 public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture exponent)
     implements Material {
   /**
-   * Sharper highlights than this, of a millionth of a radian, are taken as this sharp: directions
-   * have no digits left to distinguish their parts.
+   * The largest exponent; larger ones are clamped to it. Its highlight is about 1e-6 radians wide,
+   * and the rounding of directions cannot resolve smaller ones.
    */
   public static final double SHARPEST = 1e12;
 

@@ -6,9 +6,10 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 
 /**
- * The normalised modified Phong lobe, f = specular · (n+2)/2π · cosⁿα, α between wi and the mirror
- * direction (Lafortune &amp; Willems 1994, eq. 4); on both sides of the surface. It reflects all of
- * the specular colour at normal incidence, less at others: about cos θ of it if n is large.
+ * The normalized modified Phong lobe, on both sides of the surface: f = specular · (n+2)/2π ·
+ * cosⁿα, where α is the angle between wi and the mirror direction (Lafortune &amp; Willems 1994,
+ * eq. 4). Its albedo is the specular color at normal incidence and smaller elsewhere: about cos θ
+ * times that color if n is large.
  *
  * @param specular each component in [0,1]
  * @param exponent n, at least 0
@@ -37,7 +38,10 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
     return (exponent + 1) / Elementary.TWO_PI * cosinePower;
   }
 
-  /** Returns cosⁿα from the distance of the two directions, which keeps its digits at small α. */
+  /**
+   * Returns cosⁿα, computed from the distance between wi and the mirror direction, which stays
+   * accurate at small α.
+   */
   private double cosinePower(Vec3 wo, Vec3 wi) {
     double oneMinusCos = .5 * wi.minus(SpecularReflection.reflect(wo)).lengthSquared();
     return oneMinusCos < 1 ? Elementary.exp(exponent * Elementary.log1p(-oneMinusCos)) : 0;
@@ -47,7 +51,7 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   public void sample(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
     Vec3 wo = new Vec3(woX, woY, woZ);
-    // cos α = (1−u)^(1/(n+1)), and the sine without cancellation.
+    // cos α = (1−u)^(1/(n+1)); the sine is computed without cancellation.
     double logCos = Elementary.log1p(-u) / (exponent + 1);
     double cos = Elementary.exp(logCos);
     double sin = Math.sqrt(-Elementary.expm1(2 * logCos));

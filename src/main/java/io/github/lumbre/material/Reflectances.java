@@ -3,15 +3,15 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 
 /**
- * A diffuse and a specular colour that together reflect at most 1.
+ * A diffuse and a specular color whose sum is at most 1 in each component.
  *
  * @param diffuse each component in [0,1]
  * @param specular each component in [0,1]
  */
 record Reflectances(Rgb diffuse, Rgb specular) {
   /**
-   * Returns the two colours, both divided by the largest component of their sum if that exceeds 1,
-   * so that hue and proportion stay.
+   * Returns the two colors. If the largest component of their sum exceeds 1, both are divided by
+   * it, which keeps their hue and ratio.
    */
   static Reflectances of(Rgb diffuse, Rgb specular) {
     double most = diffuse.plus(specular).max();
@@ -20,7 +20,10 @@ record Reflectances(Rgb diffuse, Rgb specular) {
         : new Reflectances(diffuse, specular);
   }
 
-  /** Returns the Bsdf of the diffuse part and a specular lobe, either left out if it is black. */
+  /**
+   * Returns the BSDF that combines the diffuse color with a specular lobe. A black one of the two
+   * is left out.
+   */
   Bsdf with(Lobe lobe) {
     Lambertian lambertian = new Lambertian(diffuse);
     if (specular.isBlack()) {

@@ -5,14 +5,15 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A boundary of rough glass: each facet reflects by the exact Fresnel equations and refracts by
- * Snell's law (Walter et al. 2007). The inside is where z is negative. Light that hits more than
- * one facet is lost.
+ * The BSDF of rough glass: each microfacet reflects by the exact Fresnel equations and refracts by
+ * Snell's law (Walter et al. 2007). The inside of the glass is at negative z. Light that hits more
+ * than one microfacet is lost.
  *
- * @param reflectance tints what is reflected, each component in [0,1]
- * @param transmittance tints what passes, each component in [0,1]
- * @param ior index of refraction inside over the one outside, &gt; 0 and not 1: 1e-8 away from it,
- *     half the digits of a refracted direction are left
+ * @param reflectance tints the reflected light, each component in [0,1]
+ * @param transmittance tints the refracted light, each component in [0,1]
+ * @param ior index of refraction of the inside relative to the outside, &gt; 0 and not 1. At a
+ *     distance of 1e-8 from 1, a refracted direction has only half of its digits left
+ * @param facets distribution of the microfacet normals
  */
 public record RoughDielectric(
     Rgb reflectance, Rgb transmittance, double ior, MicrofacetDistribution facets) implements Bsdf {
@@ -24,9 +25,10 @@ public record RoughDielectric(
   /**
    * {@inheritDoc}
    *
-   * <p>What both directions enter alike is computed alike whichever is wo, so that rounding leaves
-   * scattering reciprocal: near the critical angle, and from nearly smooth surfaces, shares and
-   * densities hang on the last digits of the facet.
+   * <p>Terms that are symmetric in wo and wi are computed identically after the two are swapped, so
+   * that scattering stays reciprocal despite rounding. This matters near the critical angle and for
+   * nearly smooth surfaces, where reflectances and densities depend on the last digits of the
+   * microfacet normal.
    */
   @Override
   public void evaluate(
@@ -45,7 +47,7 @@ public record RoughDielectric(
 
   private void reflect(Vec3 wo, Vec3 wi, BsdfValue result) {
     Vec3 sum = wo.plus(wi);
-    // Half the sum is as long as the cosine at the facet.
+    // Half the sum's length is the cosine at the facet.
     double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), eta(wo));
     double density =
         facets.density(outward(sum.normalized())) / (4 * facets.visible(Math.abs(wo.z())));
@@ -63,12 +65,12 @@ public record RoughDielectric(
       result.clear();
       return;
     }
-    // From the side on which there is no critical angle.
+    // Evaluate on the side that has no critical angle.
     double fresnel =
         ior > 1
             ? Fresnel.dielectric(Math.min(1, cosOuter), ior)
             : Fresnel.dielectric(Math.min(1, cosInner), 1 / ior);
-    // Walter et al. 2007, eq. 17: the sum is as long as the difference of the scaled cosines.
+    // Walter et al. 2007, eq. 17. The sum's length is the difference of the scaled cosines.
     double spread = (wi.z() < 0 ? ior : 1) / sum.length();
     double density =
         facets.density(m)
@@ -83,10 +85,10 @@ public record RoughDielectric(
   }
 
   /**
-   * Sets what is scattered and its density.
+   * Sets the value and the density of one kind of scattering, reflection or refraction.
    *
-   * @param share of the light at the facet that takes this way, tint aside
-   * @param density of wi per solid angle once the way is chosen
+   * @param share fraction of the light at the facet that is scattered this way, without the tint
+   * @param density density of wi per solid angle, given this kind of scattering
    */
   private void set(
       BsdfValue result, Rgb tint, double share, double density, double fresnel, double masking) {
@@ -98,7 +100,10 @@ public record RoughDielectric(
     }
   }
 
-  /** Returns the largest share of the light at a facet that is reflected or refracted. */
+  /**
+   * Returns the largest component of the fraction of light at a facet that is reflected or
+   * refracted.
+   */
   private double scattered(double fresnel) {
     return fresnel * reflectance.max() + (1 - fresnel) * transmittance.max();
   }
@@ -145,7 +150,7 @@ public record RoughDielectric(
     return wo.z() > 0 ? ior : 1 / ior;
   }
 
-  /** Returns w with the surface turned so that wo is above it; the same call turns back. */
+  /** Returns w for a surface flipped so that wo lies above it. The same call undoes the flip. */
   private static Vec3 up(Vec3 w, Vec3 wo) {
     return new Vec3(w.x(), w.y(), wo.z() > 0 ? w.z() : -w.z());
   }

@@ -2,7 +2,10 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.math.Vec3;
 
-/** A Bsdf of delta lobes alone: directions can be drawn from it, but none hits it by chance. */
+/**
+ * A BSDF with only delta lobes: it can be sampled, but its value and density for given directions
+ * are 0.
+ */
 interface SpecularBsdf extends Bsdf {
   @Override
   default void evaluate(

@@ -4,9 +4,9 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A perfect mirror on both sides.
+ * The BSDF of a perfect mirror, on both sides of the surface.
  *
- * @param reflectance share of light reflected, each component in [0,1]
+ * @param reflectance fraction of the light that is reflected, each component in [0,1]
  */
 record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   @Override
@@ -15,7 +15,7 @@ record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
     result.setSpecular(reflect(new Vec3(woX, woY, woZ)), reflectance);
   }
 
-  /** Returns the mirror direction in the local frame. */
+  /** Returns the direction mirrored at the normal, in the local frame. */
   static Vec3 reflect(Vec3 wo) {
     return new Vec3(-wo.x(), -wo.y(), wo.z());
   }

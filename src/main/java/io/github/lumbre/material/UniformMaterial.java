@@ -1,6 +1,6 @@
 package io.github.lumbre.material;
 
-/** A material that scatters everywhere alike. */
+/** A material with the same BSDF at all points. */
 record UniformMaterial(Bsdf bsdf) implements Material {
   @Override
   public Bsdf at(double u, double v) {

@@ -1,6 +1,9 @@
 package io.github.lumbre.material;
 
-/** A surface that scatters nothing: that of a light, or one that shows its own color only. */
+/**
+ * The material of a surface that scatters no light: an area light, or a surface that shows only its
+ * own color.
+ */
 public enum Unlit implements Material {
   INSTANCE;
 

@@ -3,15 +3,15 @@ package io.github.lumbre.material;
 import io.github.lumbre.math.Elementary;
 
 /**
- * The distribution of the slopes, along the view, of those facets of a Beckmann surface with α = 1
- * that a viewer sees (Heitz &amp; d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
- * Distribution of Visible Normals").
+ * The distribution of visible slopes of a Beckmann surface with α = 1, along the viewing direction
+ * (Heitz &amp; d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of
+ * Visible Normals").
  *
- * <p>Its density is proportional to {@code (cos θ − x sin θ) exp(−x²)} up to the slope cot θ, where
- * facets turn away.
+ * <p>The density at slope x is proportional to {@code (cos θ − x sin θ) exp(−x²)} up to x = cot θ,
+ * beyond which facets face away from the viewer.
  */
 final class VisibleSlope {
-  /** Slopes beyond this have a probability below 1e-36. */
+  /** Slopes steeper than this have a total probability below 1e-36. */
   static final double STEEPEST = 9;
 
   private static final double INV_SQRT_PI = 0.5641895835477563;
@@ -19,14 +19,15 @@ final class VisibleSlope {
   private static final int MAX_STEPS = 60;
 
   /**
-   * After a step of size d an error of the order of d³ is left; so slopes are right to about 1e-8.
+   * The search ends after a step this small. A step of size d leaves an error of order d³, so
+   * slopes are accurate to about 1e-8.
    */
   private static final double LAST_STEP = 2e-3;
 
   private static final int COSINES = 16;
   private static final int NUMBERS = 64;
 
-  /** Slopes for a grid of cosines and of uniform numbers: where the search begins. */
+  /** Slopes for a grid of cosines and uniform numbers: the starting points of the search. */
   private static final double[] GUESSES = new double[(COSINES + 1) * (NUMBERS + 1)];
 
   static {
@@ -35,7 +36,8 @@ final class VisibleSlope {
       double sin = Math.sqrt(1 - cos * cos);
       double guess = -3;
       for (int column = 0; column <= NUMBERS; column++) {
-        // The distribution ends at 0 and 1; what matters there is to begin on its slope.
+        // At u = 0 and 1 the density vanishes. Use a nearby u, so that the search starts where the
+        // density is positive.
         double u = Math.max(.002, Math.min((double) column / NUMBERS, .998));
         guess = solve(cos, sin, u, guess);
         GUESSES[row * (NUMBERS + 1) + column] = guess;
@@ -48,15 +50,15 @@ final class VisibleSlope {
   /**
    * Returns the slope at which the cumulative distribution is u.
    *
-   * @param cos of the view's angle θ, in [0,1]
-   * @param sin of the same angle
+   * @param cos cosine of the viewing angle θ, in [0,1]
+   * @param sin sine of θ
    * @param u in [0,1]
    */
   static double at(double cos, double sin, double u) {
     return solve(cos, sin, u, guess(cos, u));
   }
 
-  /** Interpolates the table. */
+  /** Returns a starting point, interpolated in the table. */
   private static double guess(double cos, double u) {
     double row = cos * COSINES;
     double column = u * NUMBERS;
@@ -90,7 +92,7 @@ final class VisibleSlope {
       }
       double facing = cos - x * sin;
       double newton = excess / (INV_SQRT_PI * bell * facing);
-      // The density's derivative over the density is −2x − sin / facing.
+      // The derivative of the density, divided by the density, is −2x − sin / facing.
       double next = x - newton / (1 + newton * (x + .5 * sin / facing));
       if (!(next >= low && next <= high)) {
         next = .5 * (low + high);
@@ -104,7 +106,11 @@ final class VisibleSlope {
     return x;
   }
 
-  /** Returns the integral of {@code (cos − y sin) exp(−y²) / √π} over all y below x. */
+  /**
+   * Returns the integral of {@code (cos − y sin) exp(−y²) / √π} over all y below x.
+   *
+   * @param bell exp(−x²)
+   */
   static double cumulative(double cos, double sin, double x, double bell) {
     double tail = .5 * bell * Elementary.erfcScaled(Math.abs(x));
     return cos * (x < 0 ? tail : 1 - tail) + sin * .5 * INV_SQRT_PI * bell;

@@ -1,14 +1,17 @@
 package io.github.lumbre.math;
 
-/** An axis-aligned box; {@link #EMPTY} holds no point, and a box may have zero thickness. */
+/**
+ * An axis-aligned bounding box. {@link #EMPTY} contains no point; a box may have zero thickness.
+ * Immutable.
+ */
 public record Bounds3(Vec3 min, Vec3 max) {
   private static final double INF = Double.POSITIVE_INFINITY;
 
-  /** The box without a point: the neutral element of {@link #union}. */
+  /** The empty box, the neutral element of {@link #union}. */
   public static final Bounds3 EMPTY =
       new Bounds3(new Vec3(INF, INF, INF), new Vec3(-INF, -INF, -INF));
 
-  /** Returns the smallest box that holds all the points. */
+  /** Returns the smallest box that contains all the points. */
   public static Bounds3 of(Vec3... points) {
     Bounds3 bounds = EMPTY;
     for (Vec3 point : points) {
@@ -35,7 +38,7 @@ public record Bounds3(Vec3 min, Vec3 max) {
     return min.isFinite() && max.isFinite();
   }
 
-  /** Returns the corner with the given number, 0 to 7: bit k picks the maximum on axis k. */
+  /** Returns the corner with the given number, 0 to 7: bit k selects the maximum on axis k. */
   public Vec3 corner(int number) {
     return new Vec3(
         (number & 1) == 0 ? min.x() : max.x(),

@@ -1,11 +1,11 @@
 package io.github.lumbre.math;
 
 /**
- * Elementary functions that give the same bits on every virtual machine and processor.
+ * Elementary functions whose results are bit-identical on every JVM and processor.
  *
- * <p>{@link Math#sin} and its kin may differ by an ulp between machines, and between interpreted
- * and compiled code; all code between a sample and the film uses this class instead. What inner
- * loops need is made of + − × ÷ and {@link Math#fma} alone; the rest is {@link StrictMath}.
+ * <p>{@link Math#sin} and similar methods may differ by an ulp between machines, and between
+ * interpreted and compiled code. All code that computes samples uses this class instead. Functions
+ * for inner loops use only + − × ÷ and {@link Math#fma}; the others call {@link StrictMath}.
  */
 public final class Elementary {
   public static final double TWO_PI = 2 * Math.PI;
@@ -16,12 +16,12 @@ public final class Elementary {
   private static final int STEPS = 1 << LOG_STEPS;
   private static final double STEPS_PER_UNIT = STEPS / StrictMath.log(2);
 
-  /** ln 2 / 32 in two parts; the first ends in 20 zero bits. */
+  /** ln 2 / 32 as the sum of two parts. The first part ends in 20 zero bits. */
   private static final double STEP_HIGH = 0x1.62e42feep-1 / STEPS;
 
   private static final double STEP_LOW = 0x1.a39ef35793c76p-33 / STEPS;
 
-  /** 2 to the k/32. */
+  /** 2^(k/32) for k from 0 to 31. */
   private static final double[] POWERS = new double[STEPS];
 
   static {
@@ -32,7 +32,7 @@ public final class Elementary {
 
   /**
    * Chebyshev coefficients in 2t − 1 of ln(erfc(x) exp(x²) / t), t = 2 / (2 + x), computed with 40
-   * digits; so many of them leave a relative error of 2e-15.
+   * digits. This number of coefficients leaves a relative error of 2e-15.
    */
   private static final double[] ERFC = {
     -1.30265371978170943, 0.64196979235649026, 0.0194764732041858363,
@@ -56,8 +56,8 @@ public final class Elementary {
   private Elementary() {}
 
   /**
-   * Returns the sine of an angle of at most a quarter of π in size, by its Taylor series to the
-   * 15th power (truncation below 5e-17).
+   * Returns the sine of an angle in radians, in [-π/4, π/4], by its Taylor series up to the 15th
+   * power (truncation error below 5e-17).
    */
   public static double sinSmall(double x) {
     double s = x * x;
@@ -71,8 +71,8 @@ public final class Elementary {
   }
 
   /**
-   * Returns the cosine of an angle of at most a quarter of π in size (series to the 16th power,
-   * truncation below 3e-18).
+   * Returns the cosine of an angle in radians, in [-π/4, π/4], by its Taylor series up to the 16th
+   * power (truncation error below 3e-18).
    */
   public static double cosSmall(double x) {
     double s = x * x;
@@ -87,7 +87,7 @@ public final class Elementary {
   }
 
   /**
-   * Returns the sine of a number of full turns: exactly 0, ±1 at multiples of a quarter turn.
+   * Returns the sine of an angle in full turns; exactly 0 or ±1 at multiples of a quarter turn.
    *
    * @param turns any finite number; 1 is 360°
    */
@@ -97,28 +97,36 @@ public final class Elementary {
     return sin((int) quarters, (part - .25 * quarters) * TWO_PI);
   }
 
-  /** Returns the cosine of a number of full turns; see {@link #sinTurns}. */
+  /**
+   * Returns the cosine of an angle in full turns; exactly 0 or ±1 at multiples of a quarter turn.
+   *
+   * @param turns any finite number; 1 is 360°
+   */
   public static double cosTurns(double turns) {
     double part = turns - Math.rint(turns);
     double quarters = Math.rint(4 * part);
     return sin((int) quarters + 1, (part - .25 * quarters) * TWO_PI);
   }
 
-  /** Returns the sine of an angle in degrees: exact at multiples of 90. */
+  /** Returns the sine of an angle in degrees; exact at multiples of 90. */
   public static double sinDegrees(double degrees) {
     double part = Math.IEEEremainder(degrees, 360);
     double quarters = Math.rint(part / 90);
     return sin((int) quarters, (part - 90 * quarters) * RADIANS_PER_DEGREE);
   }
 
-  /** Returns the cosine of an angle in degrees: exact at multiples of 90. */
+  /** Returns the cosine of an angle in degrees; exact at multiples of 90. */
   public static double cosDegrees(double degrees) {
     double part = Math.IEEEremainder(degrees, 360);
     double quarters = Math.rint(part / 90);
     return sin((int) quarters + 1, (part - 90 * quarters) * RADIANS_PER_DEGREE);
   }
 
-  /** Returns the sine of some quarter turns and a rest of at most an eighth of a turn. */
+  /**
+   * Returns the sine of a number of quarter turns plus a remainder.
+   *
+   * @param rest remainder in radians, at most an eighth of a turn in size
+   */
   private static double sin(int quarters, double rest) {
     return switch (quarters & 3) {
       case 0 -> sinSmall(rest);
@@ -134,8 +142,8 @@ public final class Elementary {
   }
 
   /**
-   * Returns the angle of the point (x, y) in [-π, π], within 4 ulp; zeros count by their signs as
-   * in {@link Math#atan2}.
+   * Returns the polar angle of the point (x, y) in radians, in [-π, π], with an error of at most 4
+   * ulp. The signs of zeros matter as in {@link Math#atan2}.
    *
    * @param y finite
    * @param x finite
@@ -155,7 +163,10 @@ public final class Elementary {
     return Math.copySign(angle, y);
   }
 
-  /** Returns the arc sine in [-π/2, π/2]; arguments beyond ±1 by rounding are taken as ±1. */
+  /**
+   * Returns the arcsine in radians, in [-π/2, π/2]. Arguments that rounding put beyond ±1 are taken
+   * as ±1.
+   */
   public static double asin(double x) {
     return atan2(x, safeSqrt((1 - x) * (1 + x)));
   }
@@ -165,15 +176,16 @@ public final class Elementary {
   }
 
   /**
-   * Returns e to the x, within 2 ulp: x is a multiple of ln 2 / 32, whose power comes from a table
-   * and the exponent's bits, and a rest that six terms of the series cover (Tang 1989).
+   * Returns e to the power x, with an error of at most 2 ulp (Tang 1989). x is split into a
+   * multiple of ln 2 / 32 and a remainder. The power of the multiple comes from a table and the
+   * exponent bits; that of the remainder from six terms of the series.
    */
   public static double exp(double x) {
     if (!(Math.abs(x) <= 745.2)) {
       return x > 0 ? Double.POSITIVE_INFINITY : x < 0 ? 0 : x;
     }
     int k = (int) Math.rint(x * STEPS_PER_UNIT);
-    // k times the high part is exact.
+    // The product of k and the high part is exact.
     double r = Math.fma(-k, STEP_LOW, Math.fma(-k, STEP_HIGH, x));
     double series = Math.fma(r, 1.0 / 720, 1.0 / 120);
     series = Math.fma(r, series, 1.0 / 24);

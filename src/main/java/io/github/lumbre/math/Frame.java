@@ -3,11 +3,11 @@ package io.github.lumbre.math;
 import java.util.Objects;
 
 /**
- * Three unit vectors at right angles, the axes of a local space whose +z is {@code normal}. Either
- * handedness may occur: a mirrored texture has a mirrored frame. Immutable.
+ * An orthonormal frame: the unit axes of a local space, in which {@code normal} is +z. It may have
+ * either handedness, because mirrored textures have mirrored frames. Immutable.
  *
- * <p>Plain numbers, not three vectors: the compiler can do without an object that it has just made,
- * but hardly without those inside it.
+ * <p>It stores plain numbers instead of three vectors. The JIT can remove the allocation of a
+ * short-lived object, but rarely that of objects inside it.
  */
 public final class Frame {
   /** The world's own axes. */
@@ -17,7 +17,7 @@ public final class Frame {
   private final double bitangentX, bitangentY, bitangentZ;
   private final double normalX, normalY, normalZ;
 
-  /** Makes a frame of three unit vectors at right angles. */
+  /** Creates a frame from three perpendicular unit vectors. */
   public Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) {
     tangentX = tangent.x();
     tangentY = tangent.y();
@@ -46,7 +46,8 @@ public final class Frame {
   }
 
   /**
-   * Returns a frame around a unit normal; its tangents are arbitrary but fixed.
+   * Returns a frame around a unit normal. Its tangents are arbitrary, but always the same for the
+   * same normal.
    *
    * <p>Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
    */
@@ -54,7 +55,7 @@ public final class Frame {
     return new Frame(tangentAround(normal), bitangentAround(normal), normal);
   }
 
-  /** Returns the tangent of {@link #around(Vec3)}, for those who need no frame to be made. */
+  /** Returns the tangent of {@link #around(Vec3)} without creating a frame. */
   public static Vec3 tangentAround(Vec3 normal) {
     double sign = Math.copySign(1, normal.z());
     double a = -1 / (sign + normal.z());
@@ -62,7 +63,7 @@ public final class Frame {
     return new Vec3(1 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x());
   }
 
-  /** Returns the bitangent of {@link #around(Vec3)}. */
+  /** Returns the bitangent of {@link #around(Vec3)} without creating a frame. */
   public static Vec3 bitangentAround(Vec3 normal) {
     double sign = Math.copySign(1, normal.z());
     double a = -1 / (sign + normal.z());
@@ -71,8 +72,8 @@ public final class Frame {
   }
 
   /**
-   * Returns the frame around a unit normal that keeps the given tangents as well as it can: the
-   * tangent is {@code u} without its part along the normal, the bitangent lies on the side of
+   * Returns the frame around a unit normal that best preserves the given tangents. Its tangent is
+   * {@code u} without the component along the normal, normalized; its bitangent lies on the side of
    * {@code v}. If {@code u} is {@linkplain #isAlong along the normal}, the result is {@link
    * #around(Vec3)}.
    */
@@ -84,20 +85,30 @@ public final class Frame {
     return new Frame(tangent, bitangentAround(normal, tangent, v), normal);
   }
 
-  /** Returns whether a vector is no tangent: zero, not finite, or along the unit normal. */
+  /**
+   * Returns whether a vector cannot serve as a tangent, because it is zero, not finite, or parallel
+   * to the unit normal.
+   */
   public static boolean isAlong(Vec3 normal, Vec3 u) {
     Vec3 tangent = u.plus(-u.dot(normal), normal);
     return !(tangent.length() > 1e-12 * u.length()) || !tangent.isFinite();
   }
 
-  /** Returns the unit tangent nearest to {@code u}, which is not {@link #isAlong}. */
+  /**
+   * Returns the unit tangent closest to {@code u}.
+   *
+   * @param u vector for which {@link #isAlong} is false
+   */
   public static Vec3 tangentAround(Vec3 normal, Vec3 u) {
     Vec3 tangent = u.plus(-u.dot(normal), normal).normalized();
-    // A second projection removes what cancellation left in the first.
+    // A second projection removes the error that cancellation left in the first.
     return tangent.plus(-tangent.dot(normal), normal).normalized();
   }
 
-  /** Returns the direction across a normal and its tangent that lies on the side of {@code v}. */
+  /**
+   * Returns the unit vector perpendicular to a normal and its tangent that lies on the side of
+   * {@code v}.
+   */
   public static Vec3 bitangentAround(Vec3 normal, Vec3 tangent, Vec3 v) {
     Vec3 bitangent = normal.cross(tangent);
     return bitangent.times(bitangent.dot(v) < 0 ? -1 : 1);
@@ -111,7 +122,10 @@ public final class Frame {
     return toWorld(tangent(), bitangent(), normal(), local);
   }
 
-  /** Returns {@link #toWorld(Vec3)} of a frame that need not be made. */
+  /**
+   * Returns the world direction of a local one, given the axes of a frame; see {@link
+   * #toWorld(Vec3)}.
+   */
   public static Vec3 toWorld(Vec3 tangent, Vec3 bitangent, Vec3 normal, Vec3 local) {
     return new Vec3(
         tangent.x() * local.x() + bitangent.x() * local.y() + normal.x() * local.z(),

@@ -1,8 +1,8 @@
 package io.github.lumbre.math;
 
-/** A 3×3 matrix that acts on column vectors: what {@link Transform} is put together from. */
+/** A 3×3 matrix that acts on column vectors; used to build {@link Transform}. Immutable. */
 record Matrix3(Vec3 row0, Vec3 row1, Vec3 row2) {
-  /** Of sums of three products, their factors rounded too: twice what they can be off by. */
+  /** Twice the largest relative error of a sum of three products of rounded factors. */
   private static final double ROUNDING = 8 * 0x1p-52;
 
   static final Matrix3 IDENTITY = diagonal(new Vec3(1, 1, 1));
@@ -45,12 +45,13 @@ record Matrix3(Vec3 row0, Vec3 row1, Vec3 row2) {
   }
 
   /**
-   * Returns the inverse of this, given one that is nearly right, by a step of Newton's iteration: X
-   * + (I − X·M)·X (Schulz 1933). Unlike cofactors over the determinant, which lose the digits of
-   * the smallest axes cubed, the result is as good as the condition of the matrix allows.
+   * Returns the inverse of this matrix M from an approximate inverse X, by one step of Newton's
+   * iteration: X + (I − X·M)·X (Schulz 1933). The result is as accurate as the condition of the
+   * matrix allows. Cofactors divided by the determinant would be less accurate for matrices with
+   * very small axes.
    *
-   * <p>A guess that is right up to rounding is returned as it is; so scaling a matrix by a power of
-   * two scales its inverse and changes no digit.
+   * <p>A guess that is accurate up to rounding is returned unchanged. Scaling a matrix by a power
+   * of two therefore scales its inverse and changes no digit.
    */
   Matrix3 inverseNear(Matrix3 guess) {
     Matrix3 residual = IDENTITY.minus(guess.times(this));

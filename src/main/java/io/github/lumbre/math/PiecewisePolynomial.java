@@ -3,17 +3,19 @@ package io.github.lumbre.math;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A smooth function on [0,1], tabulated as polynomials on equal intervals: a few multiplications
- * instead of a long series, and the same bits everywhere. Immutable.
+ * A smooth function on [0,1], approximated by one polynomial on each of 64 equal intervals. It
+ * takes a few multiplications instead of a long series and is bit-identical on every machine.
+ * Immutable.
  *
- * <p>Each polynomial agrees with the function at the Chebyshev points of its interval. What
- * functions without a singularity near [0,1] lose by that is below the rounding of the result.
+ * <p>Each polynomial interpolates the function at the Chebyshev points of its interval. For
+ * functions without a singularity near [0,1], the approximation error is below the rounding error
+ * of the result.
  */
 final class PiecewisePolynomial {
   private static final int INTERVALS = 64;
   private static final int COEFFICIENTS = 8;
 
-  /** Of s^0 to s^7 for each interval, where s goes from −½ to ½. */
+  /** Coefficients of s^0 to s^7 for each interval, with s from −0.5 to 0.5. */
   private final double[] coefficients = new double[INTERVALS * COEFFICIENTS];
 
   PiecewisePolynomial(DoubleUnaryOperator function) {
@@ -57,7 +59,7 @@ final class PiecewisePolynomial {
     double[] c = coefficients;
     int i = interval * COEFFICIENTS;
     double s2 = s * s;
-    // Two chains side by side take half the time of one.
+    // Two independent chains of operations take half the time of one.
     double even = Math.fma(Math.fma(Math.fma(c[i + 6], s2, c[i + 4]), s2, c[i + 2]), s2, c[i]);
     double odd = Math.fma(Math.fma(Math.fma(c[i + 7], s2, c[i + 5]), s2, c[i + 3]), s2, c[i + 1]);
     return Math.fma(s, odd, even);

@@ -1,4 +1,7 @@
 package io.github.lumbre.math;
 
-/** A point of a plane: of the film, of the lens, of a texture, or two random numbers in [0,1). */
+/**
+ * A point in two dimensions: on the film, on the lens or in a texture, or two random numbers in
+ * [0,1).
+ */
 public record Point2(double x, double y) {}

@@ -1,15 +1,15 @@
 package io.github.lumbre.math;
 
 /**
- * The points {@code origin + t·direction} for 0 &lt; t &lt; tMax.
+ * A ray: the points {@code origin + t·direction} for 0 &lt; t &lt; tMax.
  *
- * @param origin excluded from the ray
- * @param direction not zero; of unit length unless the ray was built towards a point, where t = 1
- *     is that point
- * @param tMax excluded from the ray; may be infinite
+ * @param origin start of the ray, not part of it
+ * @param direction not zero; of unit length unless the ray leads to a given point, which then is at
+ *     t = 1
+ * @param tMax end of the ray, not part of it; may be infinite
  */
 public record Ray(Vec3 origin, Vec3 direction, double tMax) {
-  /** Returns a ray without an end. */
+  /** Creates a ray of infinite length. */
   public Ray(Vec3 origin, Vec3 direction) {
     this(origin, direction, Double.POSITIVE_INFINITY);
   }

@@ -1,23 +1,23 @@
 package io.github.lumbre.math;
 
 /**
- * An invertible affine map from an object's local space to the world: a 3×3 matrix and a
- * translation, acting on column vectors, and its inverse.
+ * An affine transform from an object's local space to world space: a 3×3 matrix and a translation,
+ * acting on column vectors, with its inverse. Immutable.
  *
- * <p>Scene files write rotations in degrees about z first, then x, then y: R = Ry·Rx·Rz; {@code
- * Rx(90°)} takes +z to −y and {@code Ry(90°)} takes +z to +x.
+ * <p>Rotations in scene files are in degrees, about z first, then x, then y: R = Ry·Rx·Rz. {@code
+ * Rx(90°)} takes +z to −y, and {@code Ry(90°)} takes +z to +x.
  */
 public final class Transform {
   public static final Transform IDENTITY = translation(Vec3.ZERO);
 
   /**
-   * The error of a mapped point's coordinate is below this times the sum of the absolute terms that
-   * formed it, with room for an inverse mapping of the result (two products of three terms and
-   * their sums: PBRT 4e, sec. 6.8.1).
+   * Bound of the relative rounding error of a mapped point: the error of each coordinate is below
+   * this factor times the sum of the absolute values of its terms. The factor leaves room for
+   * mapping the result back (two products of three terms and their sums: PBRT 4e, sec. 6.8.1).
    */
   private static final double ROUNDING = 32 * 0x1p-52;
 
-  /** The cosine from which on an angle is no right one. */
+  /** Angles whose cosine is larger than this are not right angles. */
   private static final double RIGHT_ANGLE = 1e-12;
 
   // Row-major: the image of (x, y, z) is (m00 x + m01 y + m02 z + tx, …).
@@ -114,7 +114,10 @@ public final class Transform {
     return new Matrix3(new Vec3(i00, i01, i02), new Vec3(i10, i11, i12), new Vec3(i20, i21, i22));
   }
 
-  /** Returns whether the map can be undone: every number of it and of its inverse is finite. */
+  /**
+   * Returns whether the transform is invertible: its determinant is not 0, and every number of it
+   * and of its inverse is finite.
+   */
   public boolean isInvertible() {
     double sum =
         i00 + i01 + i02 + i10 + i11 + i12 + i20 + i21 + i22 + m00 + m01 + m02 + m10 + m11 + m12
@@ -122,12 +125,15 @@ public final class Transform {
     return determinant != 0 && Double.isFinite(determinant) && Double.isFinite(sum);
   }
 
-  /** Returns the determinant of the 3×3 part: the factor by which the map scales volumes. */
+  /**
+   * Returns the determinant of the 3×3 matrix: the factor by which the transform scales volumes,
+   * negative if it mirrors.
+   */
   public double determinant() {
     return determinant;
   }
 
-  /** Returns whether the map turns a left hand into a right one. */
+  /** Returns whether the transform changes handedness. */
   public boolean isMirroring() {
     return determinant < 0;
   }
@@ -140,14 +146,14 @@ public final class Transform {
         m20 * p.x() + m21 * p.y() + m22 * p.z() + tz);
   }
 
-  /** Returns the world position of (x, 0, z): {@link #point}, with no work for the zero. */
+  /** Returns the world position of (x, 0, z), faster than {@link #point}. */
   public Vec3 pointInPlane(double x, double z) {
     return new Vec3(m00 * x + m02 * z + tx, m10 * x + m12 * z + ty, m20 * x + m22 * z + tz);
   }
 
   /**
-   * Returns a bound for the distance, along a unit world normal, between {@link #point}{@code (p)}
-   * as computed and the exact surface that p stands for, p itself being right to a few ulp.
+   * Returns a bound for the rounding error of {@link #point}{@code (p)}, as a distance along a unit
+   * world normal from the exact surface. p itself must be accurate to a few ulp.
    */
   public double pointError(Vec3 p, Vec3 worldNormal) {
     double px = Math.abs(p.x());
@@ -163,8 +169,9 @@ public final class Transform {
   }
 
   /**
-   * Returns a bound for how far, along a unit world normal, the way of a world point into local
-   * space and back leads astray. Where the map skews, that is far more than the rounding of either.
+   * Returns a bound for the error of mapping a world point to local space and back, as a distance
+   * along a unit world normal. If the transform skews, this error is far larger than the rounding
+   * error of either mapping.
    */
   public double mappingError(Vec3 p, Vec3 worldNormal) {
     double px = Math.abs(p.x() - tx);
@@ -183,7 +190,8 @@ public final class Transform {
   }
 
   /**
-   * Returns whether the images of the local axes are not at right angles, by more than rounding.
+   * Returns whether the transform skews: the images of the local axes are not perpendicular, by
+   * more than rounding.
    */
   public boolean isSkewed() {
     Vec3 x = vector(Vec3.X);
@@ -194,7 +202,7 @@ public final class Transform {
         || Math.abs(z.dot(x)) > RIGHT_ANGLE * z.length() * x.length();
   }
 
-  /** Returns the world direction of a local one; length scales along. */
+  /** Returns the world direction of a local one; its length is scaled by the transform. */
   public Vec3 vector(Vec3 v) {
     return new Vec3(
         m00 * v.x() + m01 * v.y() + m02 * v.z(),
@@ -203,8 +211,8 @@ public final class Transform {
   }
 
   /**
-   * Returns the unit world normal of a local surface normal, by the inverse transpose. Outside
-   * stays outside, in mirroring maps too.
+   * Returns the unit world normal of a local surface normal, by the inverse transpose. An outward
+   * normal stays outward, even if the transform mirrors.
    */
   public Vec3 normal(Vec3 n) {
     return new Vec3(
@@ -219,7 +227,7 @@ public final class Transform {
     return inverseVector(new Vec3(p.x() - tx, p.y() - ty, p.z() - tz));
   }
 
-  /** Returns the local direction of a world one; length scales along. */
+  /** Returns the local direction of a world one; its length is scaled by the inverse transform. */
   public Vec3 inverseVector(Vec3 v) {
     return new Vec3(
         i00 * v.x() + i01 * v.y() + i02 * v.z(),
@@ -227,37 +235,37 @@ public final class Transform {
         i20 * v.x() + i21 * v.y() + i22 * v.z());
   }
 
-  /** Returns the local x of a world position given by its coordinates; makes no object. */
+  /** Returns the local x of a world position given by its coordinates; allocates nothing. */
   public double inversePointX(double x, double y, double z) {
     return inverseVectorX(x - tx, y - ty, z - tz);
   }
 
-  /** Returns the local y of a world position given by its coordinates; makes no object. */
+  /** Returns the local y of a world position given by its coordinates; allocates nothing. */
   public double inversePointY(double x, double y, double z) {
     return inverseVectorY(x - tx, y - ty, z - tz);
   }
 
-  /** Returns the local z of a world position given by its coordinates; makes no object. */
+  /** Returns the local z of a world position given by its coordinates; allocates nothing. */
   public double inversePointZ(double x, double y, double z) {
     return inverseVectorZ(x - tx, y - ty, z - tz);
   }
 
-  /** Returns the local x of a world direction given by its coordinates; makes no object. */
+  /** Returns the local x of a world direction given by its coordinates; allocates nothing. */
   public double inverseVectorX(double x, double y, double z) {
     return i00 * x + i01 * y + i02 * z;
   }
 
-  /** Returns the local y of a world direction given by its coordinates; makes no object. */
+  /** Returns the local y of a world direction given by its coordinates; allocates nothing. */
   public double inverseVectorY(double x, double y, double z) {
     return i10 * x + i11 * y + i12 * z;
   }
 
-  /** Returns the local z of a world direction given by its coordinates; makes no object. */
+  /** Returns the local z of a world direction given by its coordinates; allocates nothing. */
   public double inverseVectorZ(double x, double y, double z) {
     return i20 * x + i21 * y + i22 * z;
   }
 
-  /** Returns the box around the image of a box. */
+  /** Returns the world-space bounding box of a transformed local box. */
   public Bounds3 bounds(Bounds3 local) {
     Bounds3 world = Bounds3.EMPTY;
     for (int corner = 0; corner < 8; corner++) {

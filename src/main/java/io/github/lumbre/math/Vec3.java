@@ -1,13 +1,13 @@
 package io.github.lumbre.math;
 
-/** A point or a direction: three coordinates, in the space that the name of the variable states. */
+/** A point or a direction in three dimensions; variable names state its space. Immutable. */
 public record Vec3(double x, double y, double z) {
   public static final Vec3 ZERO = new Vec3(0, 0, 0);
   public static final Vec3 X = new Vec3(1, 0, 0);
   public static final Vec3 Y = new Vec3(0, 1, 0);
   public static final Vec3 Z = new Vec3(0, 0, 1);
 
-  /** Squared lengths outside this range have lost digits to underflow or overflow. */
+  /** Squared lengths outside this range may have lost digits to underflow or overflow. */
   private static final double SMALLEST_SAFE_SQUARE = 0x1p-900;
 
   private static final double LARGEST_SAFE_SQUARE = 0x1p1000;
@@ -37,7 +37,7 @@ public record Vec3(double x, double y, double z) {
     return x * o.x + y * o.y + z * o.z;
   }
 
-  /** Returns the cross product; in left-handed space its direction follows the left hand. */
+  /** Returns the cross product; in left-handed space its direction follows the left-hand rule. */
   public Vec3 cross(Vec3 o) {
     return new Vec3(y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x);
   }
@@ -60,11 +60,11 @@ public record Vec3(double x, double y, double z) {
   }
 
   /**
-   * Returns the unit vector of the same direction, for any finite vector but zero, however long or
-   * short; of the zero vector, NaN.
+   * Returns the unit vector in the same direction, for any finite vector except zero, even if its
+   * squared length overflows or underflows. For the zero vector, all components are NaN.
    */
   public Vec3 normalized() {
-    // One place makes the result, so that the compiler need not make it at all.
+    // Single allocation site, so that escape analysis can remove it.
     double scaledX = x;
     double scaledY = y;
     double scaledZ = z;
@@ -80,7 +80,7 @@ public record Vec3(double x, double y, double z) {
     return new Vec3(scaledX * factor, scaledY * factor, scaledZ * factor);
   }
 
-  /** Returns this divided by a power of two, in two steps, so that no factor overflows. */
+  /** Returns this vector divided by 2^exponent, in two steps, so that no factor overflows. */
   private Vec3 scaled(int exponent) {
     double half = Math.scalb(1.0, -(exponent / 2));
     double rest = Math.scalb(1.0, -(exponent - exponent / 2));

@@ -7,16 +7,17 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One step of a recorded path: the ray, what it hits, the light found there, and how the path
- * continues. Positions and directions are in world space.
+ * One vertex of a recorded path: the ray that leads to it, the hit, the light found there, and how
+ * the path continues. Positions and directions are in world space; colors are linear RGB.
  *
- * @param branch number of the branch of a split path, from 0; 0 before the split and without one
- * @param ray that leads here, of unit direction
- * @param throughput by which light found here is multiplied
- * @param hit what the ray hits; empty if nothing
- * @param contributions the light found here, in the order in which it is added: the amounts of all
- *     vertices, added up in their order, are the sample's radiance, bit for bit
- * @param scattered the directions sampled here: none, one, or one for each branch
+ * @param branch number of the branch of a split path, from 0; 0 before the split and in a path that
+ *     is not split
+ * @param ray the ray that leads here, with a unit direction
+ * @param throughput multiplies the light found here
+ * @param hit the surface that the ray hits; empty if it hits nothing
+ * @param contributions the light found here, in the order in which it is added; the amounts of all
+ *     vertices, summed in order, are bit-identical to the sample's radiance
+ * @param scattered the directions sampled here: none, one, or one per branch
  * @param end whether and why the path ends here
  */
 public record PathVertex(
@@ -35,10 +36,11 @@ public record PathVertex(
   /**
    * The surface that a ray hits.
    *
-   * @param primitive its number in the scene
-   * @param geometricNormal the true one, outward, of unit length
-   * @param shadingNormal after interpolation and normal maps
-   * @param bsdf the name of the class of its BSDF; empty if it is not shaded
+   * @param primitive number of the primitive in the scene
+   * @param position in world space
+   * @param geometricNormal unit normal of the actual surface, outward
+   * @param shadingNormal unit normal after interpolation and normal maps
+   * @param bsdf class name of the BSDF; empty if the surface is not shaded
    */
   public record Hit(
       int primitive, Vec3 position, Vec3 geometricNormal, Vec3 shadingNormal, String bsdf) {}
@@ -46,9 +48,9 @@ public record PathVertex(
   /**
    * Light that is added to the sample in one step.
    *
-   * @param lights where it comes from: one light in path mode, but all environment lights together;
-   *     in ray mode all lights of a vertex
-   * @param amount by which the sample grows; black if every light is blocked
+   * @param lights the lights it comes from. In path mode this is one light, or all environment
+   *     lights together; in ray mode, all lights sampled at a vertex
+   * @param amount the amount added to the sample; black if every light is blocked
    */
   public record Contribution(List<FoundLight> lights, Rgb amount) {
     public Contribution {
@@ -56,7 +58,7 @@ public record PathVertex(
     }
   }
 
-  /** How light was found. */
+  /** How a light was found. */
   public enum Source {
     /** The ray hit a surface that emits. */
     EMISSION,
@@ -71,17 +73,19 @@ public record PathVertex(
   /**
    * Light found at a vertex.
    *
-   * @param emitter its index among the scene's emitters; -1 if it is none of them
-   * @param wi unit direction towards it; zero for ambient light
-   * @param radiance that arrives if nothing blocks it; for a delta light, irradiance at normal
-   *     incidence
-   * @param f f·|cos θi| for that direction; white where the ray itself found the light
-   * @param lightPdf density per solid angle with which light sampling draws wi, the probability of
-   *     the emitter included; for a delta light that probability; 0 if it cannot draw wi
-   * @param bsdfPdf density with which BSDF sampling draws wi; infinite for a delta lobe or the
-   *     camera
-   * @param misWeight weight of multiple importance sampling
-   * @param blocked whether something blocks it
+   * @param source how the light was found
+   * @param emitter index of the light among the scene's emitters; -1 if it is none of them
+   * @param wi unit direction towards the light; zero for ambient light
+   * @param radiance radiance that arrives if nothing blocks it; for a delta light, irradiance at
+   *     normal incidence
+   * @param f f·|cos θi| for that direction; white if the ray itself hit the light
+   * @param lightPdf density per solid angle with which light sampling draws wi, times the
+   *     probability of selecting the emitter; for a delta light, that probability alone; 0 if light
+   *     sampling cannot draw wi
+   * @param bsdfPdf density per solid angle with which BSDF sampling draws wi; infinite for a delta
+   *     lobe or the camera
+   * @param misWeight weight of multiple importance sampling, in [0,1]
+   * @param blocked whether something blocks the light
    */
   public record FoundLight(
       Source source,
@@ -93,7 +97,10 @@ public record PathVertex(
       double bsdfPdf,
       double misWeight,
       boolean blocked) {
-    /** Returns the light that is scattered along the path, weighted; black if it is blocked. */
+    /**
+     * Returns the light that is scattered along the path, with its MIS weight and before the
+     * throughput; black if it is blocked.
+     */
     public Rgb weighted() {
       if (blocked) {
         return Rgb.BLACK;
@@ -103,11 +110,11 @@ public record PathVertex(
   }
 
   /**
-   * A direction in which the path continues.
+   * A direction sampled at a vertex, in which the path continues if it survives.
    *
    * @param wi unit direction
    * @param weight f·|cos θi| / pdf
-   * @param pdf per solid angle; infinite for a delta lobe
+   * @param pdf density per solid angle; infinite for a delta lobe
    * @param survival probability with which Russian roulette continues the path; 1 without it
    * @param survives whether the path continues
    */
@@ -121,11 +128,11 @@ public record PathVertex(
     SPLIT,
     /** The ray hits nothing. */
     ESCAPED,
-    /** The ray hits an emitter, which scatters nothing. */
+    /** The ray hits an emitter; emitters scatter no light. */
     EMITTER,
     /** The path has reached its greatest depth. */
     DEPTH,
-    /** Nothing is scattered. */
+    /** The surface scatters no light. */
     ABSORBED,
     /** Russian roulette ended it. */
     ROULETTE

@@ -1,2 +1,2 @@
-/** Recorded light paths, as plain data: what the replay of a pixel returns. */
+/** Recorded light paths as plain data: the result of replaying a pixel. */
 package io.github.lumbre.path;

@@ -1,23 +1,34 @@
 package io.github.lumbre.sampling;
 
-/** A choice among n items with given weights: piecewise constant over [0,1). Immutable. */
+/**
+ * A discrete distribution: selects one of n items with probabilities proportional to their weights.
+ * Immutable.
+ */
 public final class Distribution1d {
-  /** The fewest items that share a part of the guide, which so takes at most a byte for each. */
+  /**
+   * The average number of items per entry of the guide table is at least this, so that the table
+   * takes at most one byte per item.
+   */
   private static final int ITEMS_PER_PART = 4;
 
-  /** cumulative[i] is the probability of items before i, cumulative[n] exactly 1. */
+  /** cumulative[i] is the total probability of the items before i; cumulative[n] is exactly 1. */
   private final double[] cumulative;
 
   /**
-   * guide[k] is the item chosen by k over a power of two: the search for a number begins between
-   * those of two neighbours (Chen and Asau 1974).
+   * The guide table of Chen and Asau (1974). With p + 1 entries, p a power of two, guide[k] is the
+   * item selected by u = k / p. The search for u starts between the items of two neighboring
+   * entries.
    */
   private final int[] guide;
 
   private final double mean;
 
   /**
-   * @param weights at least one; each finite and ≥ 0; if all are 0 the choice is uniform
+   * Creates a distribution.
+   *
+   * @param weights at least one value; each finite and ≥ 0; if all are 0, the distribution is
+   *     uniform
+   * @throws IllegalArgumentException if there are no weights, or one is negative or not finite
    */
   public Distribution1d(double... weights) {
     int n = weights.length;
@@ -31,8 +42,8 @@ public final class Distribution1d {
       }
       largest = Math.max(largest, weight);
     }
-    // Relative to the largest, so that neither 1e300 nor 1e-300 leaves the range of doubles; by a
-    // power of two, so that no digit changes.
+    // Scale by the largest weight, so that sums of values such as 1e300 or 1e-300 stay in the range
+    // of doubles. The scale is a power of two, so that no digit changes.
     int exponent = Math.getExponent(largest);
     cumulative = new double[n + 1];
     for (int i = 0; i < n; i++) {
@@ -64,13 +75,16 @@ public final class Distribution1d {
     return cumulative[item + 1] - cumulative[item];
   }
 
-  /** Returns the item that a uniform number of [0,1) chooses; never one of probability 0. */
+  /** Returns the item selected by a uniform number u in [0,1); never one of probability 0. */
   public int choose(double u) {
     int part = (int) (u * (guide.length - 1));
     return search(u, guide[part], guide[part + 1]);
   }
 
-  /** Returns the first of some items before whose end a number lies, or the last of them. */
+  /**
+   * Returns the first item from {@code first} to {@code last} whose cumulative end exceeds u, or
+   * {@code last} if there is none.
+   */
   private int search(double u, int first, int last) {
     int low = first;
     int high = last;
@@ -85,7 +99,9 @@ public final class Distribution1d {
     return low;
   }
 
-  /** Returns where inside the chosen item the number fell, itself uniform in [0,1). */
+  /**
+   * Returns the position of u within the interval of the selected item; uniform in [0,1) if u is.
+   */
   public double remainder(int item, double u) {
     double r = (u - cumulative[item]) / probability(item);
     return Math.max(0, Math.min(r, 0x1.fffffffffffffp-1));

@@ -3,8 +3,8 @@ package io.github.lumbre.sampling;
 import io.github.lumbre.math.Point2;
 
 /**
- * A density over the unit square, constant in each cell of a grid and proportional to its weight.
- * Immutable.
+ * A piecewise constant density over the unit square, proportional in each cell of a grid to the
+ * cell's weight. Immutable.
  */
 public final class Distribution2d {
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
@@ -13,7 +13,10 @@ public final class Distribution2d {
   private final Distribution1d[] columns;
 
   /**
-   * @param weights {@code [row][column]}, row 0 at y = 0; each finite and ≥ 0
+   * Creates a distribution over a grid.
+   *
+   * @param weights {@code [row][column]}, row 0 at y = 0; each finite and ≥ 0; if all are 0, the
+   *     distribution is uniform
    */
   public Distribution2d(double[][] weights) {
     columns = new Distribution1d[weights.length];
@@ -26,21 +29,25 @@ public final class Distribution2d {
   }
 
   /**
-   * A point drawn from the density.
+   * A point sampled from the density.
    *
    * @param x in [0,1)
    * @param y in [0,1)
-   * @param pdf the density of the cell that was chosen, per unit of the square's area; positive,
-   *     even where rounding put the point on the border of a cell of density 0
+   * @param pdf density of the selected cell, per unit area of the square; always positive, even if
+   *     rounding moved the point onto the border of a cell of density 0
    */
   public record Sample(double x, double y, double pdf) {
-    /** Returns the point of the square. */
+    /** Returns the sampled point. */
     public Point2 point() {
       return new Point2(x, y);
     }
   }
 
-  /** Returns a point of the square, drawn from the density by a uniform one. */
+  /**
+   * Returns a point of the square sampled from the density.
+   *
+   * @param u uniform in [0,1)²
+   */
   public Sample sample(Point2 u) {
     int row = rows.choose(u.y());
     Distribution1d cells = columns[row];
@@ -50,7 +57,7 @@ public final class Distribution2d {
     return new Sample(Math.min(x, BELOW_ONE), Math.min(y, BELOW_ONE), pdf(row, column));
   }
 
-  /** Returns the density at a point of the square, per unit of its area. */
+  /** Returns the density at a point of the square, per unit area of the square. */
   public double pdf(Point2 p) {
     int row = Math.min((int) (p.y() * rows.size()), rows.size() - 1);
     int size = columns[row].size();

@@ -3,8 +3,8 @@ package io.github.lumbre.sampling;
 import io.github.lumbre.math.Point2;
 
 /**
- * Numbers that are independent of each other, by a hash of where they stand: what a {@link
- * SobolSampler} is to be measured against.
+ * A sampler of independent random numbers, each a hash of its address. It is the reference against
+ * which {@link SobolSampler} is measured. Mutable and confined to one thread.
  */
 public final class IndependentSampler implements Sampler {
   private final long seedKey;
@@ -13,7 +13,9 @@ public final class IndependentSampler implements Sampler {
   private long sampleKey;
 
   /**
-   * @param seed whose numbers differ from those of any other
+   * Creates a sampler.
+   *
+   * @param seed any number; different seeds give different random numbers
    */
   public IndependentSampler(long seed) {
     seedKey = Hash.mix(seed + 0x9e3779b97f4a7c15L);

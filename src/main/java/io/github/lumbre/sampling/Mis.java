@@ -1,16 +1,19 @@
 package io.github.lumbre.sampling;
 
-/** Multiple importance sampling (Veach 1997, ch. 9). */
+/** The heuristics of multiple importance sampling (Veach 1997, ch. 9). */
 public final class Mis {
   private Mis() {}
 
   /**
-   * Returns the power heuristic's weight (exponent 2) of a sample drawn with density {@code own},
-   * when another technique could have drawn it with density {@code other}; 1 if the other is 0, ½
-   * if both are infinite.
+   * Returns the power heuristic's weight in [0,1], with exponent 2, for a sample that another
+   * technique could also have drawn. If {@code other} is 0, the weight is 1; if both densities are
+   * infinite, it is 0.5.
+   *
+   * @param own density of the technique that drew the sample, &gt; 0
+   * @param other density of the other technique for the same sample, at least 0
    */
   public static double power(double own, double other) {
-    // Ratios, so that squares of extreme densities neither overflow nor vanish.
+    // Use ratios, so that squares of extreme densities neither overflow nor underflow.
     if (own > other) {
       double r = other / own;
       return 1 / (1 + r * r);
@@ -23,9 +26,11 @@ public final class Mis {
   }
 
   /**
-   * Returns the balance heuristic's weight of a sample drawn with density {@code own}, when another
-   * technique could have drawn it with density {@code other}; 1 if the other is 0, ½ if both are
-   * infinite.
+   * Returns the balance heuristic's weight in [0,1] for a sample that another technique could also
+   * have drawn. If {@code other} is 0, the weight is 1; if both densities are infinite, it is 0.5.
+   *
+   * @param own density of the technique that drew the sample, &gt; 0
+   * @param other density of the other technique for the same sample, at least 0
    */
   public static double balance(double own, double other) {
     if (own > other) {

@@ -3,36 +3,37 @@ package io.github.lumbre.sampling;
 import io.github.lumbre.math.Point2;
 
 /**
- * Addressed random numbers in [0,1): a pure function of seed, pixel, sample and dimension, so that
- * neither threads nor the order of work can change a picture. Mutable (it remembers the address)
- * and confined to one thread.
+ * Random numbers in [0,1) that are pure functions of seed, pixel, sample and dimension, so that
+ * neither threads nor the order of work can change a picture. Mutable, because it stores the
+ * current address, and confined to one thread.
  *
- * <p>The order of dimensions is a contract: those of the camera are constants here, and each vertex
- * of a path owns {@link #VERTEX_STRIDE} dimensions from {@link #vertex} on, used or not.
+ * <p>The order of dimensions is fixed. The camera's dimensions are constants of this interface.
+ * Each vertex of a path owns {@link #VERTEX_STRIDE} dimensions from {@link #vertex} on, whether it
+ * uses them or not.
  */
 public interface Sampler {
-  /** Two dimensions: where in the pixel. */
+  /** Two dimensions: the position in the pixel. */
   int FILM = 0;
 
-  /** Two dimensions: where on the lens. */
+  /** Two dimensions: the position on the lens. */
   int LENS = 2;
 
-  /** Three dimensions: which texel of a lens mask, and where in it. */
+  /** Three dimensions: the texel of a lens mask, and the position in it. */
   int MASK = 4;
 
-  /** Offset within a vertex, one dimension: which light. */
+  /** Offset within a vertex, one dimension: the selected light. */
   int LIGHT_CHOICE = 0;
 
-  /** Offset within a vertex, two dimensions: where on the light. */
+  /** Offset within a vertex, two dimensions: the position on the light. */
   int LIGHT_POINT = 1;
 
-  /** Offset within a vertex, one dimension: which lobe of the surface. */
+  /** Offset within a vertex, one dimension: the selected lobe of the BSDF. */
   int LOBE = 3;
 
   /** Offset within a vertex, two dimensions: the scattered direction. */
   int DIRECTION = 4;
 
-  /** Offset within a vertex, one dimension: whether the path continues. */
+  /** Offset within a vertex, one dimension: Russian roulette. */
   int ROULETTE = 6;
 
   int FIRST_VERTEX = 8;
@@ -60,19 +61,19 @@ public interface Sampler {
   void startSample(int x, int y, int sample);
 
   /**
-   * Moves to a part of the sample that was started last: from here on its numbers are those of
-   * sample {@code sample * parts + part}, so that the parts of one sample, and of all the samples
-   * of a pixel, are spread among each other as samples are. Numbers of samples are taken modulo
-   * 2^32: beyond, they come again.
+   * Moves to a part of the current sample, for example to a branch of a split path. Its numbers are
+   * those of sample {@code sample * parts + part}, so that all parts of all samples of a pixel are
+   * distributed as evenly as samples are. That number is taken modulo 2^32, beyond which the
+   * numbers repeat.
    *
    * @param part 0 to {@code parts - 1}
-   * @param parts how many the sample has, the same for all samples of a pixel
+   * @param parts number of parts of a sample, the same for all samples of a pixel
    */
   void startPart(int part, int parts);
 
-  /** Returns the number at one dimension of the current sample. */
+  /** Returns the number in [0,1) at a dimension of the current sample. */
   double get1d(int dimension);
 
-  /** Returns a point of the unit square, at two consecutive dimensions of the current sample. */
+  /** Returns a point in [0,1)² from a dimension of the current sample and the next one. */
   Point2 get2d(int dimension);
 }

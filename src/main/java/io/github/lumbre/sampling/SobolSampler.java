@@ -3,15 +3,16 @@ package io.github.lumbre.sampling;
 import io.github.lumbre.math.Point2;
 
 /**
- * Owen-scrambled Sobol points, every pair of dimensions its own shuffled and scrambled copy of the
- * first two: any number of samples is well spread, and a power of two perfectly, without knowing
- * the number beforehand.
+ * A sampler of Owen-scrambled Sobol points. Every pair of dimensions is its own shuffled and
+ * scrambled copy of the first two Sobol dimensions. The points are well distributed for any number
+ * of samples, and stratified for every power of two. The number of samples need not be known
+ * beforehand. Mutable and confined to one thread.
  *
- * <p>Burley 2020, "Practical Hash-based Owen Scrambling"; the hash of the scrambling is Vegdahl's
- * improvement of Laine and Karras's.
+ * <p>Burley 2020, "Practical Hash-based Owen Scrambling". The scrambling hash is Vegdahl's
+ * improvement of the Laine–Karras hash.
  */
 public final class SobolSampler implements Sampler {
-  /** Names this sampler and its numbers: changes whenever one of them does. */
+  /** Identifies this sampler and its sequence of numbers; changes whenever the numbers change. */
   public static final String ID = "owen-sobol 1";
 
   private static final double ULP32 = 0x1p-32;
@@ -57,15 +58,18 @@ public final class SobolSampler implements Sampler {
     return new Point2(unit((int) (both >>> 32)), unit((int) both));
   }
 
-  /** Returns the middle of the 2^-32 that 32 random bits stand for, so that means are exact. */
+  /**
+   * Returns the center of the interval of length 2^-32 that 32 random bits represent, so that means
+   * are exact.
+   */
   private static double unit(int bits) {
     return ((bits & 0xffffffffL) + .5) * ULP32;
   }
 
   /**
-   * Returns the index's bits times the second Sobol matrix, the most significant bit lowest. That
-   * matrix is Pascal's triangle modulo 2, which is a Kronecker power of [1 1; 0 1], so five shifts
-   * replace 32 table rows.
+   * Returns the second Sobol dimension of an index, with its bits reversed. The generator matrix is
+   * Pascal's triangle modulo 2, a Kronecker power of [1 1; 0 1], so that five shifts replace 32
+   * table rows.
    */
   static int reversedSecondDimension(int index) {
     int v = index;
@@ -77,7 +81,7 @@ public final class SobolSampler implements Sampler {
     return v;
   }
 
-  /** Owen-scrambles a number whose most significant bit is its lowest: the Laine–Karras hash. */
+  /** Returns a bit-reversed number after Owen scrambling by the Laine–Karras hash. */
   static int scramble(int x, int key) {
     x ^= x * 0x3d20adea;
     x += key;

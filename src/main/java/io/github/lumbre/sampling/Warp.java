@@ -4,7 +4,7 @@ import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
-/** Maps from the unit square that keep areas in proportion, each beside its density. */
+/** Area-preserving maps from the unit square to other domains, with their densities. */
 public final class Warp {
   public static final double INV_FOUR_PI = 1 / (4 * Math.PI);
   private static final double QUARTER_PI = Math.PI / 4;
@@ -12,15 +12,15 @@ public final class Warp {
   private Warp() {}
 
   /**
-   * Returns a uniform point of the unit disc; (½, ½) goes to the centre and rings of squares to
-   * rings of the disc.
+   * Returns a uniform point of the unit disk. The map takes (0.5, 0.5) to the center, and
+   * concentric squares to concentric circles.
    *
    * <p>Shirley &amp; Chiu 1997, "A Low Distortion Map Between Disk and Square".
    */
   public static Point2 concentricDisk(Point2 u) {
     long a = Double.doubleToRawLongBits(2 * u.x() - 1);
     long b = Double.doubleToRawLongBits(2 * u.y() - 1);
-    // All bits set in one half of the square: there a branch would go either way as often.
+    // All bits are set in one half of the square. A branch here would be unpredictable.
     long wide = (b & Long.MAX_VALUE) - (a & Long.MAX_VALUE) >> 63;
     long swap = (a ^ b) & wide;
     double radius = Double.longBitsToDouble(b ^ swap);
@@ -39,12 +39,12 @@ public final class Warp {
     return new Vec3(d.x(), d.y(), Elementary.safeSqrt(1 - d.x() * d.x() - d.y() * d.y()));
   }
 
-  /** Returns the density of {@link #cosineHemisphere}; 0 below the horizon. */
+  /** Returns the density of {@link #cosineHemisphere} per solid angle; 0 below the horizon. */
   public static double cosineHemispherePdf(double cosTheta) {
     return Math.max(0, cosTheta) * Elementary.INV_PI;
   }
 
-  /** Returns a uniform unit direction. */
+  /** Returns a unit direction, uniform on the sphere. */
   public static Vec3 uniformSphere(Point2 u) {
     return direction(1 - 2 * u.x(), 2 * Math.sqrt(u.x() * (1 - u.x())), u.y());
   }
@@ -56,17 +56,17 @@ public final class Warp {
   }
 
   /**
-   * Returns a uniform direction of the cone around +z.
+   * Returns a unit direction, uniform in the cone around +z.
    *
-   * @param oneMinusCosMax 1 − cos of the half angle, in [0,2]: so given, narrow cones keep their
-   *     digits
+   * @param oneMinusCosMax 1 − cos of the cone's half angle, in [0,2]; this form keeps full
+   *     precision for narrow cones
    */
   public static Vec3 uniformCone(Point2 u, double oneMinusCosMax) {
     double h = u.x() * oneMinusCosMax;
     return direction(1 - h, Elementary.safeSqrt(h * (2 - h)), u.y());
   }
 
-  /** Returns the density of {@link #uniformCone} inside the cone. */
+  /** Returns the density of {@link #uniformCone} per solid angle, inside the cone. */
   public static double uniformConePdf(double oneMinusCosMax) {
     return 1 / (Elementary.TWO_PI * oneMinusCosMax);
   }

@@ -1,13 +1,13 @@
 /**
- * Random numbers and how to warp them.
+ * Random numbers and sampling of distributions.
  *
- * <p>A {@link io.github.lumbre.sampling.Sampler} gives the numbers, each an address of (seed,
- * pixel, sample, dimension) and not the next of a stream; {@link io.github.lumbre.sampling.Warp}
- * turns two of them into a point of a disc, a hemisphere, a cone or a triangle; the distributions
- * choose in proportion to weights.
+ * <p>A {@link io.github.lumbre.sampling.Sampler} returns random numbers by address (seed, pixel,
+ * sample, dimension) instead of from a stream. {@link io.github.lumbre.sampling.Warp} maps two of
+ * them to a point of a disk, hemisphere, cone or triangle. The distributions select in proportion
+ * to weights.
  *
- * <p>All uniform numbers lie in [0,1). A warp and its density share a stem; densities are per solid
- * angle unless they say per area. Local frames have the normal on +z.
+ * <p>All uniform numbers are in [0,1). The method that returns a warp's density is named after the
+ * warp, with the suffix {@code Pdf}. Densities are per solid angle unless stated otherwise. Local
+ * frames have the normal on +z.
  */
 package io.github.lumbre.sampling;
-

@@ -4,15 +4,15 @@ import io.github.lumbre.scene.RenderSettings;
 import java.util.OptionalDouble;
 
 /**
- * When a render is to end: at a number of samples or an error, whichever comes first. (A time ends
- * a render by {@link io.github.lumbre.render.Progress#isCancelled}.)
+ * The limits that end a render: a number of samples or a target error, whichever comes first. (A
+ * time limit ends a render through {@link io.github.lumbre.render.Progress#isCancelled}.)
  *
- * @param samples per pixel, 1 to 2^30
- * @param targetError the relative root mean squared error to be reached, above 0; empty for none
- * @param confidence with which it is to be reached, in [.5,1)
+ * @param samples largest number of samples per pixel, 1 to 2^30
+ * @param targetError relative root mean squared error at which to stop, above 0; empty for none
+ * @param confidence confidence of the error bound, in [0.5,1)
  */
 public record Budget(int samples, OptionalDouble targetError, double confidence) {
-  /** The confidence of all estimates, unless another one is given. */
+  /** The default confidence of error bounds: 95 %. */
   public static final double CONFIDENCE = .95;
 
   public Budget {
@@ -27,12 +27,12 @@ public record Budget(int samples, OptionalDouble targetError, double confidence)
     }
   }
 
-  /** Returns the budget of a fixed number of samples, with the usual confidence. */
+  /** Returns a budget of a fixed number of samples per pixel, with the default confidence. */
   public static Budget ofSamples(int samples) {
     return new Budget(samples, OptionalDouble.empty(), CONFIDENCE);
   }
 
-  /** Returns whether a picture's error is small enough, if there is a target error. */
+  /** Returns whether there is a target error and the estimate's error bound is at most that. */
   public boolean isReachedBy(NoiseEstimate estimate) {
     return targetError.isPresent() && estimate.upperRelativeRmse() <= targetError.getAsDouble();
   }

@@ -11,11 +11,12 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Renders until a budget is used up, and estimates the noise of the picture. Immutable.
+ * Renders until a limit of the budget is reached, and estimates the noise of the picture.
+ * Immutable.
  *
- * <p>With a target error, a {@link BudgetWatch} looks at the film between passes. A frame of fewer
- * than 64 pixels has no bound of its noise: without a number of samples, its render ends after
- * {@value BudgetWatch#MOST_WITHOUT_BOUND} per pixel.
+ * <p>With a target error, a {@link BudgetWatch} checks the film between passes. Frames of fewer
+ * than 64 pixels have no error bound. Without a limit on samples, their renders end after {@value
+ * BudgetWatch#MOST_WITHOUT_BOUND} samples per pixel.
  */
 public final class BudgetRenderer {
   private final FilmRenderer renderer;
@@ -27,10 +28,10 @@ public final class BudgetRenderer {
   }
 
   /**
-   * Renders into a film, from what it has.
+   * Adds samples to a film until a limit of the budget is reached or the render is cancelled.
    *
-   * @param film without samples, or one whose last pass by the same budget was completed
-   * @param progress hears of samples and buckets, not of the start
+   * @param film a film without samples, or one whose last pass by the same budget was completed
+   * @param progress receives samples and buckets, but not the start
    * @throws InterruptedException if the calling thread is interrupted
    */
   public BudgetResult render(Film film, Progress progress) throws InterruptedException {

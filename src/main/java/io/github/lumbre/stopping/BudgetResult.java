@@ -4,11 +4,12 @@ import io.github.lumbre.render.RenderStatistics;
 import java.util.Optional;
 
 /**
- * How a render within a budget ended.
+ * The result of a render within a budget.
  *
- * @param complete false if it was cancelled before it had all samples or the error
+ * @param complete false if the render was cancelled before it reached a limit of the budget
  * @param reachedTarget whether the target error was reached
- * @param noise of the picture; empty if a pixel has fewer than two samples
+ * @param noise noise estimate of the picture; empty if a pixel has fewer than two samples
+ * @param statistics counts of the samples that this render added
  */
 public record BudgetResult(
     boolean complete,

@@ -8,20 +8,20 @@ import java.util.Optional;
 /**
  * Checks between passes whether a film has reached the target error. Mutable, for one render.
  *
- * <p>It checks the error after 32 samples per pixel, 48, 64, 96, ..., and in frames of enough
- * pixels after 4, 8 and 16 too (see {@link StoppingSchedule}). This depends on nothing but the
- * scene: the same seed stops at the same number of samples on every machine.
+ * <p>The checks take place after 32, 48, 64, 96, ... samples per pixel, and in frames with enough
+ * pixels also after 4, 8 and 16 (see {@link StoppingSchedule}). They depend only on the scene and
+ * its settings: with the same seed, a render stops at the same number of samples on every machine.
  */
 public final class BudgetWatch {
   /**
-   * Samples per pixel that end a render to a target error in a frame of fewer than 64 pixels, whose
-   * noise has no bound, if no number of samples ends it.
+   * The number of samples per pixel that ends a render to a target error in a frame of fewer than
+   * 64 pixels, which has no error bound, if the budget does not limit the samples.
    */
   public static final int MOST_WITHOUT_BOUND = 4096;
 
   private final Budget budget;
 
-  /** Checks so far, the early ones left out. */
+  /** The number of checks so far, without the early ones. */
   private int looks;
 
   private int lastDue;
@@ -33,10 +33,10 @@ public final class BudgetWatch {
   }
 
   /**
-   * Resumes where another render of the film ended: counts the earlier checks, and checks if the
-   * film has just had a pass.
+   * Resumes where an earlier render of the film ended: counts the checks of that render, and checks
+   * the error if the film's last pass is complete.
    *
-   * @return whether the film has reached the error
+   * @return whether the film has reached the target error
    */
   public boolean isReachedAgainBy(Film film) {
     int fewest = film.fewestSamples();
@@ -49,10 +49,11 @@ public final class BudgetWatch {
   }
 
   /**
-   * Returns whether the film has reached the error; false between checks.
+   * Checks the error if a check is due. Returns whether the film has reached the target error;
+   * false if no check is due.
    *
-   * @param film after a complete pass: others end where the machine was slow, which the picture
-   *     must not depend on
+   * @param film a film after a complete pass. Where a cancelled pass ends depends on the speed of
+   *     the machine, and the picture must not depend on that
    */
   public boolean isReachedBy(Film film) {
     double samples = film.meanSamples();
@@ -79,8 +80,8 @@ public final class BudgetWatch {
   }
 
   /**
-   * Returns the next number of samples per pixel after which a render in the passes of {@link
-   * Passes} checks its error, or the goal if no check comes before.
+   * Returns the number of samples per pixel at the next error check of a render in the passes of
+   * {@link Passes}, at most the goal.
    *
    * @param done samples per pixel so far
    * @param goal samples per pixel at the end, more than {@code done}
@@ -94,16 +95,17 @@ public final class BudgetWatch {
   }
 
   /**
-   * Returns whether the film's frame is too small for a bound of its noise, so that no number of
-   * samples reaches the target error.
+   * Returns whether there is a target error, but the film's frame is too small for an error bound,
+   * so that no number of samples reaches the target.
    */
   public boolean isWithoutBound(Film film) {
     return budget.targetError().isPresent() && pixels(film) < NoiseEstimator.FEWEST_PIXELS;
   }
 
   /**
-   * Returns whether the film has {@value #MOST_WITHOUT_BOUND} samples per pixel and its frame is
-   * too small for a bound, and the budget has no number of samples.
+   * Returns whether the render should give up: the frame is too small for an error bound, the
+   * budget does not limit the samples, and the film has {@value #MOST_WITHOUT_BOUND} samples per
+   * pixel.
    */
   public boolean isHopeless(Film film) {
     return isWithoutBound(film)
@@ -115,21 +117,27 @@ public final class BudgetWatch {
     return (double) film.window().width() * film.window().height();
   }
 
-  /** Returns how many samples the error will take, by the last look; empty before there is one. */
+  /**
+   * Returns the forecast of the number of samples that the target error takes, from the last check;
+   * empty before the first one that is not early.
+   */
   public Optional<Forecast> forecast() {
     return forecast;
   }
 
   /**
-   * Returns the noise of the film as it is when the render has ended; empty if some pixel has fewer
-   * than two samples or came from a file without halves.
+   * Returns the noise estimate of a film at the end of the render; empty if a pixel has fewer than
+   * two samples, or if the halves of its samples are unknown.
    */
   public Optional<NoiseEstimate> estimate(Film film) {
     boolean isSeen = samplesAtLook != 0 && samplesAtLook == film.totalSamples();
     return estimate(film, isSeen ? looks : looks + 1);
   }
 
-  /** Estimates the noise; without a target this is the only check. */
+  /**
+   * Estimates the noise. Without a target error, this is the only check and needs no correction of
+   * the confidence.
+   */
   private Optional<NoiseEstimate> estimate(Film film, int look) {
     boolean isEarly = StoppingSchedule.isEarly(film.meanSamples());
     double confidence = budget.confidence();

@@ -3,30 +3,31 @@ package io.github.lumbre.stopping;
 import io.github.lumbre.math.Elementary;
 
 /**
- * How many samples a render will take to reach an error, estimated from one check.
+ * A forecast of the number of samples that a target error takes, from one error check.
  *
- * <p>The relative mean squared error falls with the number of samples to the power of −1 where a
- * pixel is rough (edges, fireflies), and to −1.5 where it is smooth (Owen 1997), so what the bound
- * still has to fall gives the most samples by the one and the least by the other.
+ * <p>The relative mean squared error decreases with the number of samples n as n^−1 where a pixel
+ * is rough (edges, fireflies), and as n^−1.5 where it is smooth (Owen 1997). The first rate gives
+ * the largest number of samples, the second the smallest.
  *
- * @param least samples per pixel
- * @param most samples per pixel
+ * @param least smallest number of samples per pixel
+ * @param most largest number of samples per pixel
  */
 public record Forecast(double least, double most) {
   private static final double SMOOTH = 1.5;
 
   /**
-   * Returns the forecast from a look that has not reached the error.
+   * Returns the forecast from a check. If the check has reached the target error, both numbers are
+   * those so far.
    *
-   * @param samples per pixel so far
-   * @param targetError a relative root mean squared error
+   * @param samples samples per pixel so far
+   * @param targetError relative root mean squared error
    */
   static Forecast of(NoiseEstimate noise, double samples, double targetError) {
     double excess = Math.max(1, noise.upperRelativeMse() / (targetError * targetError));
     return new Forecast(samples * Elementary.pow(excess, 1 / SMOOTH), samples * excess);
   }
 
-  /** Returns the geometric mean of least and most. */
+  /** Returns the geometric mean of the two numbers, as the likely value. */
   public double likely() {
     return Math.sqrt(least * most);
   }

@@ -4,58 +4,60 @@ import io.github.lumbre.render.Film;
 import java.util.Optional;
 
 /**
- * How noisy a picture is, estimated from its own samples: the relative mean squared error against
- * the picture that the same render converges to, squared differences divided by the square of the
- * converged value plus 0.01, averaged over pixels and channels. Light that all samples miss, for
- * instance beyond the path length limit, is not part of the noise.
+ * An estimate of a picture's noise, from its own samples: the relative mean squared error against
+ * the picture to which the same render converges. The error of a channel of a pixel is the squared
+ * difference, divided by the square of the converged value plus 0.01; these errors are averaged
+ * over pixels and channels. Light that no sample can find, for example beyond the path length
+ * limit, is not part of the noise.
  *
- * @param relativeMse the estimate; too high for many samples of smooth pixels, since the halves
- *     that it comes from do not share the evenness of all
- * @param upperRelativeMse what the error of this picture does not exceed, with the confidence
- * @param confidence in (0,1)
- * @param tailShare the share of the estimate that the noisiest thousandth of the pixels carries,
- *     one pixel at least
- * @param pixels that the estimate comes from
+ * @param relativeMse the estimate. For many samples of smooth pixels it is too high, because each
+ *     half of the samples is less evenly distributed than all of them
+ * @param upperRelativeMse upper bound of this picture's error, with the given confidence
+ * @param confidence confidence of the bound, in (0,1)
+ * @param tailShare fraction of the estimate that comes from the noisiest 0.1 % of the pixels, at
+ *     least one pixel
+ * @param pixels number of pixels of the estimate
  */
 public record NoiseEstimate(
     double relativeMse, double upperRelativeMse, double confidence, double tailShare, long pixels) {
-  /** From this share on, the estimate depends on few bright pixels. */
+  /** Above this fraction, the estimate depends on few bright pixels. */
   private static final double HEAVY = .5;
 
   /**
-   * Returns the estimate of a film.
+   * Returns the noise estimate of a film.
    *
-   * @param confidence in (0,1), of the upper bound
-   * @return empty if a pixel has fewer than two samples, or earlier ones that are not known
+   * @param confidence confidence of the upper bound, in (0,1)
+   * @return the estimate; empty if a pixel has fewer than two samples, or if the halves of its
+   *     samples are unknown
    */
   public static Optional<NoiseEstimate> of(Film film, double confidence) {
     return NoiseEstimator.of(film, confidence);
   }
 
-  /** Returns the root of {@link #relativeMse}. */
+  /** Returns the square root of {@link #relativeMse}. */
   public double relativeRmse() {
     return Math.sqrt(relativeMse);
   }
 
-  /** Returns the root of {@link #upperRelativeMse}. */
+  /** Returns the square root of {@link #upperRelativeMse}. */
   public double upperRelativeRmse() {
     return Math.sqrt(upperRelativeMse);
   }
 
-  /** Returns the same bound, claimed with another confidence: that of all looks together. */
+  /** Returns the same estimate with another stated confidence: that of all checks together. */
   NoiseEstimate claiming(double jointConfidence) {
     return new NoiseEstimate(relativeMse, upperRelativeMse, jointConfidence, tailShare, pixels);
   }
 
-  /** Returns the same estimate with a bound of at least another one. */
+  /** Returns the same estimate with an upper bound of at least the given one. */
   NoiseEstimate withBoundOf(double upper) {
     return new NoiseEstimate(
         relativeMse, Math.max(upperRelativeMse, upper), confidence, tailShare, pixels);
   }
 
   /**
-   * Returns whether a thousandth of the pixels carries most of the error: more such spots may be
-   * still to come, and the bound cannot know of those.
+   * Returns whether more than half of the error comes from 0.1 % of the pixels. More such pixels
+   * may still appear, and the bound does not account for them.
    */
   public boolean hasHeavyTail() {
     return tailShare > HEAVY && relativeMse > 0;

@@ -7,18 +7,21 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Estimates a picture's noise from the difference between the halves of each pixel's samples.
- * Mutable; collects pixels, then estimates.
+ * Estimates a picture's noise from the difference between the two halves of each pixel's samples.
+ * Mutable: collects pixels, then estimates.
  *
- * <p>Pixels are random independently of each other, so their mean is off by no more than their
- * spread over the root of their number; the same holds for the picture's own error about its
- * expectation. The bound takes both, on a logarithmic scale since the sum is skewed.
+ * <p>Pixels are independent random variables, so the standard error of their mean is their standard
+ * deviation divided by the square root of their number. The same holds for the deviation of the
+ * picture's own error from its expectation. The bound includes both, on a logarithmic scale because
+ * the distribution of the sum is skewed.
  */
 final class NoiseEstimator {
-  /** Below this many pixels their spread is not known well enough for a bound. */
+  /**
+   * The smallest number of pixels with an error bound: with fewer, their spread is too uncertain.
+   */
   static final int FEWEST_PIXELS = 64;
 
-  /** Bins of the logarithm, four for each factor of two. */
+  /** Histogram bins per factor of two, on a logarithmic scale. */
   private static final int BINS_PER_OCTAVE = 4;
 
   private static final int LOWEST_OCTAVE = -200;
@@ -33,12 +36,13 @@ final class NoiseEstimator {
   /**
    * Returns the estimate of a film.
    *
-   * <p>Its bound lies above the cautious estimate ({@link PixelHalves#cautiousSquaredError}) by the
-   * same factor as above the usual one. Where most pixels have rare bright samples, the usual
-   * estimate is too low in all of them, and their spread does not show it.
+   * <p>The ratio of the bound to the estimate is applied to the cautious estimate ({@link
+   * PixelHalves#cautiousSquaredError}) too, and the larger of the two bounds is used. If most
+   * pixels have rare bright samples, the usual estimate is too low in all of them, and their spread
+   * does not show that.
    *
-   * @param confidence in (0,1), of the upper bound
-   * @return empty if a pixel's halves are not known
+   * @param confidence confidence of the upper bound, in (0,1)
+   * @return the estimate; empty if the halves of a pixel's samples are unknown
    */
   static Optional<NoiseEstimate> of(Film film, double confidence) {
     Optional<NoiseEstimate> cautious = cautious(film, confidence);
@@ -47,8 +51,8 @@ final class NoiseEstimator {
   }
 
   /**
-   * Returns the estimate of a film with few samples per pixel, whose bound is that of the cautious
-   * estimate, with its own spread.
+   * Returns the estimate of a film with few samples per pixel. Its bound is at least that of the
+   * cautious estimate, computed with that estimate's own spread.
    */
   static Optional<NoiseEstimate> ofFewSamples(Film film, double confidence) {
     Optional<NoiseEstimate> cautious = cautious(film, confidence);
@@ -64,7 +68,7 @@ final class NoiseEstimator {
     return of(film, confidence, PixelHalves::cautiousSquaredError);
   }
 
-  /** Returns the bound over the estimate. */
+  /** Returns the ratio of the upper bound to the estimate; 1 if the estimate is 0. */
   private static double factor(NoiseEstimate noise) {
     return noise.relativeMse() == 0 ? 1 : noise.upperRelativeMse() / noise.relativeMse();
   }
@@ -114,18 +118,22 @@ final class NoiseEstimator {
         pixels);
   }
 
-  /** Returns the standard error, as a share of the mean, of estimate and error together. */
+  /**
+   * Returns the standard error of the estimate and of the picture's own error together, relative to
+   * the mean.
+   */
   private double relativeSpread(double mean) {
     if (mean == 0) {
       return 0;
     }
     double variance = Math.max(0, squares / pixels - mean * mean);
-    // A square of one normal number has twice its mean squared as variance; less was luck.
+    // The square of a normal variable has a variance of twice its squared mean. A smaller value is
+    // chance.
     double relative = Math.max(variance / (mean * mean), 2) / pixels;
     return Math.sqrt(2 * relative);
   }
 
-  /** Returns what the noisiest thousandth of the pixels adds to the sum. */
+  /** Returns the sum over the noisiest 0.1 % of the pixels, at least one pixel. */
   private double tail() {
     double left = Math.max(1, pixels / 1000);
     double tail = 0;

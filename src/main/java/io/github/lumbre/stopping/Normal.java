@@ -9,16 +9,20 @@ final class Normal {
 
   private Normal() {}
 
-  /** Returns the probability of more than z, for z of at least 0. */
+  /**
+   * Returns the probability that a standard normal variable exceeds z.
+   *
+   * @param z at least 0
+   */
   static double beyond(double z) {
     double x = z / Math.sqrt(2);
     return .5 * Elementary.erfcScaled(x) * Elementary.exp(-x * x);
   }
 
   /**
-   * Returns the z of at least 0 that is exceeded with a probability.
+   * Returns the value z ≥ 0 that a standard normal variable exceeds with the given probability.
    *
-   * @param probability in (0, .5]
+   * @param probability in (0, 0.5]
    */
   static double exceeded(double probability) {
     double low = 0;

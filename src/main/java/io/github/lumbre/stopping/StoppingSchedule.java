@@ -7,15 +7,15 @@ package io.github.lumbre.stopping;
  * <p>Stopping at the first check that passes favors lucky checks. The checks therefore share the
  * probability α of any of them being wrong (a spending rule: Lan &amp; DeMets 1983, with
  * Bonferroni's bound). Nine tenths of α belong to the checks from 32 samples per pixel on, of which
- * the j-th spends a share of 1 / (j (j + 1)). The three early checks, after 4, 8 and 16 samples,
- * divide the remaining tenth, and use a cautious estimate ({@link NoiseEstimator#ofFewSamples}):
- * with the usual one, 47 to 82 of 100 bounds failed in a scene whose light is mostly rare bright
- * paths.
+ * the j-th spends a fraction of 1 / (j (j + 1)). The three early checks, after 4, 8 and 16 samples,
+ * share the remaining tenth, and use a cautious estimate ({@link NoiseEstimator#ofFewSamples}).
+ * With the usual estimate, 47 to 82 of 100 bounds failed in a scene whose light is mostly rare
+ * bright paths.
  *
- * <p>An early check must also have enough samples to see what matters. Light that no sample has
- * found adds at most 1 to the relative squared error of a pixel, so it must cover a share of at
- * least ε² of the pixels to hide an error ε. {@link #isEarlyEnough} requires 256 samples in that
- * share.
+ * <p>An early check also requires enough samples to find all light that matters. Light that no
+ * sample has found adds at most 1 to the relative squared error of a pixel. To hide an error ε, it
+ * must therefore cover a fraction of at least ε² of the pixels. {@link #isEarlyEnough} requires 256
+ * samples in that fraction.
  */
 final class StoppingSchedule {
   /** From this number of samples per pixel on, checks take place in frames of any size. */
@@ -25,7 +25,10 @@ final class StoppingSchedule {
   private static final int EARLY_LOOKS = 3;
   private static final double EARLY_SHARE = .1;
 
-  /** Samples in the smallest part of the picture that could hide an error of the target's size. */
+  /**
+   * The smallest number of samples in the smallest part of the picture that can hide an error as
+   * large as the target.
+   */
   private static final double FEWEST_IN_PART = 256;
 
   private StoppingSchedule() {}
@@ -34,7 +37,7 @@ final class StoppingSchedule {
    * Returns a number that grows whenever a check is due: after 4, 8, 16, 32, 48, 64, 96, 128, ...
    * samples per pixel; 0 before the first.
    *
-   * @param samples per pixel, in the mean
+   * @param samples mean number of samples per pixel
    */
   static int due(double samples) {
     if (samples < FIRST) {
@@ -48,16 +51,17 @@ final class StoppingSchedule {
     return 1 + EARLY_LOOKS + 2 * octave + (isUpperHalf ? 1 : 0);
   }
 
-  /** Returns whether a check after so many samples per pixel is one of the early ones. */
+  /** Returns whether a check after the given number of samples per pixel is an early one. */
   static boolean isEarly(double samples) {
     return samples < ANY_FRAME;
   }
 
   /**
-   * Returns whether so many samples per pixel are enough for a check: always true from 32 on.
+   * Returns whether a number of samples per pixel is enough for a check; always true from 32 on.
    *
-   * @param pixels of the frame
-   * @param targetError a relative root mean squared error
+   * @param samples mean number of samples per pixel
+   * @param pixels number of pixels of the frame
+   * @param targetError relative root mean squared error
    */
   static boolean isEarlyEnough(double samples, double pixels, double targetError) {
     return !isEarly(samples) || samples * pixels * targetError * targetError >= FEWEST_IN_PART;
@@ -71,8 +75,8 @@ final class StoppingSchedule {
   /**
    * Returns the confidence of a check that is not early.
    *
-   * @param confidence of all checks together, in (0,1)
-   * @param number of the check, 1 for the first after 32 samples or more
+   * @param confidence confidence of all checks together, in (0,1)
+   * @param number number of the check, 1 for the first one after at least 32 samples per pixel
    */
   static double confidence(double confidence, int number) {
     double share = (1 - EARLY_SHARE) / ((double) number * (number + 1));

@@ -1,9 +1,11 @@
 /**
- * When a render has enough samples: estimates of a picture's error while it is rendered, and
- * budgets of samples, time and error that end the render.
+ * Adaptive stopping: budgets of samples and error that end a render, and error estimates of a
+ * picture while it is rendered.
  *
- * <p>{@link io.github.lumbre.stopping.BudgetRenderer} renders until a {@link
- * io.github.lumbre.stopping.Budget} is used up; {@link io.github.lumbre.stopping.NoiseEstimate}
- * bounds the error of what there is. All types but renderers and watches are immutable.
+ * <p>{@link io.github.lumbre.stopping.BudgetRenderer} renders until a limit of a {@link
+ * io.github.lumbre.stopping.Budget} is reached. {@link io.github.lumbre.stopping.NoiseEstimate}
+ * bounds the error of the current picture. All types except {@link
+ * io.github.lumbre.stopping.BudgetWatch} are immutable or, like the internal estimator, confined to
+ * one call.
  */
 package io.github.lumbre.stopping;

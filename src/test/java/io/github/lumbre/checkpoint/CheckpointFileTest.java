@@ -169,7 +169,7 @@ class CheckpointFileTest {
     assertThatThrownBy(() -> CheckpointFile.load(path))
         .isInstanceOf(FilmFormatException.class)
         .hasMessage(
-            "is not a film, or is damaged; nor can %s be used: is not a film, or is damaged",
+            "is not a film, or is damaged; %s cannot be used either: is not a film, or is damaged",
             OutputFile.previous(path));
     Files.delete(path);
     Files.delete(OutputFile.previous(path));
@@ -225,6 +225,6 @@ class CheckpointFileTest {
     Files.createDirectory(OutputFile.previous(path));
     assertThatThrownBy(() -> CheckpointFile.load(path))
         .isInstanceOf(FilmFormatException.class)
-        .hasMessageMatching("does not exist; nor can .*a\\.film\\.bak be used: [a-z].+");
+        .hasMessageMatching("does not exist; .*a\\.film\\.bak cannot be used either: [a-z].+");
   }
 }

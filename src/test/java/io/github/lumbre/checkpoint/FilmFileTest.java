@@ -156,20 +156,22 @@ class FilmFileTest {
     byte[] content = content();
     String text = new String(content, StandardCharsets.ISO_8859_1);
     int pixels = text.indexOf("\n\n") + 2;
-    assertRefusedFor("after its last pixel", Arrays.copyOf(content, content.length + 1));
+    assertRefusedFor("after the last pixel", Arrays.copyOf(content, content.length + 1));
     // As many bytes too many in the buffer as behind it.
     int twice = content.length + 2 * ((1 << 16) - content.length);
-    assertRefusedFor("after its last pixel", Arrays.copyOf(content, twice));
+    assertRefusedFor("after the last pixel", Arrays.copyOf(content, twice));
     assertRefusedFor("pixel 83 cannot be read", Arrays.copyOf(content, content.length - 1));
-    assertRefusedFor("less than a byte for each pixel", Arrays.copyOf(content, pixels + 83));
-    assertRefusedFor("no end of its header", Arrays.copyOf(content, pixels - 1));
+    assertRefusedFor("fewer bytes than its window has pixels", Arrays.copyOf(content, pixels + 83));
+    assertRefusedFor(
+        "the header does not end in an empty line", Arrays.copyOf(content, pixels - 1));
     assertRefusedFor(
         "found 'LUMBRE-FILM 2'", ascii(text.replace("LUMBRE-FILM 1", "LUMBRE-FILM 2")));
     assertRefusedFor("found 'seed 0'", ascii(text.replace("seed: 0", "seed 0")));
-    assertRefusedFor("pixel: 'x'", ascii(text.replace("samples covered sums first-mean", "x")));
-    assertRefusedFor("window: unexpected '-1", ascii(text.replace("window: 0", "window: -1")));
-    assertRefusedFor("rejected: unexpected '-1'", ascii(withRejected(text, "-1")));
-    assertRefusedFor("rejected: unexpected 'x'", ascii(withRejected(text, "x")));
+    assertRefusedFor(
+        "pixel: unknown layout 'x'", ascii(text.replace("samples covered sums first-mean", "x")));
+    assertRefusedFor("window: invalid value '-1", ascii(text.replace("window: 0", "window: -1")));
+    assertRefusedFor("rejected: invalid value '-1'", ascii(withRejected(text, "-1")));
+    assertRefusedFor("rejected: invalid value 'x'", ascii(withRejected(text, "x")));
   }
 
   private static String withRejected(String text, String count) {
@@ -232,9 +234,10 @@ class FilmFileTest {
     String longest = text.substring(0, header) + "\nnote x: " + "y".repeat(room);
     writeSealed(ascii(longest + text.substring(header)));
     assertThat(FilmFile.read(path).header().notes().get("x")).hasSize(room);
-    assertRefusedFor("no end of its header", ascii(longest + "y" + text.substring(header)));
+    assertRefusedFor(
+        "the header does not end in an empty line", ascii(longest + "y" + text.substring(header)));
     String endless = "LUMBRE-FILM 1\nnote x: " + "y".repeat(1 << 20);
-    assertRefusedFor("no end of its header", ascii(endless));
+    assertRefusedFor("the header does not end in an empty line", ascii(endless));
   }
 
   @Test

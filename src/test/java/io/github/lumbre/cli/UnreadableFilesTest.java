@@ -66,8 +66,8 @@ class UnreadableFilesTest {
   void textsThatAreNot() throws IOException {
     Path file = Files.write(directory.resolve("a.json"), "ä".getBytes(StandardCharsets.ISO_8859_1));
     run("trade table FILE -o TABLE", file)
-        .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not a text in UTF-8");
+        .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not UTF-8 text");
     run("perf --compare FILE FILE", file)
-        .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not a text in UTF-8");
+        .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not UTF-8 text");
   }
 }

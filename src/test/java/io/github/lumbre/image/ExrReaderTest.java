@@ -142,10 +142,10 @@ class ExrReaderTest {
     Image image = ImageFixture.random(6, 32, false);
     Parts twice = new Parts(image, 3, 16);
     twice.blocks.set(1, twice.blocks.get(0));
-    assertRefused(twice.file(), "one for each 16 lines");
+    assertRefused(twice.file(), "one block for every 16 lines");
     Parts moved = new Parts(image, 3, 16);
     little(moved.blocks.get(1)).putInt(0, 15);
-    assertRefused(moved.file(), "one for each 16 lines");
+    assertRefused(moved.file(), "one block for every 16 lines");
     Parts outside = new Parts(image, 3, 16);
     little(outside.blocks.get(1)).putInt(0, 32);
     assertRefused(outside.file(), "damaged or ends too early");
@@ -199,7 +199,7 @@ class ExrReaderTest {
     header.putInt(window, Integer.MIN_VALUE).putInt(window + 8, Integer.MAX_VALUE);
     assertRefused(parts.file(), "the picture has 2147483647x1 pixels");
     header.putInt(window, 1).putInt(window + 8, 0);
-    assertRefused(parts.file(), "its window ends before it begins");
+    assertRefused(parts.file(), "the data window ends before it begins");
   }
 
   @Test

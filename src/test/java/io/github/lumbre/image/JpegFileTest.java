@@ -162,7 +162,7 @@ class JpegFileTest {
     assertMalformed(scan, "JPEG has no header");
     assertMalformed(
         new JpegFixture().bytes(0xff, 0xfe, 0, 1, 0).end(),
-        "JPEG is damaged: a segment of no length at byte 2");
+        "JPEG is damaged: a segment with an invalid length at byte 2");
     assertMalformed(
         new JpegFixture().segment(0xfe, new byte[3]).bytes(0, 0, 0, 0).end(),
         "JPEG is damaged: no marker at byte 9");

@@ -27,7 +27,7 @@ class PixelsTest {
   void sizesMustFit() {
     assertThatThrownBy(() -> Pixels.of(2, 2, 3, new byte[11]))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("values: expected 2x2x3 of them, found 11");
+        .hasMessage("values: expected 2x2x3 values, found 11");
     assertThatThrownBy(() -> Pixels.of(0, 2, 3, new byte[0]))
         .isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(() -> Pixels.of(1, 1, 2, new byte[2]))
@@ -38,6 +38,6 @@ class PixelsTest {
   void sizesOfSixteenBitsMustFit() {
     assertThatThrownBy(() -> Pixels.of(2, 2, 3, new short[11]))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("values: expected 2x2x3 of them, found 11");
+        .hasMessage("values: expected 2x2x3 values, found 11");
   }
 }

@@ -4,6 +4,7 @@ import io.github.lumbre.cli.Lumbre;
 import io.github.lumbre.cli.run.Interruption;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -11,6 +12,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 
@@ -36,6 +41,10 @@ public final class RenderOnSpark {
   private static final int USAGE_CODE = 2;
   private static final int SCENE_CODE = 3;
   private static final int OUTPUT_CODE = 6;
+  private static final int INTERNAL_CODE = 7;
+
+  /** The number of pictures of a list that render at the same time. */
+  private static final int PICTURES_AT_ONCE = 4;
 
   private RenderOnSpark() {}
 
@@ -71,13 +80,66 @@ public final class RenderOnSpark {
     conf.setIfMissing("spark.app.name", "Lumbre");
     conf.setIfMissing("spark.ui.showConsoleProgress", "false");
     try (JavaSparkContext spark = new JavaSparkContext(conf)) {
-      SparkEngine engine = new SparkEngine(spark, arguments.unitSeconds());
+      SparkEngine engine = new SparkEngine(spark, arguments.unitSeconds(), err::println);
+      if (arguments.commands().size() == 1) {
+        return run(arguments.commands().get(0), spark, out, err, engine);
+      }
+      return runAll(arguments.commands(), spark, out, err, engine);
+    }
+  }
+
+  /**
+   * Renders several pictures at the same time, so that the units of one keep the cores busy that
+   * the last units of another leave idle. Prints the messages of a picture when it is done.
+   */
+  private static int runAll(
+      List<List<String>> commands,
+      JavaSparkContext spark,
+      PrintWriter out,
+      PrintWriter err,
+      SparkEngine engine) {
+    ExecutorService pictures = Executors.newFixedThreadPool(PICTURES_AT_ONCE);
+    try {
+      List<Future<Integer>> codes = new ArrayList<>();
+      for (List<String> command : commands) {
+        codes.add(pictures.submit(() -> runQuietly(command, spark, out, err, engine)));
+      }
       int exitCode = 0;
-      for (List<String> command : arguments.commands()) {
-        exitCode = Math.max(exitCode, run(command, spark, out, err, engine));
+      for (Future<Integer> code : codes) {
+        exitCode = Math.max(exitCode, code.get());
       }
       return exitCode;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return INTERNAL_CODE;
+    } catch (ExecutionException e) {
+      throw new IllegalStateException(e.getCause());
+    } finally {
+      pictures.shutdownNow();
     }
+  }
+
+  private static int runQuietly(
+      List<String> command,
+      JavaSparkContext spark,
+      PrintWriter out,
+      PrintWriter err,
+      SparkEngine engine) {
+    List<String> quiet = new ArrayList<>(command);
+    if (quiet.stream().noneMatch(argument -> argument.startsWith("--progress"))) {
+      // Bars of several pictures would overwrite each other.
+      quiet.add("--progress=none");
+    }
+    StringWriter ownOut = new StringWriter();
+    StringWriter ownErr = new StringWriter();
+    int code = run(quiet, spark, new PrintWriter(ownOut), new PrintWriter(ownErr), engine);
+    synchronized (RenderOnSpark.class) {
+      out.print(ownOut);
+      out.flush();
+      err.print(ownErr);
+      err.flush();
+    }
+    return code;
   }
 
   private static int run(
@@ -158,7 +220,7 @@ public final class RenderOnSpark {
           return seconds;
         }
       } catch (NumberFormatException e) {
-        // Told below.
+        // Reported below.
       }
       throw new IllegalArgumentException("--unit: expected 0.1s to 3600s, found " + text);
     }

@@ -1,12 +1,15 @@
 package io.github.lumbre.spark;
 
 import io.github.lumbre.cli.run.Engine;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassRenderer;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.broadcast.Broadcast;
 
@@ -14,23 +17,34 @@ import org.apache.spark.broadcast.Broadcast;
 final class SparkEngine implements Engine {
   private final JavaSparkContext spark;
   private final double unitSeconds;
+  private final Consumer<String> messages;
+  private final AtomicBoolean isReported = new AtomicBoolean();
 
   /**
    * @param unitSeconds time that a unit of work should take
+   * @param messages receives lines for the user
    */
-  SparkEngine(JavaSparkContext spark, double unitSeconds) {
+  SparkEngine(JavaSparkContext spark, double unitSeconds, Consumer<String> messages) {
     this.spark = spark;
     this.unitSeconds = unitSeconds;
+    this.messages = messages;
   }
 
   @Override
-  public PassRenderer over(Path path, SceneFile scene, FilmRenderer local, boolean isTimed) {
+  public PassRenderer over(Path path, SceneFile scene, FilmRenderer local, boolean isTimed)
+      throws TaskException {
     try {
-      Broadcast<SceneBundle> bundle = spark.broadcast(SceneBundle.of(path, scene));
+      SceneBundle files = SceneBundle.of(path, scene);
+      ExecutorPlan plan = ExecutorPlan.of(spark, scene.settings(), files.bytes());
+      if (isReported.compareAndSet(false, true)) {
+        messages.accept(plan.line());
+      }
+      plan.require();
+      Broadcast<SceneBundle> bundle = spark.broadcast(files);
       int goal = scene.settings().samples();
       return new SparkPasses(spark, bundle, local, goal, unitSeconds, isTimed);
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      throw new TaskException(Kind.SCENE, e.getMessage(), e);
     }
   }
 }

@@ -34,8 +34,11 @@ import scala.runtime.BoxedUnit;
  * limit of a job's results, and for a checkpoint between jobs. Mutable, for one render.
  */
 final class SparkPasses implements PassRenderer {
-  /** Units of a job for each core: the last units of a job leave cores idle. */
+  /** Units of a job for each core, at most. */
   private static final int UNITS_PER_CORE = 24;
+
+  /** Units of a pass for each core, at least: the last ones leave cores idle. */
+  private static final int LEAST_PER_CORE = 12;
 
   /** Results of a job, uncompressed: half of Spark's default limit. */
   private static final long JOB_BYTES = 1L << 29;
@@ -43,7 +46,6 @@ final class SparkPasses implements PassRenderer {
   /** Samples per second and core, before any is measured. */
   private static final double FIRST_RATE = 100_000;
 
-  /** The most samples per pixel in one pass when a time ends the render. */
   private static final long POLL_MILLIS = 100;
 
   private final JavaSparkContext spark;
@@ -110,7 +112,12 @@ final class SparkPasses implements PassRenderer {
   }
 
   private List<WorkUnit> units(Film film, SampleTarget target) {
-    return Units.of(film, target, Math.max(1, (long) (rate() * unitSeconds)));
+    long missing = 0;
+    for (WorkUnit unit : Units.of(film, target, Long.MAX_VALUE)) {
+      missing += unit.samples();
+    }
+    long most = Math.min((long) (rate() * unitSeconds), missing / (LEAST_PER_CORE * cores()));
+    return Units.of(film, target, Math.max(1, most));
   }
 
   @Override

@@ -11,7 +11,7 @@ final class Units {
   /** The smallest and the largest side of a tile, in pixels. */
   private static final int SMALLEST = 16;
 
-  private static final int LARGEST = 256;
+  static final int LARGEST = 256;
 
   private final Film film;
   private final SampleTarget target;

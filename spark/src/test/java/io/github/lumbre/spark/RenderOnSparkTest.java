@@ -1,7 +1,9 @@
 package io.github.lumbre.spark;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -10,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -158,6 +161,48 @@ class RenderOnSparkTest {
     assertDone(onSpark("--list", list.toString(), "-s", "1", "--size", "20x20", "-o", path("out")));
     assertThat(directory.resolve("out/cornell-box.png")).exists();
     assertThat(directory.resolve("out/torus-knot.png")).exists();
+  }
+
+  /** The pictures of a list are those of single renders, although they share the cores. */
+  @Test
+  void picturesOfAListAreBitIdentical() throws IOException {
+    Files.createDirectories(directory.resolve("out"));
+    List<String> names = List.of("cornell-box", "torus-knot", "glass-and-mirror", "table-12-wood");
+    List<String> args = new ArrayList<>();
+    names.forEach(name -> args.add(SCENES + name + ".json"));
+    args.add(SCENES + "no-such-scene.json");
+    args.addAll(List.of("-s", "9", "--size", "40x30", "--unit", "0.1s", "-o", path("out")));
+    Outcome outcome = onSpark(args);
+    assertThat(outcome.exitCode()).isEqualTo(3);
+    assertThat(outcome.err()).contains("no-such-scene.json: $: expected a scene file, found none");
+    for (String name : names) {
+      String own = path(name + ".png");
+      assertDone(here("render", SCENES + name + ".json", "-s", "9", "--size", "40x30", "-o", own));
+      assertThat(pixels("out/" + name + ".png")).isEqualTo(pixels(name + ".png"));
+    }
+  }
+
+  /** The colors of a picture, without the file's metadata, which has the time of the render. */
+  private int[] pixels(String name) throws IOException {
+    BufferedImage image = ImageIO.read(directory.resolve(name).toFile());
+    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
+  @Test
+  void memoryOfExecutorsIsEstimatedBeforeWorkStarts() {
+    Outcome outcome =
+        onSpark(SCENES + "cornell-box.json", "-s", "1", "--size", "20x20", "-o", path("a.png"));
+    assertDone(outcome);
+    assertThat(outcome.err()).containsPattern("Spark on local\\[2]: an executor has 2 cores");
+    ExecutorPlan small = new ExecutorPlan("spark://host:7077", 4, 1 << 20, 2 << 20, false);
+    assertThatThrownBy(small::require)
+        .hasMessage(
+            "an executor with 4 cores needs about 2 MiB of memory, but has 1 MiB;"
+                + " raise it with --conf spark.executor.memory=8g");
+    assertThat(small.line())
+        .endsWith(
+            "vector kernel off"
+                + " (spark.executor.extraJavaOptions=--add-modules=jdk.incubator.vector)");
   }
 
   @Test

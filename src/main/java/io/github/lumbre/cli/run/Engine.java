@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassRenderer;
@@ -17,6 +18,8 @@ public interface Engine {
    * @param path of the scene file
    * @param local renders in this process
    * @param isTimed whether a time ends the render, so that passes should be short
+   * @throws TaskException if the engine cannot render the scene
    */
-  PassRenderer over(Path path, SceneFile scene, FilmRenderer local, boolean isTimed);
+  PassRenderer over(Path path, SceneFile scene, FilmRenderer local, boolean isTimed)
+      throws TaskException;
 }

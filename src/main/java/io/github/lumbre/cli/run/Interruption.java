@@ -8,12 +8,14 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFormatException;
 import java.io.InterruptedIOException;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Handles SIGINT, SIGTERM and SIGHUP so that a command ends early without losing its result. The
@@ -37,8 +39,7 @@ public final class Interruption implements AutoCloseable {
   /** The exit code of the first signal; 0 before that. */
   private static final AtomicInteger FIRST = new AtomicInteger();
 
-  private static final AtomicReference<Optional<Interruption>> LISTENING =
-      new AtomicReference<>(Optional.empty());
+  private static final Set<Interruption> LISTENING = ConcurrentHashMap.newKeySet();
 
   private final CountDownLatch closed = new CountDownLatch(1);
   private boolean rendering;
@@ -82,8 +83,7 @@ public final class Interruption implements AutoCloseable {
       }
       return;
     }
-    Optional<Interruption> listening = LISTENING.get();
-    if (listening.isEmpty() || !listening.get().letCommandEnd()) {
+    if (!letCommandsEnd(List.copyOf(LISTENING))) {
       ProgressBar.vanish();
       System.exit(code);
     }
@@ -92,7 +92,7 @@ public final class Interruption implements AutoCloseable {
   /** Starts to listen for signals. */
   public static Interruption listen() {
     Interruption interruption = new Interruption();
-    LISTENING.set(Optional.of(interruption));
+    LISTENING.add(interruption);
     return interruption;
   }
 
@@ -122,7 +122,7 @@ public final class Interruption implements AutoCloseable {
   @Override
   public void close() {
     if (!requested) {
-      LISTENING.set(Optional.empty());
+      LISTENING.remove(this);
     }
     closed.countDown();
   }
@@ -202,17 +202,27 @@ public final class Interruption implements AutoCloseable {
     Thread.interrupted();
   }
 
-  /** Requests the end of the command. Returns false if it has nothing to save and does not end. */
-  private boolean letCommandEnd() {
-    if (request()) {
+  /**
+   * Requests the end of commands. Returns false if none has a result to save and one does not end.
+   */
+  private static boolean letCommandsEnd(List<Interruption> commands) {
+    boolean isSaving = false;
+    for (Interruption command : commands) {
+      isSaving |= command.request();
+    }
+    if (isSaving) {
       return true;
     }
+    boolean haveEnded = !commands.isEmpty();
     try {
-      return closed.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
+      for (Interruption command : commands) {
+        haveEnded &= command.closed.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
+      }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return false;
     }
+    return haveEnded;
   }
 
   /** Requests the end of the command. Returns whether it has a result to save. */
