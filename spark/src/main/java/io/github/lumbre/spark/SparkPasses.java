@@ -46,6 +46,9 @@ final class SparkPasses implements PassRenderer {
   /** Samples per second and core, before any is measured. */
   private static final double FIRST_RATE = 100_000;
 
+  /** What precedes the message of an executor's failure. */
+  private static final String EXECUTOR_FAILURE = IllegalStateException.class.getName() + ": ";
+
   private static final long POLL_MILLIS = 100;
 
   private final JavaSparkContext spark;
@@ -242,7 +245,10 @@ final class SparkPasses implements PassRenderer {
   /** Returns the message of an executor's failure, without Spark's stack traces. */
   private static String reason(Throwable failure) {
     String message = String.valueOf(failure.getMessage());
-    return message.lines().findFirst().orElse(failure.toString());
+    String first = message.lines().findFirst().orElse(failure.toString());
+    // Spark passes on an executor's exception as text only.
+    int own = first.indexOf(EXECUTOR_FAILURE);
+    return own < 0 ? first : first.substring(own + EXECUTOR_FAILURE.length());
   }
 
   /** Receives the result of each partition once, in Spark's own thread. */

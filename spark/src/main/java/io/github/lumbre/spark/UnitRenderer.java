@@ -59,21 +59,17 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
 
   private SceneFile scene() {
     SceneBundle sent = bundle.value();
-    return SCENES.computeIfAbsent(
-        sent.hash() + sent.settings(),
-        key -> {
-          if (sent.revision() != FilmRenderer.REVISION) {
-            throw new IllegalStateException(
-                "the executor on "
-                    + host()
-                    + " has Lumbre's samples of revision "
-                    + FilmRenderer.REVISION
-                    + ", expected the driver's "
-                    + sent.revision()
-                    + "; give all executors the same lumbre-spark.jar");
-          }
-          return sent.read();
-        });
+    if (sent.revision() != FilmRenderer.REVISION) {
+      throw new IllegalStateException(
+          "the executor on "
+              + host()
+              + " has Lumbre's samples of revision "
+              + FilmRenderer.REVISION
+              + ", expected the driver's "
+              + sent.revision()
+              + "; give all executors the same lumbre-spark.jar");
+    }
+    return SCENES.computeIfAbsent(sent.hash() + sent.settings(), key -> sent.read());
   }
 
   private static String host() {
