@@ -29,13 +29,29 @@ final class HelpLayout {
   private static final String OWN = "This command";
 
   static {
-    COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop"));
+    COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop", "import"));
     COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel"));
     COMMANDS.put("Measure", List.of("compare", "trade", "perf", "selftest"));
     COMMANDS.put("The 2016 report", List.of("benchmark", "gallery"));
     COMMANDS.put(REST, List.of("completion", "help"));
 
     FLAGS.put("Scene", List.of("--scene", "--strict", "--lenient", "--max-pixels"));
+    FLAGS.put(
+        "Model",
+        List.of(
+            "--camera",
+            "--view",
+            "--fov",
+            "--sky",
+            "--sky-intensity",
+            "--sky-rotation",
+            "--ground",
+            "--background",
+            "--turntable",
+            "--pose",
+            "--variant",
+            "--up",
+            "--unit"));
     FLAGS.put("Frame", List.of("--size", "--crop", "--filter"));
     FLAGS.put("Light transport", List.of("--mode", "--depth", "--split", "--clamp", "--seed"));
     FLAGS.put(

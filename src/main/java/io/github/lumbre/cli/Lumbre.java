@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
  */
 @Command(
     name = "lumbre",
-    header = "Lumbre, a CPU path tracer: renders JSON scenes to pictures.",
+    header = "Lumbre, a CPU path tracer: renders scenes and 3D models to pictures.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     usageHelpWidth = 100,
@@ -47,6 +47,7 @@ import picocli.CommandLine.Spec;
       ResumeCommand.class,
       MergeCommand.class,
       DevelopCommand.class,
+      ImportCommand.class,
       CheckCommand.class,
       AuditCommand.class,
       PixelCommand.class,
@@ -63,6 +64,7 @@ import picocli.CommandLine.Spec;
       "",
       "Examples:",
       "  lumbre render scenes/cornell-box.json",
+      "  lumbre render helmet.glb --view iso",
       "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
       "  lumbre resume night.film",
       "  lumbre check scene.json",

@@ -160,7 +160,7 @@ final class RenderCommand implements Callable<Integer> {
       names = "--turntable",
       paramLabel = "N",
       description =
-          "Model: write N pictures from around it, numbered from 000: OUT with -000 before its"
+          "Write N pictures of a model from around it, numbered from 000: OUT with -000 before its"
               + " ending.")
   private Optional<Integer> turntable;
 

@@ -142,8 +142,8 @@ public record ModelSetup(
       problems.error(kind, () -> Problems.escaped(e.location()), Problems.escaped(e.detail()));
       throw problems.exception();
     }
-    String text =
-        new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create().toJson(scene);
+    // One line, which the header of a checkpoint file can hold.
+    String text = new GsonBuilder().disableHtmlEscaping().create().toJson(scene);
     return new SceneText(text.getBytes(StandardCharsets.UTF_8), folder.resolve(name));
   }
 
@@ -166,6 +166,12 @@ public record ModelSetup(
           location,
           "expected a file inside the model's folder, found " + Problems.quoted(name));
     };
+  }
+
+  /** Returns the absolute paths of the model and, if it is a file, the sky. */
+  public List<Path> files(Path file) {
+    Path model = file.toAbsolutePath().normalize();
+    return isBuiltIn() ? List.of(model) : List.of(model, Path.of(sky).toAbsolutePath().normalize());
   }
 
   private boolean isBuiltIn() {

@@ -1,5 +1,9 @@
 package io.github.lumbre.parser;
 
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonParser;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Objects;
 
@@ -13,5 +17,11 @@ public record SceneText(byte[] json, Path path) {
   public SceneText {
     Objects.requireNonNull(json, "json");
     Objects.requireNonNull(path, "path");
+  }
+
+  /** Returns the scene with line breaks and indentation. */
+  public String pretty() {
+    JsonElement scene = JsonParser.parseString(new String(json, StandardCharsets.UTF_8));
+    return new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create().toJson(scene);
   }
 }

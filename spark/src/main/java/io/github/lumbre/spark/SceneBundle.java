@@ -3,6 +3,7 @@ package io.github.lumbre.spark;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
@@ -42,25 +43,29 @@ record SceneBundle(
    * @throws IOException if a file has changed or can no longer be read
    */
   static SceneBundle of(Path path, SceneFile scene) throws IOException {
-    Path folder = path.toAbsolutePath().getParent();
+    Path source = scene.text().map(SceneText::path).orElse(path);
+    Path folder = source.toAbsolutePath().getParent();
     TreeMap<String, byte[]> assets = new TreeMap<>();
     Set<Path> files;
     try {
-      files = SceneParser.files(path);
+      files =
+          scene.text().isPresent()
+              ? SceneParser.files(scene.text().get().json(), source)
+              : SceneParser.files(path);
     } catch (SceneFormatException e) {
       throw new IOException(path + ": has changed since it was read", e);
     }
     for (Path file : files) {
       Path absolute = file.toAbsolutePath().normalize();
-      if (!absolute.equals(path.toAbsolutePath().normalize())) {
+      if (scene.text().isPresent() || !absolute.equals(path.toAbsolutePath().normalize())) {
         assets.put(folder.normalize().relativize(absolute).toString(), Files.readAllBytes(file));
       }
     }
     LinkedHashMap<String, String> settings = new LinkedHashMap<>();
     Setting.all().forEach(setting -> settings.put(setting.name(), scene.settings().text(setting)));
     return new SceneBundle(
-        path.getFileName().toString(),
-        Files.readAllBytes(path),
+        source.getFileName().toString(),
+        scene.text().isPresent() ? scene.text().get().json() : Files.readAllBytes(path),
         assets,
         scene.hash(),
         settings,
@@ -89,7 +94,7 @@ record SceneBundle(
           Files.createDirectories(file.getParent());
           Files.write(file, asset.getValue());
         }
-        SceneFile scene = read(Files.write(folder.resolve(name), text));
+        SceneFile scene = read(folder.resolve(name));
         if (!scene.hash().equals(hash)) {
           throw new IllegalStateException(
               name
@@ -109,14 +114,14 @@ record SceneBundle(
     }
   }
 
-  private SceneFile read(Path file) throws IOException {
+  private SceneFile read(Path file) {
     try {
       return new SceneParser()
           .lenient()
           .inMode(Setting.MODE.type().parse(settings.get(Setting.MODE.name())))
           .limitedTo(SceneParser.MAX_PIXELS_EVER)
           .overriding(inScene -> parsedSettings())
-          .parse(file);
+          .parse(text, file);
     } catch (SceneFormatException e) {
       throw new IllegalStateException(e.getMessage(), e);
     }

@@ -50,74 +50,74 @@ public final class ModelFlags {
   @Option(
       names = "--camera",
       paramLabel = "NAME",
-      description = "Model: the camera of the file to use (the first, if it has one).")
+      description = "Camera of the file to use (the first, if it has one).")
   private Optional<String> camera;
 
   @Option(
       names = "--view",
       paramLabel = "NAME|AZ,EL",
       description =
-          "Model: look from front, back, left, right, top, bottom or iso, or from an azimuth and"
+          "Look from front, back, left, right, top, bottom or iso, or from an azimuth and"
               + " an elevation in degrees (30,20 without a camera in the file).")
   private Optional<String> view;
 
   @Option(
       names = "--fov",
       paramLabel = "DEGREES",
-      description = "Model: vertical angle of view with --view (35).")
+      description = "Vertical angle of view with --view (35).")
   private Optional<Double> fov;
 
   @Option(
       names = "--sky",
       paramLabel = "NAME|FILE",
       description =
-          "Model: light from studio, white, or a latitude-longitude picture: .hdr, .exr, .pfm,"
+          "Light from studio, white, or a latitude-longitude picture: .hdr, .exr, .pfm,"
               + " .png or .jpg (studio).")
   private Optional<String> sky;
 
   @Option(
       names = "--sky-intensity",
       paramLabel = "FACTOR",
-      description = "Model: factor of the sky's radiance (1).")
+      description = "Factor of the sky's radiance (1).")
   private Optional<Double> skyIntensity;
 
   @Option(
       names = "--sky-rotation",
       paramLabel = "DEGREES",
-      description = "Model: rotation of the sky about the vertical axis (0).")
+      description = "Rotation of the sky about the vertical axis (0).")
   private Optional<Double> skyRotation;
 
-  @Option(names = "--ground", description = "Model: put it on an infinite gray floor.")
+  @Option(names = "--ground", description = "Put the model on an infinite gray floor.")
   private boolean ground;
 
   @Option(
       names = "--background",
       paramLabel = "COLOR",
-      description = "Model: show sky, transparent, or a color such as #ffffff behind it (sky).")
+      description = "Show sky, transparent, or a color such as #ffffff behind it (sky).")
   private Optional<String> background;
 
   @Option(
       names = "--pose",
       paramLabel = "NAME@SECONDS",
-      description = "Model: pose of an animation at a time (the rest pose).")
+      description = "Pose of an animation at a time (the rest pose).")
   private Optional<String> pose;
 
   @Option(
       names = "--variant",
       paramLabel = "NAME",
-      description = "Model: material variant to use (the default materials).")
+      description = "Material variant to use (the default materials).")
   private Optional<String> variant;
 
   @Option(
       names = "--up",
       paramLabel = "y|z",
-      description = "Model: axis that points up in STL, PLY and OBJ files (y).")
+      description = "Axis that points up in STL, PLY and OBJ files (y).")
   private Optional<String> up;
 
   @Option(
       names = "--unit",
       paramLabel = "LENGTH",
-      description = "Model: length of the unit of STL, PLY and OBJ files (1).")
+      description = "Length of the unit of STL, PLY and OBJ files (1).")
   private Optional<Double> unit;
 
   /**

@@ -13,6 +13,7 @@ import java.util.function.Predicate;
 public enum OutputContent {
   PICTURE("a PNG, JPEG, OpenEXR, PFM or HDR picture", ImageFormat::startsPicture),
   FILM("a checkpoint file", FilmFile::startsIn),
+  SCENE("a JSON scene", text(start -> start.contains("\"mainCameraId\""))),
   TRADE_PAGE(
       "a page of 'lumbre trade'",
       text(start -> start.startsWith("<!DOCTYPE html>") && start.contains("Speed for accuracy"))),

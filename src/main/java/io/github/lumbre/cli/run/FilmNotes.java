@@ -66,8 +66,7 @@ public final class FilmNotes {
     file.text()
         .ifPresent(
             text -> {
-              String json = new String(text.json(), StandardCharsets.UTF_8);
-              notes.put(SCENE_TEXT, json.replace("\n", " "));
+              notes.put(SCENE_TEXT, new String(text.json(), StandardCharsets.UTF_8));
               notes.put(SCENE_FOLDER, text.path().toAbsolutePath().getParent().toString());
             });
     FilmFiles.text(file.files()).ifPresent(text -> notes.put(FILES, text));

@@ -1,0 +1,117 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.cli.option.ModelFlags;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.lab.TextFile;
+import io.github.lumbre.parser.ModelSetup;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneText;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre import}: writes the scene that a model file gets when rendered by itself. */
+@Command(
+    name = "import",
+    header = "Write a scene file for a model, to edit.",
+    description =
+        "The scene is the one that 'lumbre render MODEL' renders with the same flags. It names the"
+            + " model file and does not copy it.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {"", "Example:", "  lumbre import helmet.glb --view iso -o helmet.json"},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:The scene is written",
+      "2:The command line is invalid",
+      "3:The model is missing or unreadable",
+      "4:The model cannot be decoded",
+      "5:A limit or the available memory is exceeded",
+      "6:The scene cannot be written",
+      "7:Internal error"
+    })
+final class ImportCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
+  private Path model;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "SCENE",
+      description =
+          "Scene file to write, in the folder of the model and the sky's picture or above it (the"
+              + " model's name with .json, beside the model).")
+  private Optional<Path> output;
+
+  @Mixin private ModelFlags flags = new ModelFlags();
+
+  @Mixin private OverwriteFlag overwrite;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, TaskException {
+    if (!ModelSetup.isModel(model)) {
+      throw failure(model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
+    }
+    Path target = output.orElseGet(this::beside);
+    ModelSetup setup = flags.setup(0);
+    Path folder = target.toAbsolutePath().normalize().getParent();
+    for (Path used : setup.files(model)) {
+      if (!used.startsWith(folder)) {
+        throw failure(
+            "--output: expected a scene file in a folder that contains "
+                + used
+                + ", found "
+                + target
+                + "; a scene may use only files in its own folder or below");
+      }
+    }
+    overwrite
+        .guard()
+        .reads(model, "the model")
+        .readsAssets(model, () -> assets(setup))
+        .writes("-o", target, OutputContent.SCENE)
+        .check();
+    try {
+      SceneText scene = setup.sceneIn(folder, model.toAbsolutePath().normalize(), flags.aspect());
+      // Report what is wrong with the scene now, not when it is rendered.
+      new SceneParser().parse(scene.json(), scene.path());
+      TextFile.write(target, scene.pretty() + "\n");
+    } catch (IOException e) {
+      throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+    return ExitCodes.OK;
+  }
+
+  private Path beside() {
+    String name = model.getFileName().toString();
+    return model.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".json");
+  }
+
+  private Set<Path> assets(ModelSetup setup) throws SceneFormatException, IOException {
+    SceneText scene = setup.sceneOf(model, flags.aspect());
+    return SceneParser.files(scene.json(), scene.path());
+  }
+
+  private ParameterException failure(String message) {
+    return new ParameterException(spec.commandLine(), message);
+  }
+}
