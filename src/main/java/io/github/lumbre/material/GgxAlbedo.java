@@ -69,7 +69,7 @@ final class GgxAlbedo {
     int steps = 256;
     for (int i = 0; i < steps; i++) {
       double mu = (i + .5) / steps;
-      sum += 2 * mu * (double) interpolated(table, mu, row) / steps;
+      sum += 2 * mu * interpolated(table, mu, row) / steps;
     }
     return sum;
   }
