@@ -158,12 +158,16 @@ final class SceneReader {
       root.object("renderOptions")
           .ifPresent(o -> o.warn("background", "is ignored, because the scene has a Dome"));
     } else {
-      Origin origin =
-          Origin.of(root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root));
       background.ifPresent(
           radiance ->
-              additions.add(new Addition(origin, Origin.NONE, s -> s.addBackground(radiance))));
+              additions.add(
+                  new Addition(
+                      Origin.of(backgroundNode()), Origin.NONE, b -> b.addBackground(radiance))));
     }
+  }
+
+  private JsonNode backgroundNode() {
+    return root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root);
   }
 
   /** Returns the scene; there must be no errors. */

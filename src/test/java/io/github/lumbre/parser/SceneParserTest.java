@@ -104,7 +104,7 @@ class SceneParserTest {
         "'type': 'Shape', 'shapeType': 'Ball'"
             + "|.shapeType: expected one of Sphere, Plane, Cube, Mesh, found 'Ball'",
         "'type': 'Shape'" + "|.shapeType: expected one of Sphere, Plane, Cube, Mesh, found nothing",
-        "'type': 'Thing'|.type: expected one of None, Camera, Shape, Light, found 'Thing'",
+        "'type': 'Thing'|.type: expected one of None, Camera, Shape, Model, Light, found 'Thing'",
         "'type': 'Light', 'intensity': 1, 'lightType': 'Sun'"
             + "|.lightType: expected one of Directional, Point, Spot, Ambient, Rectangle, Sphere,"
             + " Dome, found 'Sun'",
@@ -518,7 +518,7 @@ class SceneParserTest {
       value = {
         "'materialType': 'Velvet'"
             + "|.materialType: expected one of Diffuse, Color, Reflective, Refractive, None, Phong,"
-            + " CookTorrance, found 'Velvet'",
+            + " CookTorrance, MetallicRoughness, found 'Velvet'",
         "'materialType': 'Phong', 'exponent': -1"
             + "|.exponent: expected a finite number >= 0, found -1",
         "'materialType': 'CookTorrance', 'roughness': 1.5"
