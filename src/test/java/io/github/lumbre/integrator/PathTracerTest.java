@@ -15,7 +15,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
@@ -23,17 +25,22 @@ import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Scattering;
+import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -323,6 +330,182 @@ class PathTracerTest {
       assertThat(light.lightPdf() > 0).isEqualTo(samples);
     }
     assertThat(found).isBetween(SAMPLES / 2, SAMPLES);
+  }
+
+  /** Escaped rays are weighted against sampling the environment, but camera rays are not. */
+  @ParameterizedTest
+  @EnumSource(MisHeuristic.class)
+  void environmentsFoundByRaysAreWeightedAgainstLightSampling(MisHeuristic heuristic) {
+    Scene scene =
+        empty()
+            .add(floor(), matte(.5))
+            .add(EnvironmentLight.uniform(Rgb.grey(2)))
+            .add(EnvironmentLight.uniform(new Rgb(1, 2, 3)))
+            .build();
+    PathOptions options = PathOptions.toDepth(1).by(heuristic).by(LightSamplerKind.UNIFORM);
+    PathTracer tracer = new PathTracer(scene, options);
+    for (int sample = 0; sample < SAMPLES; sample++) {
+      radiance(tracer, lookingDownAt(.2), sample, recorded);
+      PathVertex end = recorder.vertices().get(1);
+      for (FoundLight light : end.contributions().get(0).lights()) {
+        boolean samples = heuristic != MisHeuristic.BSDF;
+        // Half of the light samples are of each environment, uniform over the sphere.
+        double lightPdf = samples ? .5 / (4 * Math.PI) : 0;
+        assertThat(light.lightPdf()).isCloseTo(lightPdf, rounding());
+        assertThat(light.misWeight())
+            .isCloseTo(samples ? heuristic.bsdfWeight(light.bsdfPdf(), lightPdf) : 1, rounding());
+      }
+    }
+    radiance(tracer, new Ray(Vec3.Y, Vec3.Y), 0, recorded);
+    for (FoundLight light : recorder.vertices().get(0).contributions().get(0).lights()) {
+      assertThat(light.lightPdf()).isZero();
+      assertThat(light.misWeight()).isEqualTo(1);
+      assertThat(light.bsdfPdf()).isInfinite();
+    }
+  }
+
+  /**
+   * Balls are sampled uniformly in a cone, so all branches that hit one straight from the split
+   * vertex have the same density of light sampling there.
+   */
+  @Test
+  void branchesAreWeightedAgainstLightSamplingAtTheSplitVertex() {
+    Scene scene =
+        empty()
+            .add(floor(), matte(.9))
+            .add(sphere(2, 1, 2, .9), matte(.9))
+            .addAreaLight(sphere(-.5, 1, 0, .7), glow(1))
+            .addAreaLight(sphere(1.5, 1, -.5, .7), glow(2))
+            .build();
+    int branches = 0;
+    for (LightSamplerKind kind : LightSamplerKind.values()) {
+      PathOptions options = PathOptions.toDepth(5).splitInto(6).by(kind);
+      PathTracer tracer = new PathTracer(scene, options);
+      for (int sample = 0; sample < SAMPLES; sample++) {
+        radiance(tracer, lookingDownAt(.2), sample, recorded);
+        double[] densities = {Double.NaN, Double.NaN};
+        int previous = -1;
+        for (PathVertex vertex : recorder.vertices().subList(1, recorder.vertices().size())) {
+          boolean isFirst = vertex.branch() != previous;
+          previous = vertex.branch();
+          if (isFirst && vertex.end() == End.EMITTER) {
+            FoundLight light = vertex.contributions().get(0).lights().get(0);
+            double known = densities[light.emitter()];
+            if (!Double.isNaN(known)) {
+              branches++;
+              assertThat(light.lightPdf()).isCloseTo(known, within(1e-9 * known));
+            }
+            densities[light.emitter()] = light.lightPdf();
+          }
+        }
+      }
+    }
+    assertThat(branches).isGreaterThan(SAMPLES);
+  }
+
+  /** Returns a floor at y = 0 whose vertex normals are tilted by 45°. */
+  private static Mesh tiltedFloor() {
+    double[] positions = {-9, 0, -9, 0, 0, 9, 9, 0, -9};
+    double[] normals = {1, 1, 0, 1, 1, 0, 1, 1, 0};
+    TriangleMesh data =
+        TriangleMesh.of(positions, normals, new double[0], new int[] {0, 1, 2});
+    return Mesh.baked(data, Transform.IDENTITY);
+  }
+
+  /**
+   * A path ends where its direction is below the surface, or by roulette. The light that was
+   * sampled there is recorded also if it was blocked.
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {0, 5})
+  void lightsOfLastVerticesAreRecorded(int firstRoulette) {
+    Scene scene =
+        empty()
+            .add(tiltedFloor(), matte(.5))
+            .add(sphere(0, 1, 0, .2), matte(.5))
+            .add(point(new Vec3(0, 2, 0), 1))
+            .build();
+    PathTracer tracer =
+        new PathTracer(scene, PathOptions.toDepth(5).rouletteFrom(firstRoulette));
+    Set<End> ends = EnumSet.noneOf(End.class);
+    for (int sample = 0; sample < SAMPLES; sample++) {
+      RenderContext context = RenderContext.recordedBy(recorder);
+      radiance(tracer, lookingDownAt(0), sample, context);
+      List<PathVertex> vertices = recorder.vertices();
+      assertThat(context.rays()).isEqualTo(vertices.size());
+      PathVertex last = vertices.get(vertices.size() - 1);
+      ends.add(last.end());
+      for (PathVertex vertex : vertices) {
+        assertThat(vertex.end() == End.CONTINUES).isEqualTo(vertex != last);
+        assertThat(vertex.contributions()).hasSize(vertex.end() == End.ESCAPED ? 0 : 1);
+      }
+      if (last.end() == End.ABSORBED) {
+        assertThat(last.scattered()).isEmpty();
+      }
+    }
+    assertThat(ends).contains(firstRoulette == 0 ? End.ROULETTE : End.ESCAPED, End.ABSORBED);
+  }
+
+  /** No random number is used for two purposes, and each has its own place within a vertex. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 3})
+  void numbersAreUsedOnce(int split) {
+    Scene scene =
+        empty()
+            .add(sphere(0, 0, 0, 1), matte(.9))
+            .add(sphere(.3, .3, 0, .2), glass(1.5))
+            .add(point(new Vec3(.5, 0, 0), 1))
+            .addAreaLight(sphere(-.3, 0, .3, .1), glow(1))
+            .build();
+    PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(8).splitInto(split));
+    boolean choosesLobes = false;
+    for (int sample = 0; sample < SAMPLES; sample++) {
+      UsedNumbers numbers = new UsedNumbers(sampler);
+      numbers.startSample(0, 0, sample);
+      tracer.radiance(INSIDE, numbers, recorded);
+      numbers.assertUsedAsAgreed();
+      boolean meetsGlass =
+          recorder.vertices().stream()
+              .anyMatch(v -> v.hit().isPresent() && v.hit().get().primitive() == 1);
+      boolean scattersThere =
+          recorder.vertices().stream()
+              .anyMatch(v -> !v.scattered().isEmpty() && v.hit().get().primitive() == 1);
+      assertThat(numbers.uses(Sampler.LOBE)).isEqualTo(meetsGlass && scattersThere);
+      choosesLobes |= scattersThere;
+      assertThat(numbers.uses(Sampler.DIRECTION)).isTrue();
+      assertThat(numbers.uses(Sampler.LIGHT_CHOICE)).isTrue();
+      assertThat(numbers.uses(Sampler.LIGHT_POINT)).isTrue();
+    }
+    assertThat(choosesLobes).isTrue();
+  }
+
+  /** A number equal to the probability of survival ends a path: numbers are below 1. */
+  @Test
+  void pathsSurviveOnNumbersBelowTheProbability() {
+    PathTracer tracer =
+        new PathTracer(furnace(Rgb.grey(.5)), PathOptions.toDepth(9).rouletteFrom(0));
+    for (double u : new double[] {0, Math.nextDown(.5), .5, .75}) {
+      Sampler constant =
+          new Sampler() {
+            @Override
+            public void startSample(int x, int y, int sample) {}
+
+            @Override
+            public void startPart(int part, int parts) {}
+
+            @Override
+            public double get1d(int dimension) {
+              return u;
+            }
+
+            @Override
+            public Point2 get2d(int dimension) {
+              return new Point2(.3, .6);
+            }
+          };
+      tracer.radiance(INSIDE, constant, recorded);
+      assertThat(recorder.vertices()).hasSize(u < .5 ? 10 : 1);
+    }
   }
 
   /** No light sampling finds what a mirror shows, so it keeps its full radiance. */

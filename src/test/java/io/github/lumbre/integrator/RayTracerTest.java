@@ -90,6 +90,8 @@ class RayTracerTest {
     assertThat(lights).extracting(FoundLight::emitter).containsExactly(-1, 0, 1, 2);
     assertThat(lights).allMatch(light -> light.misWeight() == 1 && !light.blocked());
     assertThat(lights.get(0).bsdfPdf()).isZero();
+    assertThat(lights.get(0).wi()).isEqualTo(Vec3.ZERO);
+    assertThat(lights.get(2).wi().minus(Vec3.Y).length()).isLessThan(1e-12);
     assertThat(lights.get(1).lightPdf()).isEqualTo(1);
     Ray sky = new Ray(Vec3.Y, Vec3.Y);
     plain.startSample();
@@ -164,14 +166,17 @@ class RayTracerTest {
     assertThat(seen).isEqualTo(Rgb.grey(3));
     PathVertex lamp = recorder.vertices().get(0);
     assertThat(lamp.end()).isEqualTo(End.EMITTER);
+    assertThat(lamp.contributions().get(0).amount()).isEqualTo(Rgb.grey(3));
     assertThat(lamp.hit().orElseThrow().position()).isEqualTo(Vec3.Y);
     assertThat(lamp.hit().orElseThrow().bsdf()).isEmpty();
     assertThat(lamp.contributions().get(0).lights().get(0).emitter()).isZero();
     assertThat(lamp.contributions().get(0).lights().get(0).bsdfPdf()).isInfinite();
+    assertThat(lamp.contributions().get(0).lights().get(0).wi()).isEqualTo(Vec3.Y);
     Ray sky = new Ray(Vec3.ZERO, Vec3.X);
     assertThat(radiance(tracer, sky, 0, recorded)).isEqualTo(new Rgb(1.5, 2.25, 7));
     PathVertex escaped = recorder.vertices().get(0);
     assertThat(escaped.end()).isEqualTo(End.ESCAPED);
+    assertThat(escaped.contributions().get(0).amount()).isEqualTo(new Rgb(1.5, 2.25, 7));
     assertThat(escaped.contributions().get(0).lights())
         .extracting(FoundLight::emitter)
         .containsExactly(1, 2);
@@ -239,18 +244,18 @@ class RayTracerTest {
               .mapToDouble(vertex -> vertex.throughput().r())
               .sum();
       assertThat(found).isCloseTo(escaped, within(1e-12));
-      // One path inside the ball sends one ray out at each of its vertices; later ones choose.
-      assertThat(context.rays()).isEqualTo(1 + 2 * Math.min(limit, 4) + Math.max(0, later(vertices)));
+      // The path inside the ball splits at its first four vertices and chooses at later ones.
+      assertThat(context.rays()).isEqualTo(vertices.size());
+      if (limit <= 5) {
+        assertThat(vertices).hasSize(1 + 2 * Math.min(limit, 4) + (limit == 5 ? 1 : 0));
+      } else {
+        assertThat(vertices.size()).isBetween(10, 9 + limit - 4);
+      }
       if (limit >= 4) {
         assertThat(found).isGreaterThan(.99);
       }
     }
     assertThat(radiance(new RayTracer(scene, 9, 0), AT_A_BALL, 0, plain)).isEqualTo(Rgb.BLACK);
-  }
-
-  /** Returns the number of rays that follow a vertex with only one direction. */
-  private static long later(List<PathVertex> vertices) {
-    return Math.max(0, vertices.size() - 9);
   }
 
   /** Reflectance and transmittance color the two rays of a split. */
@@ -302,6 +307,35 @@ class RayTracerTest {
   /** A surface seen from behind, as from the inside of glass. */
   private static Rectangle floorFacingDown() {
     return new Rectangle(TestScenes.at(0, 0, 0), 1e4, 1e4, true);
+  }
+
+  /** No random number is used for two purposes, and each has its own place within a vertex. */
+  @Test
+  void numbersAreUsedOnce() {
+    Glass rough =
+        new Glass(
+            Texture.constant(Rgb.WHITE),
+            Texture.constant(Rgb.WHITE),
+            ScalarTexture.constant(1.5),
+            ScalarTexture.constant(.3));
+    Scene scene =
+        empty()
+            .add(sphere(0, 0, 0, 1), rough)
+            .add(sphere(0, 0, 3, 1), glass(1.5))
+            .add(sphere(0, 3, 0, 1), matte(.5))
+            .addAreaLight(ceilingLamp(1, 1, 9), glow(3))
+            .addAreaLight(ceilingLamp(1, 1, 8), glow(3))
+            .add(point(new Vec3(4, 4, -4), 1))
+            .build();
+    for (Ray ray : List.of(AT_A_BALL, new Ray(new Vec3(.1, .2, 6), Vec3.Z.negated()))) {
+      for (int sample = 0; sample < 20; sample++) {
+        UsedNumbers numbers = new UsedNumbers(sampler);
+        numbers.startSample(0, 0, sample);
+        new RayTracer(scene, 3, 8).radiance(ray, numbers, plain);
+        numbers.assertUsedAsAgreed();
+        assertThat(numbers.count()).isGreaterThan(3);
+      }
+    }
   }
 
   /** Rough glass continues in one direction, up to the limit. */

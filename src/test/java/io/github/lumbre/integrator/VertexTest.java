@@ -10,6 +10,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.LightChoice;
@@ -20,12 +21,18 @@ import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.ImageTexture;
+import io.github.lumbre.texture.ImageTexture.Filter;
+import io.github.lumbre.texture.ImageTexture.Role;
+import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.UvMapping;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -47,6 +54,7 @@ class VertexTest {
 
   private final Vertex vertex = new Vertex();
   private final NearestHit hit = new NearestHit();
+  private final BsdfValue value = new BsdfValue();
 
   /** Moves the vertex to the origin of the plane y = 0, seen from a direction. */
   private void lookFrom(Vec3 from, Material material) {
@@ -69,7 +77,6 @@ class VertexTest {
     LightSample light = new LightSample();
     Vec3 lamp = wi.times(3);
     new PointLight(lamp, Rgb.WHITE, Falloff.INVERSE_SQUARE).sample(0, 0, 0, .5, .5, light);
-    BsdfValue value = new BsdfValue();
     vertex.evaluate(light, value);
     return value;
   }
@@ -93,6 +100,7 @@ class VertexTest {
         assertThat(valueOf(wi).r())
             .isCloseTo(scatters ? .5 / Math.PI * cosine : 0, within(1e-9));
       }
+      assertThat(valueOf(Vec3.X).r()).isZero();
     }
   }
 
@@ -141,6 +149,20 @@ class VertexTest {
       }
     }
     assertThat(below).isBetween(90, 99);
+  }
+
+  /** A normal map of one texel tilts the shading plane by the angle of the texel. */
+  @Test
+  void normalMapsTiltTheShadingPlane() {
+    Pixels texel = Pixels.of(1, 1, 3, new byte[] {(byte) 218, (byte) 128, (byte) 218});
+    NormalMap map =
+        new NormalMap(
+            new ImageTexture(texel, Role.NORMAL, Filter.NEAREST), new UvMapping(0, 0, 1, 1), 1);
+    lookFrom(direction(20), matte(.5));
+    Vec3 before = vertex.surface().shadingNormal();
+    lookFrom(direction(20), new NormalMapped(matte(.5), map));
+    double cosine = vertex.surface().shadingNormal().dot(before);
+    assertThat(Math.toDegrees(Math.acos(cosine))).isCloseTo(45, within(1.0));
   }
 
   /** Of two equal lights, opaque surfaces sample mostly the one on the viewer's side. */
