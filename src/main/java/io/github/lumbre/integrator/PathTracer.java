@@ -148,6 +148,9 @@ public final class PathTracer implements Integrator {
 
     // Add emission. An emitter scatters nothing.
     if (emits) {
+      if (context.isRecorded) {
+        context.listener.surfaceHit(hit.shape(), surface);
+      }
       addEmission(primitive.emission().get(), surface, context);
       return end(End.EMITTER, context);
     }
