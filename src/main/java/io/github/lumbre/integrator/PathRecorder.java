@@ -153,6 +153,7 @@ public final class PathRecorder implements PathListener {
     at.scattered.add(
         new Scattering(sample.wi(), sample.weight(), sample.pdf(), survival, survives));
     if (!survives && !isAtSplit) {
+      last.add(Rgb.BLACK);
       last.end = End.ROULETTE;
     }
   }

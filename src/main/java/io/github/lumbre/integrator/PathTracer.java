@@ -168,6 +168,9 @@ public final class PathTracer implements Integrator {
 
     // Add emission. Most emitters scatter nothing.
     if (emits) {
+      if (context.isRecorded) {
+        context.listener.surfaceHit(hit.shape(), surface);
+      }
       addEmission(primitive.emission().get(), surface, context);
       if (depth == maxDepth || !primitive.scatters()) {
         return end(End.EMITTER, context);

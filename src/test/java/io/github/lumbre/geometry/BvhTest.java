@@ -14,6 +14,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -28,7 +29,7 @@ class BvhTest {
     for (int seed = 0; seed < 5; seed++) {
       Random random = new Random(Effort.seed(seed));
       List<Shape> shapes = Shapes.zoo(random, 10 + 20 * seed);
-      int rays = Effort.count(10_000, 200_000);
+      int rays = Effort.brief(Effort.count(10_000, 200_000));
       assertSameAsBruteForce(kernel, shapes, random, rays, AROUND);
     }
   }
@@ -77,7 +78,7 @@ class BvhTest {
     NearestHit found = new NearestHit();
     NearestHit expected = new NearestHit();
     Vec3[] axes = {Vec3.X, Vec3.Y, Vec3.Z};
-    for (int i = 0; i < 5000; i++) {
+    for (int i = 0; i < Effort.brief(5000); i++) {
       Vec3 a = data.position(random.nextInt(data.vertexCount()));
       Vec3 b = data.position(random.nextInt(data.vertexCount()));
       Vec3 axis = axes[random.nextInt(3)];
@@ -105,7 +106,7 @@ class BvhTest {
     Bvh bvh = Bvh.over(tiles, kernel);
     NearestHit found = new NearestHit();
     NearestHit expected = new NearestHit();
-    for (int i = 0; i < 5000; i++) {
+    for (int i = 0; i < Effort.brief(5000); i++) {
       // Half-integers are on borders, integers are in planes.
       Vec3 origin =
           new Vec3(.5 * random.nextInt(18) - 1, random.nextInt(5) - 1, .5 * random.nextInt(18) - 1);
@@ -169,6 +170,7 @@ class BvhTest {
   }
 
   @Test
+  @DisabledIfSystemProperty(named = Effort.BRIEF, matches = "true")
   void identicalTrianglesMakeATreeOfBoundedDepth() {
     int[] f = new int[3 * 200_000];
     for (int i = 0; i < f.length; i++) {
@@ -254,7 +256,7 @@ class BvhTest {
   void sharedEdgesBelongToTheLowestElement() {
     int side = 8;
     Random random = new Random(7);
-    for (int order = 0; order < 10; order++) {
+    for (int order = 0; order < Math.max(1, Effort.brief(10)); order++) {
       Mesh grid = Mesh.baked(shuffledGrid(side, random), Transform.IDENTITY);
       List<Mesh> triangles = Shapes.singly(grid);
       for (Kernel kernel : Kernel.values()) {
@@ -300,7 +302,7 @@ class BvhTest {
     Bvh bvh = Bvh.over(Shapes.zoo(random, 60));
     NearestHit nearest = new NearestHit();
     NearestHit scratch = new NearestHit();
-    for (int i = 0; i < Effort.count(10_000, 1_000_000); i++) {
+    for (int i = 0; i < Effort.brief(Effort.count(10_000, 1_000_000)); i++) {
       Ray ray = Shapes.ray(random, AROUND);
       if (bvh.intersect(ray, nearest)) {
         for (double end : new double[] {.5 * nearest.t(), nearest.t(), Math.nextUp(nearest.t())}) {
@@ -328,7 +330,7 @@ class BvhTest {
       Bvh scaledBvh = Bvh.over(scaled);
       NearestHit a = new NearestHit();
       NearestHit b = new NearestHit();
-      for (int i = 0; i < 3000; i++) {
+      for (int i = 0; i < Effort.brief(3000); i++) {
         Ray ray = new Ray(Shapes.point(random, 6), Shapes.direction(random));
         Ray scaledRay = new Ray(ray.origin().times(scale), ray.direction());
         assertThat(scaledBvh.intersect(scaledRay, b)).isEqualTo(plainBvh.intersect(ray, a));

@@ -88,7 +88,7 @@ class FlatShapesTest {
     double sin = Math.sqrt((1 - cos) * (1 + cos));
     double worstDistance = 0;
     double worstPosition = 0;
-    for (int i = 0; i < Effort.count(2000, 200_000); i++) {
+    for (int i = 0; i < Effort.brief(Effort.count(2000, 200_000)); i++) {
       Transform place = Shapes.rotation(random);
       Vec3 normal = place.normal(Vec3.Y);
       Vec3 along = place.vector(Vec3.X);

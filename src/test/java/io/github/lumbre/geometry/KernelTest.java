@@ -14,6 +14,7 @@ import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -81,10 +82,10 @@ class KernelTest {
       Random random = new Random(seed);
       Pair pair = Pair.over(Shapes.zoo(random, 4 + 30 * seed));
       int hits = 0;
-      for (int i = 0; i < 5000; i++) {
+      for (int i = 0; i < Effort.brief(5000); i++) {
         hits += assertSameAround(pair, Shapes.ray(random, AROUND), random);
       }
-      assertThat(hits).isGreaterThan(100);
+      assertThat(hits).isGreaterThan(Effort.brief(100));
     }
   }
 
@@ -98,11 +99,11 @@ class KernelTest {
             Shapes.closedBall(40, 60, .2, true), Transform.scale(new Vec3(scale, scale, scale)));
     Pair pair = Pair.over(List.of(mesh));
     int hits = 0;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < Effort.brief(3000); i++) {
       Vec3 origin = Shapes.point(random, 2 * scale);
       hits += assertSameAround(pair, new Ray(origin, Shapes.direction(random)), random);
     }
-    assertThat(hits).isGreaterThan(300);
+    assertThat(hits).isGreaterThan(Effort.brief(300));
   }
 
   @ParameterizedTest
@@ -111,7 +112,7 @@ class KernelTest {
     Random random = new Random(1);
     Pair pair = Pair.over(List.of(ball(Transform.IDENTITY)));
     int hits = 0;
-    for (int i = 0; i < 2000; i++) {
+    for (int i = 0; i < Effort.brief(2000); i++) {
       Vec3 origin = Shapes.direction(random).times(distance);
       Vec3 direction = Shapes.point(random, .8).minus(origin);
       hits += assertSameAround(pair, new Ray(origin, direction), random);
@@ -119,7 +120,7 @@ class KernelTest {
       assertSame(pair, new Ray(origin, Shapes.direction(random)));
       assertSame(pair, new Ray(Shapes.point(random, 1), direction, .5));
     }
-    assertThat(hits).isGreaterThan(1000);
+    assertThat(hits).isGreaterThan(Effort.brief(1000));
   }
 
   @ParameterizedTest
@@ -129,11 +130,11 @@ class KernelTest {
     Vec3 centre = Shapes.direction(random).times(distance);
     Pair pair = Pair.over(List.of(ball(Transform.translation(centre))));
     int hits = 0;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < Effort.brief(3000); i++) {
       Vec3 origin = centre.plus(Shapes.point(random, 2));
       hits += assertSameAround(pair, new Ray(origin, Shapes.direction(random)), random);
     }
-    assertThat(hits).isGreaterThan(300);
+    assertThat(hits).isGreaterThan(Effort.brief(300));
   }
 
   @ParameterizedTest
@@ -141,7 +142,7 @@ class KernelTest {
   void hitsOfRaysWithVeryShortOrLongDirectionsAreTheSame(int exponent) {
     Random random = new Random(3);
     Pair pair = Pair.over(List.of(ball(Transform.IDENTITY)));
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < Effort.brief(1000); i++) {
       Vec3 direction = Shapes.direction(random).times(Math.scalb(1.0, exponent));
       assertSame(pair, new Ray(Shapes.point(random, 2), direction));
       assertSame(pair, new Ray(Shapes.point(random, 2), direction, Math.scalb(1.0, -exponent)));
@@ -156,7 +157,7 @@ class KernelTest {
     Transform place =
         Transform.translation(new Vec3(1, 2, 3)).times(Transform.scale(new Vec3(tiny, tiny, tiny)));
     Pair pair = Pair.over(List.of(room, ball(place)));
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < Effort.brief(1000); i++) {
       Vec3 near = place.point(Shapes.point(random, 1));
       Vec3 origin = Shapes.point(random, 3);
       assertSameAround(pair, new Ray(near, Shapes.direction(random)), random);
@@ -181,7 +182,7 @@ class KernelTest {
     TriangleMesh data = TriangleMesh.of(p, new double[0], new double[0], indices);
     Pair pair = Pair.over(List.of(Mesh.baked(data, Transform.IDENTITY)));
     int hits = 0;
-    for (int i = 0; i < 5000; i++) {
+    for (int i = 0; i < Effort.brief(5000); i++) {
       Vec3 a = data.position(random.nextInt(data.vertexCount()));
       Vec3 b = data.position(random.nextInt(data.vertexCount()));
       Vec3 axis = AXES[random.nextInt(3)];
@@ -192,7 +193,7 @@ class KernelTest {
         hits += assertSameAround(pair, new Ray(b.plus(.5, Vec3.Y), a.minus(b)), random);
       }
     }
-    assertThat(hits).isGreaterThan(1000);
+    assertThat(hits).isGreaterThan(Effort.brief(1000));
   }
 
   @Test
@@ -209,12 +210,12 @@ class KernelTest {
     }
     Pair pair = Pair.over(shapes);
     int hits = 0;
-    for (int i = 0; i < 5000; i++) {
+    for (int i = 0; i < Effort.brief(5000); i++) {
       Vec3 origin = Shapes.point(random, 2);
       Ray ray = new Ray(origin, Shapes.point(random, 1).minus(origin).normalized());
       hits += assertSameAround(pair, ray, random);
     }
-    assertThat(hits).isGreaterThan(300);
+    assertThat(hits).isGreaterThan(Effort.brief(300));
   }
 
   /**
@@ -230,7 +231,7 @@ class KernelTest {
       TriangleMesh data = triangles(random, 60);
       Mesh mesh = Mesh.baked(data, Transform.IDENTITY);
       Pair pair = Pair.over(List.of(mesh));
-      for (int i = 0; i < 5000; i++) {
+      for (int i = 0; i < Effort.brief(5000); i++) {
         int triangle = random.nextInt(data.triangleCount());
         Vec3 origin = inPlane(data, triangle, 6 * random.nextDouble() - 3, 6 * random.nextDouble());
         Vec3 target = inPlane(data, triangle, random.nextDouble(), random.nextDouble());
@@ -246,7 +247,7 @@ class KernelTest {
         }
       }
     }
-    assertThat(hits).isGreaterThan(250 * rounds);
+    assertThat(hits).isGreaterThan(Effort.brief(250) * rounds);
   }
 
   /** Returns triangles in a cube, with edges from 2^-40 to 1; most of them are slivers. */
@@ -282,7 +283,7 @@ class KernelTest {
     Bvh scalar = Bvh.over(shapes, Kernel.SCALAR);
     Bvh counting = Bvh.counting(shapes, visits);
     int hits = 0;
-    for (int i = 0; i < 5000; i++) {
+    for (int i = 0; i < Effort.brief(5000); i++) {
       Ray ray = Shapes.ray(random, AROUND);
       boolean isHit = scalar.intersect(ray, byPlainJava);
       assertThat(counting.intersect(ray, counted)).as("hit of %s", ray).isEqualTo(isHit);
@@ -294,9 +295,9 @@ class KernelTest {
       }
       assertThat(counting.isOccluded(ray, counted)).isEqualTo(isHit);
     }
-    assertThat(hits).isGreaterThan(100);
+    assertThat(hits).isGreaterThan(Effort.brief(100));
     // For 2400 triangles and 60 shapes, a traversal visits a few dozen nodes.
-    assertThat(visits.sum() / 10_000.0).isBetween(3.0, 60.0);
+    assertThat(visits.sum() / (2.0 * Effort.brief(5000))).isBetween(3.0, 60.0);
   }
 
   private static Mesh ball(Transform place) {
@@ -305,6 +306,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource(Kernel.class)
+  @DisabledIfSystemProperty(named = Effort.BRIEF, matches = "true")
   void searchingAllocatesNothing(Kernel kernel) throws ReflectiveOperationException {
     assumeTrue(kernel != Kernel.VECTOR || Kernel.vectorObstacle().isEmpty());
     Random random = new Random(7);
@@ -329,6 +331,7 @@ class KernelTest {
   }
 
   @Test
+  @DisabledIfSystemProperty(named = Effort.BRIEF, matches = "true")
   void treesDoNotDependOnTheNumberOfThreads() {
     TriangleMesh data = Shapes.closedBall(160, 200, .2, false);
     List<Shape> shapes = new ArrayList<>(Shapes.zoo(new Random(8), 70));

@@ -86,7 +86,7 @@ class MeshTest {
     TriangleMesh facets = Shapes.closedBall(8, 12, .2, false);
     Random random = new Random(1);
     for (TriangleMesh data : List.of(smooth, facets)) {
-      for (int i = 0; i < 500; i++) {
+      for (int i = 0; i < Effort.brief(500); i++) {
         Vec3 from = Shapes.direction(random);
         Vec3 to = Shapes.point(random, .3);
         Vec3 origin = from.times(3);
@@ -121,7 +121,7 @@ class MeshTest {
     SharedMesh shared = new SharedMesh(data);
     Random random = new Random(2);
     int hits = 0;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < Effort.brief(3000); i++) {
       Transform place = Shapes.placement(random, 3, 4);
       place = i % 2 == 0 ? place : place.times(MIRROR);
       Vec3 origin = Shapes.point(random, 6);
@@ -145,7 +145,7 @@ class MeshTest {
         assertThat(bend.length()).isLessThan(1e-9);
       }
     }
-    assertThat(hits).isGreaterThan(2000);
+    assertThat(hits).isGreaterThan(Effort.brief(2000));
   }
 
   @Test
@@ -203,7 +203,7 @@ class MeshTest {
   @ValueSource(doubles = {1e-3, 1e-6, 1e-9, 1e-12})
   void sliversAreHitWhereExactArithmeticSaysSo(double width) {
     Random random = new Random(Effort.seed(3));
-    int rays = Effort.count(1500, 100_000);
+    int rays = Effort.brief(Effort.count(1500, 100_000));
     int hits = 0;
     int decided = 0;
     for (int i = 0; i < rays; i++) {

@@ -8,6 +8,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Effort;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.List;
 import java.util.Optional;
@@ -77,7 +78,7 @@ class ShapeSamplingTest {
       Mean drawn = new Mean();
       Mean expectedSolidAngle = new Mean();
       Mean expectedDrawn = new Mean();
-      for (int i = 0; i < 40_000; i++) {
+      for (int i = 0; i < Effort.brief(40_000); i++) {
         SurfaceSample sample = shape.sample(reference, Shapes.square(random));
         boolean isVisible = sample.pdf() > 0 && isVisible(shape, reference, sample);
         // The weights of points seen edge-on are unbounded; clamping them allows a test of the
@@ -154,7 +155,7 @@ class ShapeSamplingTest {
   private static Mean irradiance(Shape shape, Vec3 reference, Vec3 normal) {
     Random random = new Random(3);
     Mean mean = new Mean();
-    for (int i = 0; i < 20_000; i++) {
+    for (int i = 0; i < Effort.brief(20_000); i++) {
       SurfaceSample sample = shape.sample(reference, Shapes.square(random));
       double cos = sample.position().minus(reference).normalized().dot(normal);
       mean.add(sample.pdf() > 0 ? Math.max(0, cos) / sample.pdf() : 0);

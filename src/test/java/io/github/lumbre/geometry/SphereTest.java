@@ -31,7 +31,7 @@ class SphereTest {
   @Test
   void raysFromInsideHitOnce() {
     Random random = new Random(Effort.seed(3));
-    for (int i = 0; i < Effort.count(50_000, 1_000_000); i++) {
+    for (int i = 0; i < Effort.brief(Effort.count(50_000, 1_000_000)); i++) {
       Vec3 origin = Shapes.direction(random).times(random.nextDouble() * (1 - 1e-12));
       Ray ray = new Ray(origin, Shapes.direction(random));
       double t = Shapes.distance(UNIT, ray);
@@ -69,7 +69,7 @@ class SphereTest {
   void tangentRaysOfAnyDirectionHitWithinTheUlpOfTheirDistance(double distance) {
     Random random = new Random(Effort.seed(11));
     double least = 16 * (1 + distance);
-    for (int i = 0; i < Effort.count(20_000, 1_000_000); i++) {
+    for (int i = 0; i < Effort.brief(Effort.count(20_000, 1_000_000)); i++) {
       double ulp = least * (1 + 15 * random.nextDouble());
       assertThat(Shapes.distance(UNIT, passing(random, distance, 1 + ulp * EPS))).isNaN();
       double t = Shapes.distance(UNIT, passing(random, distance, 1 - ulp * EPS));
@@ -120,7 +120,7 @@ class SphereTest {
     Transform place = Shapes.placement(random, 3, 4);
     for (Sphere sphere : new Sphere[] {UNIT, new Sphere(place, 2)}) {
       Vec3 centre = sphere.bounds().centre();
-      for (int i = 0; i < Effort.count(20_000, 1_000_000); i++) {
+      for (int i = 0; i < Effort.brief(Effort.count(20_000, 1_000_000)); i++) {
         Vec3 from = Shapes.direction(random);
         Ray ray = new Ray(centre.plus(20, from), from.negated());
         assertOrthonormal(Shapes.hit(sphere, ray).orElseThrow().shading());

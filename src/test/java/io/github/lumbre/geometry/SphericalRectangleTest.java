@@ -8,6 +8,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.Statistics;
 import io.github.lumbre.texture.TexturePoint;
@@ -33,7 +34,7 @@ class SphericalRectangleTest {
   @Test
   void solidAngleIsTheSumOfItsCorners() {
     Random random = new Random(11);
-    for (int i = 0; i < 100_000; i++) {
+    for (int i = 0; i < Effort.brief(100_000); i++) {
       double x0 = random.nextGaussian();
       double y0 = random.nextGaussian();
       double x1 = x0 + 2 * random.nextDouble();

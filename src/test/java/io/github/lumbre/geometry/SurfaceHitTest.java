@@ -29,7 +29,7 @@ class SurfaceHitTest {
   void raysThatLeaveDoNotMeetTheSurfaceAgain(double size) {
     Random random = new Random(Effort.seed(7));
     Spawned spawned = new Spawned();
-    for (int i = 0; i < Effort.count(1200, 10_000); i++) {
+    for (int i = 0; i < Effort.brief(Effort.count(1200, 10_000)); i++) {
       double offset = size * StrictMath.pow(10, random.nextInt(7) - 2);
       Transform place = placed(random, size, offset);
       for (Shape shape : convexShapes(place, size)) {
@@ -37,7 +37,7 @@ class SurfaceHitTest {
       }
     }
     Figures.failures("re-hits of the surface that is left", spawned.rays, spawned.rehits);
-    assertThat(spawned.hits).isGreaterThan(3000);
+    assertThat(spawned.hits).isGreaterThan(Effort.brief(3000));
     assertThat(spawned.first).isEmpty();
   }
 
@@ -106,7 +106,7 @@ class SurfaceHitTest {
     for (double scale = 1e-8; scale < 1e9; scale *= 10) {
       Sphere sphere = new Sphere(Transform.translation(Shapes.point(random, 5 * scale)), scale);
       Vec3 centre = sphere.bounds().centre();
-      for (int i = 0; i < Effort.count(300, 50_000); i++) {
+      for (int i = 0; i < Effort.brief(Effort.count(300, 50_000)); i++) {
         Vec3 from = Shapes.direction(random);
         SurfaceHit hit =
             Shapes.hit(sphere, new Ray(centre.plus(3 * scale, from), from.negated())).orElseThrow();
@@ -144,7 +144,7 @@ class SurfaceHitTest {
   void shadowRaysEndBeforeSkewedSpheres(double distance) {
     Random random = new Random(Effort.seed(12));
     int sampled = 0;
-    for (int i = 0; i < Effort.count(5000, 500_000); i++) {
+    for (int i = 0; i < Effort.brief(Effort.count(5000, 500_000)); i++) {
       Transform skew = Transform.scale(new Vec3(1e-3, 1, 1e3)).times(Shapes.rotation(random));
       Shape sphere = new Sphere(skew, 1);
       Vec3 normal = Shapes.direction(random);
@@ -164,7 +164,7 @@ class SurfaceHitTest {
   @Test
   void shadowRaysEndBeforeTheSampledSurface() {
     Random random = new Random(Effort.seed(10));
-    for (int i = 0; i < Effort.count(2000, 200_000); i++) {
+    for (int i = 0; i < Effort.brief(Effort.count(2000, 200_000)); i++) {
       Transform place = placed(random, 1, 1000);
       List<Shape> shapes = new ArrayList<>(convexShapes(place, 1));
       shapes.removeIf(Plane.class::isInstance);

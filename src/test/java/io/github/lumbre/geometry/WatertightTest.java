@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** No ray passes between the triangles of a closed mesh. */
 class WatertightTest {
   /** The number of targets: a third each are random points, on edges and at vertices. */
-  private static final int TARGETS = Effort.count(40_000, 30_000_000);
+  private static final int TARGETS = Effort.brief(Effort.count(40_000, 30_000_000));
 
   private static final TriangleMesh BALL = Shapes.closedBall(16, 16, .2, false);
 

@@ -119,6 +119,7 @@ class PathRecorderTest {
       Rgb expected = vertex.throughput().times(light);
       Rgb amount = contribution.amount();
       assertThat(amount.r()).isCloseTo(expected.r(), within(expected));
+      assertThat(amount.g()).isCloseTo(expected.g(), within(expected));
       assertThat(amount.b()).isCloseTo(expected.b(), within(expected));
     }
   }

@@ -21,6 +21,7 @@ import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 
 /** Tests which pixels the adaptive schedule selects, and that the picture is unbiased. */
 class AdaptiveScheduleTest {
@@ -175,6 +176,7 @@ class AdaptiveScheduleTest {
    * standard errors. The test fails by chance once in 16,000 seeds.
    */
   @Test
+  @DisabledIfSystemProperty(named = Effort.BRIEF, matches = "true")
   void rareBrightSamplesLoseNothing() throws InterruptedException {
     int renders = Effort.count(300, 6_000);
     double sum = 0;

@@ -39,6 +39,32 @@ class PixelHalvesTest {
     assertThat(halves.relativeSquaredError()).isCloseTo(expected, within(1e-9 * expected));
   }
 
+  /**
+   * The cautious error divides by m √(m1 m2) plus a floor, for the smaller mean m: it does not
+   * depend on the order of halves of equal size, and is not below the other estimate.
+   */
+  @Test
+  void cautiousErrorDividesByTheSmallerMean() {
+    double[] means = {0, .01, 1, 4, 9};
+    for (double m1 : means) {
+      for (double m2 : means) {
+        PixelHalves halves = new PixelHalves(4, new Rgb(m1, 0, 0), 4, new Rgb(m2, 0, 0));
+        PixelHalves turned = new PixelHalves(4, new Rgb(0, m2, 0), 4, new Rgb(0, m1, 0));
+        PixelHalves blue = new PixelHalves(4, new Rgb(0, 0, m1), 4, new Rgb(0, 0, m2));
+        double divisor = Math.min(m1, m2) * Math.sqrt(m1 * m2) + PixelHalves.FLOOR;
+        double expected = (m1 - m2) * (m1 - m2) / 4 / divisor / 3;
+        assertThat(halves.cautiousSquaredError()).isCloseTo(expected, within(1e-12));
+        assertThat(turned.cautiousSquaredError()).isCloseTo(expected, within(1e-12));
+        assertThat(blue.cautiousSquaredError()).isCloseTo(expected, within(1e-12));
+        assertThat(halves.cautiousSquaredError())
+            .isGreaterThanOrEqualTo(halves.relativeSquaredError() - 1e-12);
+      }
+    }
+    PixelHalves negative = new PixelHalves(1, Rgb.grey(1), 1, Rgb.grey(-1e-6));
+    assertThat(negative.cautiousSquaredError())
+        .isCloseTo(.25 / PixelHalves.FLOOR, within(1e-3));
+  }
+
   /** Uniform numbers around 100 have the variance 1/12, and the mean of n of them has 1/(12 n). */
   @Test
   void errorIsUnbiasedForIndependentSamples() {

@@ -12,6 +12,13 @@ public final class Effort {
   public static final String EXHAUSTIVE = "exhaustive";
 
   private static final boolean IS_EXHAUSTIVE = Boolean.getBoolean("lumbre.exhaustive");
+  /**
+   * The system property that makes tests brief, so that they can judge each of many mutants of the
+   * program.
+   */
+  public static final String BRIEF = "lumbre.brief";
+
+  private static final boolean IS_BRIEF = Boolean.getBoolean(BRIEF);
   private static final String SEED = "lumbre.seed";
   private static final long RUN = run();
 
@@ -35,6 +42,14 @@ public final class Effort {
   /** Returns the number of rays, samples or cases of a test. */
   public static int count(int quick, int exhaustive) {
     return IS_EXHAUSTIVE ? exhaustive : quick;
+  }
+
+  /**
+   * Returns a number of rays, samples or expected hits: a twentieth of the given number in brief
+   * tests, otherwise that number.
+   */
+  public static int brief(int usual) {
+    return IS_BRIEF ? usual / 20 : usual;
   }
 
   /** Returns the seed of a test: the given one in a quick build. */

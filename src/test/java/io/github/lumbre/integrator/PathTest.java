@@ -1,0 +1,64 @@
+package io.github.lumbre.integrator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.image.Rgb;
+import org.junit.jupiter.api.Test;
+
+/** Tests the sums of one path. */
+class PathTest {
+  private final Path path = new Path();
+
+  @Test
+  void newPathsHaveNoLightAndAreWhite() {
+    path.begin();
+    path.add(1, 2, 3);
+    path.scale(.5, .25, .125);
+    path.leave(7);
+    path.split(3, 2);
+    path.begin();
+    assertThat(path.radiance()).isEqualTo(Rgb.BLACK);
+    assertThat(path.throughput()).isEqualTo(1);
+    assertThat(path.pdf()).isInfinite();
+    assertThat(path.isSplit()).isFalse();
+  }
+
+  @Test
+  void lightIsMultipliedByTheProductOfAllWeights() {
+    path.begin();
+    path.add(1, 2, 4);
+    path.scale(.5, .25, .125);
+    path.add(8, 8, 8);
+    path.scale(.5, 4, 2);
+    path.add(1, 1, 1);
+    assertThat(path.radiance()).isEqualTo(new Rgb(1 + 4 + .25, 2 + 2 + 1, 4 + 1 + .25));
+    assertThat(path.throughput()).isEqualTo(1);
+    path.scale(.5, .125, .25);
+    assertThat(path.throughput()).isEqualTo(.125);
+    path.scale(1, 1, 64);
+    assertThat(path.throughput()).isEqualTo(4);
+    path.leave(7);
+    assertThat(path.pdf()).isEqualTo(7);
+  }
+
+  /** All branches together find what one path finds. */
+  @Test
+  void branchesShareTheThroughput() {
+    for (int branches = 1; branches <= 8; branches *= 2) {
+      path.begin();
+      path.scale(.5, 2, .125);
+      path.add(1, 1, 1);
+      path.split(5, branches);
+      assertThat(path.isSplit()).isEqualTo(branches > 1);
+      for (int branch = 0; branch < branches; branch++) {
+        assertThat(path.returnToSplit()).isEqualTo(5);
+        // Branches end by roulette as often as paths that are not split.
+        assertThat(path.throughput()).isEqualTo(2);
+        path.add(1, 1, 1);
+        path.scale(.5, .5, .5);
+        path.add(2, 4, 6);
+      }
+      assertThat(path.radiance()).isEqualTo(new Rgb(.5 * 3, 2 * 4, .125 * 5));
+    }
+  }
+}
