@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 
@@ -15,14 +16,14 @@ final class Rotations {
    */
   static Vec3 degrees(Frame axes) {
     Vec3 forward = axes.normal();
-    double pitch = Math.toDegrees(StrictMath.asin(Math.max(-1, Math.min(1, -forward.y()))));
+    double pitch = Math.toDegrees(Elementary.asin(Math.max(-1, Math.min(1, -forward.y()))));
     double yaw;
     double roll;
     if (Math.abs(forward.y()) < 1 - 1e-12) {
-      yaw = Math.toDegrees(StrictMath.atan2(forward.x(), forward.z()));
-      roll = Math.toDegrees(StrictMath.atan2(axes.tangent().y(), axes.bitangent().y()));
+      yaw = Math.toDegrees(Elementary.atan2(forward.x(), forward.z()));
+      roll = Math.toDegrees(Elementary.atan2(axes.tangent().y(), axes.bitangent().y()));
     } else {
-      yaw = Math.toDegrees(StrictMath.atan2(-axes.tangent().z(), axes.tangent().x()));
+      yaw = Math.toDegrees(Elementary.atan2(-axes.tangent().z(), axes.tangent().x()));
       roll = 0;
     }
     return new Vec3(pitch, yaw, roll);

@@ -159,7 +159,11 @@ final class SceneReader {
           .ifPresent(o -> o.warn("background", "is ignored, because the scene has a Dome"));
     } else {
       Origin origin =
-          Origin.of(root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root));
+          Origin.of(
+              root.object("renderOptions")
+                  .flatMap(o -> o.find("background"))
+                  .filter(JsonNode::isObject)
+                  .orElse(root));
       background.ifPresent(
           radiance ->
               additions.add(new Addition(origin, Origin.NONE, s -> s.addBackground(radiance))));
