@@ -4,14 +4,17 @@ import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
 
 /**
- * Finds the surface where a ray scatters in a scene with partly transparent surfaces. At each of
- * them, the ray passes at random with a probability that its transmittance gives, and the factor by
- * which the path's throughput changes keeps the mean. Mutable; each thread reuses one instance.
+ * Finds the surface where a ray scatters in a scene with partly transparent surfaces or absorbing
+ * media. At each transparent surface, the ray passes at random with a probability that its
+ * transmittance gives, and the factor by which the path's throughput changes keeps the mean. A
+ * medium absorbs along the ray up to the back of its boundary. Mutable; each thread reuses one
+ * instance.
  */
 final class Passing {
   /** A ray that passes more surfaces ends. */
@@ -31,19 +34,29 @@ final class Passing {
     green = 1;
     blue = 1;
     rays = 0;
+    double length = 0;
     for (int layer = 0; layer <= MAX_LAYERS; layer++) {
       Material material = scene.primitiveAt(hit).material();
-      if (material.isOpaque()) {
+      length += hit.t();
+      boolean endsMedium = !material.absorption().isBlack();
+      if (material.isOpaque() && !endsMedium) {
         return true;
       }
       SurfaceHit surface = scene.surfaceAt(hit);
+      if (endsMedium) {
+        scale(absorbed(material, surface, length));
+        length = 0;
+      }
+      if (material.isOpaque()) {
+        return true;
+      }
       Rgb passed = material.transmittance(surface);
       double probability = Math.min(1, passed.max());
       if (sampler.get1d(Sampler.passing(vertex, layer)) >= probability) {
-        scale(1 / (1 - probability), 1 / (1 - probability), 1 / (1 - probability));
+        scale(Rgb.grey(1 / (1 - probability)));
         return true;
       }
-      scale(passed.r() / probability, passed.g() / probability, passed.b() / probability);
+      scale(passed.times(1 / probability));
       Vec3 direction = hit.direction();
       surface.spawn(direction.x(), direction.y(), direction.z(), hit);
       rays++;
@@ -51,14 +64,34 @@ final class Passing {
         return false;
       }
     }
-    scale(0, 0, 0);
+    scale(Rgb.BLACK);
     return true;
   }
 
-  private void scale(double r, double g, double b) {
-    red *= r;
-    green *= g;
-    blue *= b;
+  private void scale(Rgb factor) {
+    red *= factor.r();
+    green *= factor.g();
+    blue *= factor.b();
+  }
+
+  /**
+   * Returns the fraction of light that the medium behind a surface leaves over a distance, if the
+   * ray comes from there (Beer 1852; PBRT 4e, sec. 11.2); white if it comes from the front.
+   */
+  static Rgb absorbed(Material material, SurfaceHit surface, double length) {
+    Rgb absorption = material.absorption();
+    return absorption.isBlack() || surface.isFrontal()
+        ? Rgb.WHITE
+        : new Rgb(
+            Elementary.exp(-absorption.r() * length),
+            Elementary.exp(-absorption.g() * length),
+            Elementary.exp(-absorption.b() * length));
+  }
+
+  /** Returns whether rays of a scene pass surfaces or media, so that {@link #stops} is needed. */
+  static boolean isNeeded(Scene scene) {
+    return scene.hasTransparency()
+        || scene.primitives().stream().anyMatch(p -> !p.material().absorption().isBlack());
   }
 
   /** Returns the red factor of the throughput. */

@@ -12,7 +12,6 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.LightSampler;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
-import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
@@ -58,8 +57,8 @@ public final class PathTracer implements Integrator {
   /** Whether rays may pass straight through some surface. */
   private final boolean hasTransparency;
 
-  /** Whether some medium absorbs light. */
-  private final boolean hasAbsorption;
+  /** Whether rays may pass straight through some surface or an absorbing medium. */
+  private final boolean hasPassing;
 
   /**
    * Creates a path tracer with the default options.
@@ -90,7 +89,7 @@ public final class PathTracer implements Integrator {
     hasAmbient = !scene.ambient().isBlack();
     hasBackplate = scene.backplate().isPresent();
     hasTransparency = scene.hasTransparency();
-    hasAbsorption = scene.primitives().stream().anyMatch(p -> !p.material().absorption().isBlack());
+    hasPassing = Passing.isNeeded(scene);
   }
 
   @Override
@@ -141,7 +140,7 @@ public final class PathTracer implements Integrator {
     // Trace the ray. If it leaves the scene, add the environment.
     context.rays++;
     boolean isHit = scene.intersect(hit);
-    if (isHit && hasTransparency) {
+    if (isHit && hasPassing) {
       isHit = passTransparency(depth, sampler, context);
     }
     if (context.isRecorded) {
@@ -176,9 +175,6 @@ public final class PathTracer implements Integrator {
         return end(End.EMITTER, context);
       }
     }
-    if (hasAbsorption) {
-      absorb(primitive.material(), hit.t(), surface, path);
-    }
 
     // Sample one light (next-event estimation), and the BSDF for the next direction.
     Vertex vertex = context.vertex;
@@ -206,24 +202,13 @@ public final class PathTracer implements Integrator {
     return scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, context);
   }
 
-  /** Moves the hit beyond transparent surfaces; returns whether one stops the ray. */
+  /** Moves the hit beyond transparent surfaces; returns whether a surface stops the ray. */
   private boolean passTransparency(int depth, Sampler sampler, RenderContext context) {
     Passing passing = context.passing;
     boolean stops = passing.stops(scene, context.hit, depth, sampler);
     context.rays += passing.rays();
     context.path.scale(passing.red(), passing.green(), passing.blue());
     return stops;
-  }
-
-  /** Applies the absorption of a medium that the ray leaves (Beer 1852; PBRT 4e, sec. 11.2). */
-  private static void absorb(Material material, double length, SurfaceHit surface, Path path) {
-    Rgb absorption = material.absorption();
-    if (!absorption.isBlack() && !surface.isFrontal()) {
-      path.scale(
-          Elementary.exp(-absorption.r() * length),
-          Elementary.exp(-absorption.g() * length),
-          Elementary.exp(-absorption.b() * length));
-    }
   }
 
   /**

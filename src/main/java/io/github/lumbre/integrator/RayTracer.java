@@ -6,6 +6,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Dielectric;
@@ -40,6 +41,9 @@ public final class RayTracer implements Integrator {
   private final int maxReflections;
   private final int maxRefractions;
 
+  /** Whether rays may pass straight through some surface or an absorbing medium. */
+  private final boolean hasPassing;
+
   /**
    * Creates a ray tracer.
    *
@@ -51,6 +55,7 @@ public final class RayTracer implements Integrator {
     this.lights = scene.lights();
     this.maxReflections = maxReflections;
     this.maxRefractions = maxRefractions;
+    hasPassing = Passing.isNeeded(scene);
   }
 
   /** A ray still to be traced, its throughput, and how many surfaces it has left. */
@@ -73,8 +78,7 @@ public final class RayTracer implements Integrator {
     double g = 0;
     double b = 0;
     for (int number = 0; !pending.isEmpty(); number++) {
-      Branch branch = pending.pop();
-      Rgb light = branch.throughput().times(trace(branch, number, sampler, context));
+      Rgb light = trace(pending.pop(), number, sampler, context);
       r += light.r();
       g += light.g();
       b += light.b();
@@ -83,7 +87,8 @@ public final class RayTracer implements Integrator {
   }
 
   /**
-   * Traces a branch, returns the light found at its end, and pushes the branches that start there.
+   * Traces a branch, returns the light found at its end times its throughput, and pushes the
+   * branches that start there.
    *
    * @param number of the branch within the sample, from 0; selects its random numbers
    */
@@ -91,13 +96,13 @@ public final class RayTracer implements Integrator {
     NearestHit hit = context.hit;
     context.rays++;
     boolean isHit = scene.intersect(branch.ray(), hit);
-    Rgb passed = Rgb.WHITE;
-    if (isHit && scene.hasTransparency()) {
+    Branch seen = branch;
+    if (isHit && hasPassing) {
       isHit = context.passing.stops(scene, hit, number, sampler);
       context.rays += context.passing.rays();
-      passed = context.passing.factor();
+      seen = branch.scaled(context.passing.factor());
     }
-    return shadeHit(branch.scaled(passed), number, isHit, sampler, context).times(passed);
+    return seen.throughput().times(shadeHit(seen, number, isHit, sampler, context));
   }
 
   private Rgb shadeHit(
@@ -127,27 +132,47 @@ public final class RayTracer implements Integrator {
     if (context.isRecorded) {
       context.listener.vertexReached(hit.shape(), surface, context.vertex.bsdf());
     }
-    return emitted.plus(shade(branch, number, sampler, context));
+    return shade(branch, number, emitted, sampler, context);
   }
 
-  /** Returns the direct light that a vertex scatters, and pushes the branches that start there. */
-  private Rgb shade(Branch branch, int number, Sampler sampler, RenderContext context) {
+  /**
+   * Returns the emitted light and the direct light that a vertex scatters, and pushes the branches
+   * that start there.
+   */
+  private Rgb shade(
+      Branch branch, int number, Rgb emitted, Sampler sampler, RenderContext context) {
     Deque<Branch> pending = context.branches;
     Vertex vertex = context.vertex;
+    boolean isSpecular = vertex.bsdf().isSpecular();
+    Rgb light =
+        isSpecular
+            ? emittedBySpecular(emitted, context)
+            : direct(vertex, number, emitted, sampler, context);
     int waiting = pending.size();
     int dimension = Sampler.vertex(number);
     if (vertex.bsdf() instanceof Dielectric glass) {
       splitAtGlass(branch, glass, sampler.get1d(dimension + Sampler.LOBE), context, pending);
-    } else if (vertex.bsdf() instanceof RoughDielectric) {
+    } else if (vertex.bsdf() instanceof RoughDielectric || isFadedGlass(vertex.bsdf())) {
       scatterInGlass(branch, sampler, dimension, context, pending);
-    } else if (vertex.bsdf().isSpecular()) {
+    } else if (isSpecular) {
       reflect(branch, context, pending);
     }
-    boolean isSpecular = vertex.bsdf().isSpecular();
     if (context.isRecorded && pending.size() == waiting) {
       context.listener.pathEnded(isSpecular ? End.DEPTH : End.ABSORBED);
     }
-    return isSpecular ? Rgb.BLACK : direct(vertex, number, sampler, context);
+    return light;
+  }
+
+  /** Returns whether a BSDF is smooth glass that reflects and refracts only a part of the light. */
+  private static boolean isFadedGlass(Bsdf bsdf) {
+    return bsdf.isSpecular() && bsdf.choosesLobe();
+  }
+
+  private static Rgb emittedBySpecular(Rgb emitted, RenderContext context) {
+    if (context.isRecorded && !emitted.isBlack()) {
+      context.listener.lightAdded(emitted.r(), emitted.g(), emitted.b());
+    }
+    return emitted;
   }
 
   private Rgb backplate(RenderContext context) {
@@ -179,8 +204,8 @@ public final class RayTracer implements Integrator {
     if (context.isRecorded) {
       context.listener.surfaceHit(context.hit.shape(), surface);
       reportFound(Source.EMISSION, scene.emitterAt(context.hit), light, context);
-      context.listener.lightAdded(light.r(), light.g(), light.b());
       if (!continues) {
+        context.listener.lightAdded(light.r(), light.g(), light.b());
         context.listener.pathEnded(End.EMITTER);
       }
     }
@@ -192,15 +217,19 @@ public final class RayTracer implements Integrator {
     context.listener.lightFound(source, emitter, light.r(), light.g(), light.b(), 0, bsdfPdf, 1);
   }
 
-  /** Returns the ambient light and one sample of each light, scattered at the vertex. */
-  private Rgb direct(Vertex vertex, int number, Sampler sampler, RenderContext context) {
+  /**
+   * Returns the emitted light, and the ambient light and one sample of each light, scattered at the
+   * vertex.
+   */
+  private Rgb direct(
+      Vertex vertex, int number, Rgb emitted, Sampler sampler, RenderContext context) {
     Rgb ambient = scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
     if (context.isRecorded && !ambient.isBlack()) {
       reportFound(Source.AMBIENT, -1, ambient, context);
     }
-    double r = ambient.r();
-    double g = ambient.g();
-    double b = ambient.b();
+    double r = emitted.r() + ambient.r();
+    double g = emitted.g() + ambient.g();
+    double b = emitted.b() + ambient.b();
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
       LightSample light = context.light;

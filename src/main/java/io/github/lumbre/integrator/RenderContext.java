@@ -85,8 +85,10 @@ public final class RenderContext {
   }
 
   private boolean isBlocked(Scene scene) {
+    double length = 0;
     for (int layer = 0; scene.intersect(shadow); layer++) {
       Material material = scene.primitiveAt(shadow).material();
+      length += shadow.t();
       if (material.isOpaque() || layer == Passing.MAX_LAYERS) {
         return true;
       }
@@ -96,6 +98,10 @@ public final class RenderContext {
         return true;
       }
       light.dim(passed);
+      if (!material.absorption().isBlack()) {
+        light.dim(Passing.absorbed(material, surface, length));
+        length = 0;
+      }
       light.aimShadowRay(surface, shadow);
     }
     return false;

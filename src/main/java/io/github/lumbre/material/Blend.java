@@ -9,6 +9,9 @@ import io.github.lumbre.math.Vec3;
  * @param share in (0,1); also the probability of sampling the first
  */
 record Blend(Bsdf first, Bsdf second, double share) implements Bsdf {
+  /** The largest random number. */
+  private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
+
   @Override
   public boolean choosesLobe() {
     return true;
@@ -44,7 +47,7 @@ record Blend(Bsdf first, Bsdf second, double share) implements Bsdf {
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
     boolean drawsFirst = uLobe < share;
     // What is left of the random number is uniform again.
-    double uRest = drawsFirst ? uLobe / share : (uLobe - share) / (1 - share);
+    double uRest = drawsFirst ? uLobe / share : Math.min(BELOW_ONE, (uLobe - share) / (1 - share));
     (drawsFirst ? first : second).sample(woX, woY, woZ, uRest, u, v, result);
     // A delta lobe's weight has the factor share, and its probability too.
     if (!result.isAbsorbed() && !result.isSpecular()) {

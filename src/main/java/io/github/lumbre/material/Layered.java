@@ -10,6 +10,9 @@ import io.github.lumbre.math.Vec3;
  * @param albedo of the layer, by the cosine of a direction
  */
 record Layered(Lobe layer, Bsdf base, Albedo albedo) implements Bsdf {
+  /** The largest random number. */
+  private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
+
   /** The directional albedo of a layer. */
   @FunctionalInterface
   interface Albedo {
@@ -18,7 +21,7 @@ record Layered(Lobe layer, Bsdf base, Albedo albedo) implements Bsdf {
   }
 
   private double passed(double woZ, double wiZ) {
-    return 1 - Math.max(albedo.at(Math.abs(woZ)), albedo.at(Math.abs(wiZ)));
+    return Math.max(0, 1 - Math.max(albedo.at(Math.abs(woZ)), albedo.at(Math.abs(wiZ))));
   }
 
   /** Returns the probability of sampling the layer. */
@@ -59,7 +62,8 @@ record Layered(Lobe layer, Bsdf base, Albedo albedo) implements Bsdf {
     if (uLobe < share) {
       layer.sample(woX, woY, woZ, uLobe / share, u, v, result);
     } else {
-      base.sample(woX, woY, woZ, (uLobe - share) / (1 - share), u, v, result);
+      double uRest = Math.min(BELOW_ONE, (uLobe - share) / (1 - share));
+      base.sample(woX, woY, woZ, uRest, u, v, result);
     }
     if (result.isAbsorbed()) {
       return;

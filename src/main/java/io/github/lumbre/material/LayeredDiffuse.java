@@ -17,7 +17,7 @@ import io.github.lumbre.sampling.Warp;
  */
 record LayeredDiffuse(Rgb albedo, double f0, double f90, double alpha) implements Lobe {
   private double passed(double cosine) {
-    return 1 - GgxAlbedo.of(f0, f90, Math.abs(cosine), alpha);
+    return Math.max(0, 1 - GgxAlbedo.of(f0, f90, Math.abs(cosine), alpha));
   }
 
   @Override
@@ -28,7 +28,9 @@ record LayeredDiffuse(Rgb albedo, double f0, double f90, double alpha) implement
       return;
     }
     double pdf = Warp.cosineHemispherePdf(Math.abs(wiZ));
-    double layer = passed(woZ) * passed(wiZ) / (1 - GgxAlbedo.mean(f0, f90, alpha));
+    // A layer that reflects all light leaves nothing.
+    double below = 1 - GgxAlbedo.mean(f0, f90, alpha);
+    double layer = below > 0 ? passed(woZ) * passed(wiZ) / below : 0;
     result.set(albedo.times(layer * pdf), pdf);
   }
 

@@ -22,7 +22,7 @@ public final class MetallicRoughness implements Material {
   /** The smallest α of reflections; smoother surfaces reflect as this one. */
   private static final double MIN_ALPHA = 1e-3;
 
-  /** The index of refraction of the clear coat. */
+  /** The reflectance of the clear coat at normal incidence, for an index of refraction of 1.5. */
   private static final double COAT_F0 = .04;
 
   private final Builder values;
@@ -108,11 +108,31 @@ public final class MetallicRoughness implements Material {
     double share = glassShare(hit);
     double cosine = Math.abs(hit.wo().dot(hit.shadingNormal()));
     Rgb reflected = SchlickReflection.fresnel(dielectricF0(hit), f90(hit), cosine);
-    Rgb tint = baseColor(hit).times(share);
+    Rgb tint = baseColor(hit).times(share * passedByLayers(hit, cosine));
     return new Rgb(
         tint.r() * (1 - reflected.r()),
         tint.g() * (1 - reflected.g()),
         tint.b() * (1 - reflected.b()));
+  }
+
+  /** Returns the fraction of light that sheen and clear coat leave to straight transmission. */
+  private double passedByLayers(SurfaceHit hit, double cosine) {
+    double sheen =
+        sheenColor(hit).max() * Sheen.albedo(cosine, unit(values.sheenRoughness.at(hit)));
+    return (1 - sheen) * (1 - coatAlbedo(unit(values.clearcoat.at(hit)), cosine, coatAlpha(hit)));
+  }
+
+  private Rgb sheenColor(SurfaceHit hit) {
+    return values.sheenColor.at(hit).clampedToOne();
+  }
+
+  private double coatAlpha(SurfaceHit hit) {
+    double roughness = unit(values.clearcoatRoughness.at(hit));
+    return Math.max(MIN_ALPHA, roughness * roughness);
+  }
+
+  private static double coatAlbedo(double coat, double cosine, double alpha) {
+    return GgxAlbedo.of(coat * COAT_F0, coat, cosine, alpha);
   }
 
   /** Returns the fraction of the surface that transmits light. */
@@ -157,7 +177,7 @@ public final class MetallicRoughness implements Material {
   @Override
   public Bsdf at(SurfaceHit hit) {
     Bsdf bsdf = base(hit);
-    Rgb sheenColor = values.sheenColor.at(hit).clampedToOne();
+    Rgb sheenColor = sheenColor(hit);
     if (!sheenColor.isBlack()) {
       double roughness = unit(values.sheenRoughness.at(hit));
       double most = sheenColor.max();
@@ -167,10 +187,9 @@ public final class MetallicRoughness implements Material {
     }
     double coat = unit(values.clearcoat.at(hit));
     if (coat > 0) {
-      double roughness = unit(values.clearcoatRoughness.at(hit));
-      double alpha = Math.max(MIN_ALPHA, roughness * roughness);
+      double alpha = coatAlpha(hit);
       Lobe lobe = new SchlickReflection(Rgb.grey(coat * COAT_F0), coat, new Ggx(alpha));
-      bsdf = new Layered(lobe, bsdf, c -> GgxAlbedo.of(coat * COAT_F0, coat, c, alpha));
+      bsdf = new Layered(lobe, bsdf, c -> coatAlbedo(coat, c, alpha));
     }
     double opacity = opacity(hit);
     return opacity < 1 ? new Faded(bsdf, opacity) : bsdf;
@@ -186,7 +205,8 @@ public final class MetallicRoughness implements Material {
     if (glass == 1) {
       return glass(hit, color, alpha);
     }
-    Bsdf solid = solid(hit, color, metallic * 1 / (1 - glass), alpha);
+    // Rounding must not make more than all of the rest a metal.
+    Bsdf solid = solid(hit, color, Math.min(1, metallic / (1 - glass)), alpha);
     return glass == 0 ? solid : new Blend(glass(hit, color, alpha), solid, glass);
   }
 

@@ -16,36 +16,54 @@ import io.github.lumbre.sampling.Warp;
  *     of its square
  */
 record Sheen(Rgb color, double roughness) implements Lobe {
-  private static final int SIDE = 17;
+  private static final int ROWS = 17;
+  private static final int COLUMNS = 33;
+
+  /** Points per side of the quadrature. */
   private static final int POINTS = 24;
+
   private static final double MIN_ROUGHNESS = .07;
-  private static final double[] ALBEDO = new double[SIDE * SIDE];
+  private static final double[] ALBEDO = new double[ROWS * COLUMNS];
 
   /** The largest albedo of each row, at least 1. */
-  private static final double[] MOST = new double[SIDE];
+  private static final double[] MOST = new double[ROWS];
 
   static {
-    for (int r = 0; r < SIDE; r++) {
-      double roughness = (double) r / (SIDE - 1);
+    for (int r = 0; r < ROWS; r++) {
+      double roughness = MIN_ROUGHNESS + square((double) r / (ROWS - 1)) * (1 - MIN_ROUGHNESS);
       MOST[r] = 1;
-      for (int c = 0; c < SIDE; c++) {
-        ALBEDO[r * SIDE + c] = integrated((double) c / (SIDE - 1), roughness);
-        MOST[r] = Math.max(MOST[r], ALBEDO[r * SIDE + c]);
+      for (int c = 0; c < COLUMNS; c++) {
+        int entry = r * COLUMNS + c;
+        ALBEDO[entry] = integrated(square((double) c / (COLUMNS - 1)), roughness);
+        MOST[r] = Math.max(MOST[r], ALBEDO[entry]);
       }
     }
   }
 
+  /** Returns the position of a roughness between the rows. */
+  private static double row(double roughness) {
+    double x = (Math.max(MIN_ROUGHNESS, roughness) - MIN_ROUGHNESS) / (1 - MIN_ROUGHNESS);
+    return Math.sqrt(x) * (ROWS - 1);
+  }
+
+  /** Integrates over half of the azimuths, because the other half is its mirror image. */
   private static double integrated(double cosine, double roughness) {
     double mu = Math.max(1e-3, cosine);
     Vec3 wo = new Vec3(Math.sqrt((1 - mu) * (1 + mu)), 0, mu);
     double sum = 0;
     for (int i = 0; i < POINTS; i++) {
+      // Squares, because the value changes fast near the horizon.
+      double root = (i + .5) / POINTS;
+      double z = square(root);
+      double across = Math.sqrt((1 - z) * (1 + z));
       for (int j = 0; j < POINTS; j++) {
-        Vec3 wi = Warp.uniformHemisphere(new Point2((i + .5) / POINTS, (j + .5) / POINTS));
-        sum += unscaled(wo, wi, roughness) * Elementary.TWO_PI;
+        double turns = .5 * (j + .5) / POINTS;
+        Vec3 wi =
+            new Vec3(across * Elementary.cosTurns(turns), across * Elementary.sinTurns(turns), z);
+        sum += 2 * root * unscaled(wo, wi, roughness);
       }
     }
-    return sum / (POINTS * POINTS);
+    return sum * Elementary.TWO_PI / (POINTS * POINTS);
   }
 
   /** Returns f·cos θi for two directions above the surface, without color. */
@@ -63,20 +81,26 @@ record Sheen(Rgb color, double roughness) implements Lobe {
 
   /** Returns the albedo of white sheen for light from one direction. */
   static double albedo(double cosine, double roughness) {
-    double x = Math.min(1, cosine) * (SIDE - 1);
-    double y = roughness * (SIDE - 1);
-    int c = Math.min(SIDE - 2, (int) x);
-    int r = Math.min(SIDE - 2, (int) y);
-    double low = mix(ALBEDO[r * SIDE + c], ALBEDO[r * SIDE + c + 1], x - c);
-    double high = mix(ALBEDO[(r + 1) * SIDE + c], ALBEDO[(r + 1) * SIDE + c + 1], x - c);
-    return mix(low, high, y - r) * scale(roughness);
+    // Columns are at squares, because the albedo changes fast at grazing angles.
+    double x = Math.sqrt(Math.min(1, cosine)) * (COLUMNS - 1);
+    double y = row(roughness);
+    int c = Math.min(COLUMNS - 2, (int) x);
+    int r = Math.min(ROWS - 2, (int) y);
+    int low = r * COLUMNS + c;
+    int high = low + COLUMNS;
+    double mean =
+        mix(
+            mix(ALBEDO[low], ALBEDO[low + 1], x - c),
+            mix(ALBEDO[high], ALBEDO[high + 1], x - c),
+            y - r);
+    return mean * scale(roughness);
   }
 
-  /** Returns the factor that keeps the albedo at most 1. */
+  /** Returns the factor that keeps the albedo at most 1; it is continuous. */
   private static double scale(double roughness) {
-    double y = roughness * (SIDE - 1);
-    int r = Math.min(SIDE - 2, (int) y);
-    return 1 / Math.max(MOST[r], MOST[r + 1]);
+    double y = row(roughness);
+    int r = Math.min(ROWS - 2, (int) y);
+    return 1 / mix(MOST[r], MOST[r + 1], y - r);
   }
 
   private static double mix(double a, double b, double t) {

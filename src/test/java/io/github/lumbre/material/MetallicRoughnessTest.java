@@ -1,0 +1,380 @@
+package io.github.lumbre.material;
+
+import static io.github.lumbre.material.BsdfLaws.COSINES;
+import static io.github.lumbre.material.BsdfLaws.EPS;
+import static io.github.lumbre.material.BsdfLaws.direction;
+import static io.github.lumbre.material.BsdfLaws.relative;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Effort;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Tests the metallic-roughness material against known values and BSDF invariants. */
+class MetallicRoughnessTest {
+  private static final double[] BOTH_SIDES = {1, -1};
+  private static final Rgb COLOR = new Rgb(.9, .5, .1);
+
+  private final SplittableRandom random = new SplittableRandom(Effort.seed(61));
+
+  /** The parameters of a material with a white base color. */
+  private record Look(
+      double metallic,
+      double roughness,
+      double transmission,
+      double coat,
+      double sheen,
+      boolean isThin) {
+    MetallicRoughness.Builder builder(Rgb color) {
+      MetallicRoughness.Builder builder =
+          MetallicRoughness.builder()
+              .baseColor(ColorChannel.of(color))
+              .metallic(ScalarChannel.of(metallic))
+              .roughness(ScalarChannel.of(roughness))
+              .transmission(ScalarChannel.of(transmission))
+              .clearcoat(ScalarChannel.of(coat))
+              .clearcoatRoughness(ScalarChannel.of(.2))
+              .sheenColor(ColorChannel.of(Rgb.grey(sheen)))
+              .sheenRoughness(ScalarChannel.of(.4));
+      return isThin ? builder : builder.volume(Rgb.BLACK);
+    }
+
+    Bsdf bsdf(Rgb color) {
+      return builder(color).build().at(0, 0);
+    }
+
+    /** Returns whether a delta lobe refracts. */
+    boolean isSmoothGlass() {
+      return !isThin && roughness == 0 && (1 - metallic) * transmission > 0;
+    }
+  }
+
+  /** Returns looks that together use all lobes and layers, alone and mixed. */
+  private static List<Look> looks(double... roughnesses) {
+    List<Look> looks = new ArrayList<>();
+    for (double metallic : new double[] {0, .4, 1}) {
+      for (double roughness : roughnesses) {
+        for (double transmission : new double[] {0, .7, 1}) {
+          for (int layers = 0; layers < 4; layers++) {
+            for (boolean isThin : new boolean[] {true, false}) {
+              looks.add(
+                  new Look(metallic, roughness, transmission, layers & 1, layers >> 1, isThin));
+            }
+          }
+        }
+      }
+    }
+    return looks;
+  }
+
+  private static SurfaceHit seenFrom(Vec3 wo) {
+    return new SurfaceHit().set(Vec3.ZERO, Vec3.Z, Frame.WORLD, new TexturePoint(0, 0), wo, 0);
+  }
+
+  /**
+   * In a uniform environment of radiance 1, a white surface returns at most that: what it scatters
+   * and what passes straight through. The lattice finds an excess of 0.003 in any of these looks.
+   */
+  @Test
+  void whiteFurnaceGainsNoEnergy() {
+    for (Look look : looks(0, .1, .4, 1)) {
+      MetallicRoughness material = look.builder(Rgb.WHITE).build();
+      Bsdf bsdf = material.at(0, 0);
+      for (double cos : COSINES) {
+        for (double side : BOTH_SIDES) {
+          Vec3 wo = direction(side * cos);
+          double scattered = BsdfLaws.sampledAlbedo(bsdf, wo, Effort.count(4000, 100_000));
+          double straight = material.transmittance(seenFrom(wo)).max();
+          assertThat(scattered + straight)
+              .as("%s, cosine %s", look, side * cos)
+              .isLessThanOrEqualTo(1 + 3e-3);
+        }
+      }
+    }
+  }
+
+  /** Only rough facets and layers lose light: that of multiple scattering. */
+  @Test
+  void smoothWhiteSurfacesKeepMostEnergy() {
+    for (Look look : looks(0, .1)) {
+      MetallicRoughness material = look.builder(Rgb.WHITE).build();
+      for (double cos : new double[] {1, .5}) {
+        Vec3 wo = direction(cos);
+        double sum =
+            BsdfLaws.sampledAlbedo(material.at(0, 0), wo, 4000)
+                + material.transmittance(seenFrom(wo)).max();
+        // Each layer's minimum of two albedos takes some of the light of the layers below.
+        double least = look.coat() + look.sheen() == 0 ? .985 : .7;
+        assertThat(sum).as("%s, cosine %s", look, cos).isGreaterThan(least);
+      }
+    }
+  }
+
+  /** Radiance divided by the squared index is invariant, as for rough glass. */
+  @Test
+  void scatteringIsReciprocalButForTheIndices() {
+    for (Look look : looks(.1, .4, 1)) {
+      Bsdf bsdf = look.bsdf(COLOR);
+      double index = look.isThin() ? 1 : 1.5;
+      for (int i = 0; i < 200; i++) {
+        Vec3 a = direction(random);
+        BsdfSample sample = bsdf.sample(a, random.nextDouble(), BsdfLaws.point(random));
+        Vec3 b = i % 2 == 0 || sample.pdf() == 0 ? direction(random) : sample.wi();
+        double indexA = a.z() > 0 ? 1 : index;
+        double indexB = b.z() > 0 ? 1 : index;
+        double there = bsdf.evaluate(a, b).f().g() / (Math.abs(b.z()) * indexB * indexB);
+        double back = bsdf.evaluate(b, a).f().g() / (Math.abs(a.z()) * indexA * indexA);
+        if (Math.max(there, back) > 1e-290) {
+          assertThat(relative(there, back))
+              .as("%s %s %s", look, a, b)
+              .isLessThanOrEqualTo(256 * EPS);
+        }
+      }
+    }
+  }
+
+  @Test
+  void weightIsEvalOverPdf() {
+    for (Look look : looks(0, .1, 1)) {
+      if (!look.isSmoothGlass()) {
+        Bsdf bsdf = look.bsdf(COLOR);
+        for (double cos : COSINES) {
+          BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(cos), 40, random, 1e-12);
+          BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(-cos), 40, random, 1e-12);
+        }
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 1.5, 0})
+  void extremesAreHarmless(double ior) {
+    for (Look look : looks(.1, 1)) {
+      if (ior == 1 && !look.isThin()) {
+        // A volume of the index of its surroundings scatters by a delta lobe.
+        continue;
+      }
+      BsdfLaws.assertExtremesAreHarmless(look.builder(Rgb.WHITE).ior(ior).build().at(0, 0));
+    }
+  }
+
+  /**
+   * Directions follow the density, which integrates to 1 minus the absorbed fraction. With 100,000
+   * samples in about 3000 cells, a lobe that is drawn 5 % too often is found with a probability
+   * above 0.99.
+   */
+  @Test
+  void sampledDirectionsFollowPdf() {
+    List<Look> rough =
+        List.of(
+            new Look(0, .7, 0, 0, 0, true),
+            new Look(1, .6, 0, 0, 1, true),
+            new Look(.4, .8, 0, 0, 0, true),
+            new Look(0, .7, 1, 0, 0, true),
+            new Look(.3, .7, .6, 0, 1, true),
+            new Look(0, .7, 1, 0, 1, false),
+            new Look(.3, .8, .6, 0, 0, false));
+    for (Look look : rough) {
+      Bsdf bsdf = look.bsdf(COLOR);
+      for (double cos : new double[] {.9, -.6}) {
+        assertSamplesFollowPdf(look + " " + cos, bsdf, direction(cos));
+      }
+    }
+    Bsdf coated =
+        new Look(0, .7, .5, 1, 1, true)
+            .builder(COLOR)
+            .clearcoatRoughness(ScalarChannel.of(.8))
+            .build()
+            .at(0, 0);
+    assertSamplesFollowPdf("coated", coated, direction(.7));
+  }
+
+  private void assertSamplesFollowPdf(String what, Bsdf bsdf, Vec3 wo) {
+    ChiSquare test =
+        ChiSquare.ofDirections(
+            Effort.count(100_000, 1_000_000),
+            () -> {
+              BsdfSample sample = bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random));
+              return sample.pdf() > 0 ? Optional.of(sample.wi()) : Optional.empty();
+            },
+            wi -> bsdf.pdf(wo, wi),
+            6);
+    assertThat(test.passes()).as("%s: %s", what, test).isTrue();
+  }
+
+  /** A delta lobe is drawn in proportion to its share, with the weight that remains. */
+  @Test
+  void smoothGlassUnderACoatRefractsByTheExactEquations() {
+    Bsdf glass = new Look(0, 0, 1, 0, 0, false).bsdf(COLOR);
+    assertThat(glass).isEqualTo(new Dielectric(Rgb.WHITE, COLOR, 1.5));
+    Bsdf half = new Look(0, 0, .5, 0, 0, false).bsdf(COLOR);
+    assertThat(half.isSpecular()).isFalse();
+    // No light sample can arrive through a delta lobe.
+    assertThat(half.isTransmissive()).isFalse();
+    BsdfSample sample = half.sample(direction(.8), .4999, new Point2(.5, .5));
+    assertThat(sample.isSpecular()).isTrue();
+    assertThat(sample.wi().z()).isNegative();
+  }
+
+  @Test
+  void dielectricsReflectFourPercentAtNormalIncidence() {
+    Look plastic = new Look(0, .5, 0, 0, 0, true);
+    Bsdf black = plastic.bsdf(Rgb.BLACK);
+    // At the mirror direction f = F0 D / (4 cos²), D(0) = 1 / (π α²) and no masking.
+    double facets = 1 / (Math.PI * Math.pow(.25, 2));
+    assertThat(black.evaluate(Vec3.Z, Vec3.Z).f().g()).isCloseTo(.04 * facets / 4, within(1e-12));
+    Bsdf metal = new Look(1, .5, 0, 0, 0, true).bsdf(COLOR);
+    assertThat(metal.evaluate(Vec3.Z, Vec3.Z).f().r()).isCloseTo(.9 * facets / 4, within(1e-12));
+    Bsdf smooth = new Look(0, 0, 0, 0, 0, true).bsdf(Rgb.BLACK);
+    assertThat(BsdfLaws.sampledAlbedo(smooth, Vec3.Z, 2000)).isCloseTo(.04, within(1e-4));
+    Bsdf diamond = plastic.builder(Rgb.BLACK).ior(2.4).build().at(0, 0);
+    double f0 = Math.pow(1.4 / 3.4, 2);
+    assertThat(diamond.evaluate(Vec3.Z, Vec3.Z).f().g()).isCloseTo(f0 * facets / 4, within(1e-12));
+  }
+
+  @Test
+  void specularScalesTheDielectricReflectionAndNoMetal() {
+    Look plastic = new Look(0, .5, 0, 0, 0, true);
+    for (double specular : new double[] {0, .5, 1}) {
+      Bsdf bsdf =
+          plastic
+              .builder(Rgb.BLACK)
+              .specular(ScalarChannel.of(specular))
+              .specularColor(ColorChannel.of(new Rgb(1, .5, .25)))
+              .build()
+              .at(0, 0);
+      Rgb full = plastic.bsdf(Rgb.BLACK).evaluate(Vec3.Z, Vec3.Z).f();
+      Rgb found = bsdf.evaluate(Vec3.Z, Vec3.Z).f();
+      assertThat(found.r()).isCloseTo(specular * full.r(), within(1e-12));
+      assertThat(found.b()).isCloseTo(.25 * specular * full.r(), within(1e-12));
+    }
+    Bsdf metal =
+        new Look(1, .5, 0, 0, 0, true)
+            .builder(COLOR)
+            .specular(ScalarChannel.of(0))
+            .build()
+            .at(0, 0);
+    assertThat(metal).isEqualTo(new Look(1, .5, 0, 0, 0, true).bsdf(COLOR));
+  }
+
+  /** Without a dielectric reflection, what remains is the Lambertian BRDF. */
+  @Test
+  void surfacesWithoutReflectionAreLambertian() {
+    Bsdf matte =
+        new Look(0, 1, 0, 0, 0, true).builder(COLOR).specular(ScalarChannel.of(0)).build().at(0, 0);
+    Bsdf lambertian = new Lambertian(COLOR);
+    for (double cos : COSINES) {
+      Vec3 wi = direction(cos);
+      assertThat(matte.evaluate(direction(.7), wi).f().g())
+          .isCloseTo(lambertian.evaluate(direction(.7), wi).f().g(), within(1e-12));
+    }
+    assertThat(matte.diffuseAlbedo()).isEqualTo(COLOR);
+  }
+
+  /** The limit of a smooth grey metal of reflectance 1: a mirror. */
+  @Test
+  void smoothWhiteMetalReflectsAllLight() {
+    Bsdf mirror = new Look(1, 0, 0, 0, 0, true).bsdf(Rgb.WHITE);
+    for (double cos : new double[] {1, .9, .5, .1}) {
+      assertThat(BsdfLaws.sampledAlbedo(mirror, direction(cos), 4000)).isCloseTo(1, within(2e-3));
+    }
+  }
+
+  @Test
+  void halfAMetalIsTheMeanOfBoth() {
+    Bsdf half = new Look(.5, .6, 0, 0, 0, true).bsdf(COLOR);
+    Bsdf plastic = new Look(0, .6, 0, 0, 0, true).bsdf(COLOR);
+    Bsdf metal = new Look(1, .6, 0, 0, 0, true).bsdf(COLOR);
+    for (int i = 0; i < 100; i++) {
+      Vec3 wo = direction(random);
+      Vec3 wi = direction(random);
+      Rgb mean = plastic.evaluate(wo, wi).f().plus(metal.evaluate(wo, wi).f()).times(.5);
+      assertThat(half.evaluate(wo, wi).f().b())
+          .isCloseTo(mean.b(), within(1e-12 + 1e-12 * mean.b()));
+    }
+  }
+
+  @Test
+  void smoothThinGlassPassesWhatItDoesNotReflect() {
+    MetallicRoughness glass = new Look(0, 0, 1, 0, 0, true).builder(COLOR).build();
+    for (double cos : COSINES) {
+      for (double side : BOTH_SIDES) {
+        double reflected = .04 + .96 * Math.pow(1 - cos, 5);
+        Rgb passed = glass.transmittance(seenFrom(direction(side * cos)));
+        assertThat(passed.r()).isCloseTo(.9 * (1 - reflected), within(1e-12));
+        assertThat(passed.b()).isCloseTo(.1 * (1 - reflected), within(1e-12));
+      }
+    }
+    assertThat(glass.isOpaque()).isFalse();
+    MetallicRoughness rough = new Look(0, .4, 1, 0, 0, true).builder(COLOR).build();
+    assertThat(rough.transmittance(seenFrom(Vec3.Z)).isBlack()).isTrue();
+  }
+
+  @Test
+  void opacityDividesLightBetweenScatteringAndPassing() {
+    Look plastic = new Look(0, .5, 0, 0, 0, true);
+    MetallicRoughness veil = plastic.builder(COLOR).opacity(ScalarChannel.of(.25)).build();
+    assertThat(veil.transmittance(seenFrom(Vec3.Z))).isEqualTo(Rgb.grey(.75));
+    Vec3 wo = direction(.7);
+    Vec3 wi = direction(.3);
+    assertThat(veil.at(0, 0).evaluate(wo, wi).f())
+        .isEqualTo(plastic.bsdf(COLOR).evaluate(wo, wi).f().times(.25));
+    assertThat(veil.at(0, 0).pdf(wo, wi)).isEqualTo(plastic.bsdf(COLOR).pdf(wo, wi));
+    BsdfLaws.assertWeightIsEvalOverPdf(veil.at(0, 0), wo, 100, random, 1e-12);
+  }
+
+  @Test
+  void backFacesOfSingleSidedSurfacesAreInvisible() {
+    MetallicRoughness single = new Look(0, .5, 0, 0, 0, true).builder(COLOR).singleSided().build();
+    assertThat(single.isOpaque()).isFalse();
+    assertThat(single.transmittance(seenFrom(Vec3.Z))).isEqualTo(Rgb.BLACK);
+    assertThat(single.transmittance(seenFrom(Vec3.Z.negated()))).isEqualTo(Rgb.WHITE);
+  }
+
+  @Test
+  void absorptionGivesTheColorAtTheDistance() {
+    Rgb sigma = MetallicRoughness.absorption(new Rgb(1, .5, 0), 2);
+    assertThat(sigma.r()).isZero();
+    assertThat(Math.exp(-2 * sigma.g())).isCloseTo(.5, within(1e-12));
+    assertThat(Math.exp(-2 * sigma.b())).isCloseTo(1e-9, within(1e-20));
+    assertThat(MetallicRoughness.absorption(Rgb.BLACK, Double.POSITIVE_INFINITY).isBlack())
+        .isTrue();
+  }
+
+  @Test
+  void onlyConstantOpaqueMaterialsAreSimplified() {
+    Look plastic = new Look(0, .5, 0, 0, 0, true);
+    MetallicRoughness constant = plastic.builder(COLOR).build();
+    assertThat(constant.isUniform()).isTrue();
+    MetallicRoughness opaque =
+        MetallicRoughness.builder().baseColor(ColorChannel.of(COLOR)).build();
+    assertThat(opaque.simplified()).isEqualTo(new UniformMaterial(opaque.at(0, 0)));
+    MetallicRoughness textured = MetallicRoughness.builder().baseColor(hit -> COLOR).build();
+    assertThat(textured.isUniform()).isFalse();
+    assertThat(textured.simplified()).isSameAs(textured);
+    MetallicRoughness veil = MetallicRoughness.builder().opacity(ScalarChannel.of(.5)).build();
+    assertThat(veil.simplified()).isSameAs(veil);
+    assertThat(constant.simplified()).isSameAs(constant);
+  }
+
+  @Test
+  void refractiveIndicesBelowOneAreRefused() {
+    assertThatThrownBy(() -> MetallicRoughness.builder().ior(.5))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("ior: expected 0 or 1 to 1e6, found 0.5");
+  }
+}
