@@ -33,6 +33,7 @@ final class SceneReader {
   private final List<Origin> materialsOfPrimitives = new ArrayList<>();
   private final List<Origin> emitters = new ArrayList<>();
   private Optional<Camera> camera = Optional.empty();
+  private Optional<Rgb> backplate = Optional.empty();
   private String cameraType = "";
   private int lightCount;
 
@@ -84,6 +85,8 @@ final class SceneReader {
     objects(ObjectTree.Type.SHAPE).forEach(this::readShape);
     objects(ObjectTree.Type.MODEL).forEach(this::readModel);
     readLights(background);
+    backplate =
+        root.find("renderOptions").filter(JsonNode::isObject).flatMap(SettingsReader::backplate);
   }
 
   /** Decodes the meshes and textures that no object uses. */
@@ -173,7 +176,7 @@ final class SceneReader {
   /** Returns the scene; there must be no errors. */
   Scene scene() {
     SceneBuilder scene = Scene.seenBy(camera.orElseThrow()).searchedBy(kernel);
-    root.object("renderOptions").flatMap(SettingsReader::backplate).ifPresent(scene::backplate);
+    backplate.ifPresent(scene::backplate);
     for (Addition addition : additions) {
       Interrupts.check();
       addition.action.accept(scene);

@@ -3,7 +3,9 @@ package io.github.lumbre.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.EnumSet;
 import java.util.Locale;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,6 +33,48 @@ class ToneCurveTest {
     assertThat(shown.r()).isCloseTo(Srgb.encode(.5 / (1 + y)), within(1e-15));
     assertThat(shown.g()).isCloseTo(Srgb.encode(.25 / (1 + y)), within(1e-15));
     assertThat(shown.b()).isCloseTo(Srgb.encode(1 / (1 + y)), within(1e-15));
+  }
+
+  /** The offset of a grey above 0.08 is 0.04; below, it is the square 6.25 x². */
+  @Test
+  void neutralSubtractsAnOffsetAndKeepsColorsThatAreNotBright() {
+    assertThat(grey(ToneCurve.NEUTRAL, .5)).isCloseTo(Srgb.encode(.46), within(1e-15));
+    assertThat(grey(ToneCurve.NEUTRAL, .04)).isCloseTo(Srgb.encode(.01), within(1e-15));
+    Rgb saturated = ToneCurve.NEUTRAL.apply(new Rgb(.7, .3, 0));
+    assertThat(saturated.r()).isCloseTo(Srgb.encode(.7), within(1e-15));
+    assertThat(saturated.g()).isCloseTo(Srgb.encode(.3), within(1e-15));
+    assertThat(saturated.b()).isZero();
+  }
+
+  /** The peak p becomes 1 - 0.24² / (p - 0.52), and the color moves towards white. */
+  @Test
+  void neutralCompressesHighlights() {
+    assertThat(grey(ToneCurve.NEUTRAL, 1.04))
+        .isCloseTo(Srgb.encode(1 - .0576 / .48), within(1e-14));
+    Rgb red = ToneCurve.NEUTRAL.apply(new Rgb(2, 0, 0));
+    double peak = 1 - .0576 / 1.48;
+    double white = 1 - 1 / (.15 * (2 - peak) + 1);
+    assertThat(red.r()).isCloseTo(Srgb.encode(peak), within(1e-14));
+    assertThat(red.g()).isCloseTo(Srgb.encode(peak * white), within(1e-14));
+    double below = grey(ToneCurve.NEUTRAL, .8 - 1e-9);
+    assertThat(grey(ToneCurve.NEUTRAL, .8 + 1e-9)).isCloseTo(below, within(1e-8));
+  }
+
+  @Test
+  void agxKeepsGreysGreyFromBlackToWhite() {
+    assertThat(grey(ToneCurve.AGX, 0)).isZero();
+    // Values of the polynomial at 16.5 stops, its end, and at middle grey, 10 stops above the
+    // start.
+    assertThat(grey(ToneCurve.AGX, 1e6)).isCloseTo(.99858, within(5e-4));
+    assertThat(grey(ToneCurve.AGX, .18)).isBetween(.4, .55);
+    double last = 0;
+    for (double v = 1e-4; v < 20; v *= 1.1) {
+      Rgb shown = ToneCurve.AGX.apply(Rgb.grey(v));
+      assertThat(shown.r()).isCloseTo(shown.g(), within(1e-3));
+      assertThat(shown.b()).isCloseTo(shown.g(), within(1e-3));
+      assertThat(shown.g()).isGreaterThanOrEqualTo(last);
+      last = shown.g();
+    }
   }
 
   @Test
@@ -76,7 +120,8 @@ class ToneCurveTest {
       assertThat(shown).isGreaterThanOrEqualTo(last - 1e-15);
       last = shown;
     }
-    assertThat(last).isCloseTo(1, within(1e-15));
+    // The polynomial of AgX ends at 0.99858 before it is encoded.
+    assertThat(last).isCloseTo(1, within(curve == ToneCurve.AGX ? 1.4e-3 : 1e-15));
   }
 
   @Test
@@ -103,15 +148,21 @@ class ToneCurveTest {
 
   @Test
   void sameInputGivesSameBits() {
+    assertThat(hash(EnumSet.range(ToneCurve.SRGB, ToneCurve.ACES)))
+        .isEqualTo(-5707766972890663853L);
+    assertThat(hash(EnumSet.allOf(ToneCurve.class))).isEqualTo(-1194544708337737439L);
+  }
+
+  private static long hash(Set<ToneCurve> curves) {
     SplittableRandom random = new SplittableRandom(7);
     long hash = 0;
     for (int i = 0; i < 10_000; i++) {
       Rgb c = new Rgb(random.nextDouble(2), random.nextDouble(2), random.nextDouble(2));
-      for (ToneCurve curve : ToneCurve.values()) {
+      for (ToneCurve curve : curves) {
         Rgb shown = curve.apply(c);
         hash = 31 * hash + Double.doubleToLongBits(shown.r() + 2 * shown.g() + 4 * shown.b());
       }
     }
-    assertThat(hash).isEqualTo(-5707766972890663853L);
+    return hash;
   }
 }

@@ -160,7 +160,7 @@ class SceneSchemaTest {
     Files.write(folder.resolve("inside.png"), SceneFixture.png(0xffffff));
     List<String> places = new ArrayList<>();
     Set<String> seen = new HashSet<>();
-    for (String name : List.of("thin-lens", "pinhole", "fish-eye", "cylindrical")) {
+    for (String name : List.of("thin-lens", "pinhole", "fish-eye", "cylindrical", "orthographic")) {
       String scene = sound(name);
       assertThat(isValid(scene)).as(name).isTrue();
       assertThat(verdict(scene)).as(name).isEqualTo(Verdict.SOUND);
