@@ -14,7 +14,10 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -72,6 +75,9 @@ final class ImportCommand implements Callable<Integer> {
       throw failure(model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
     }
     Path target = output.orElseGet(this::beside);
+    if (ModelSetup.isModel(target)) {
+      throw failure("--output: expected a name that ends in .json, found " + target);
+    }
     ModelSetup setup = flags.setup(0);
     Path folder = target.toAbsolutePath().normalize().getParent();
     for (Path used : setup.files(model)) {
@@ -94,11 +100,24 @@ final class ImportCommand implements Callable<Integer> {
       SceneText scene = setup.sceneIn(folder, model.toAbsolutePath().normalize(), flags.aspect());
       // Report what is wrong with the scene now, not when it is rendered.
       new SceneParser().parse(scene.json(), scene.path());
+      requireUnedited(target, scene.pretty() + "\n");
       TextFile.write(target, scene.pretty() + "\n");
     } catch (IOException e) {
       throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
     }
     return ExitCodes.OK;
+  }
+
+  /** Refuses to replace a scene with other content, which somebody may have edited. */
+  private void requireUnedited(Path target, String text) throws TaskException, IOException {
+    if (overwrite.isGiven() || !Files.exists(target) || Files.size(target) == 0) {
+      return;
+    }
+    if (!Arrays.equals(Files.readAllBytes(target), text.getBytes(StandardCharsets.UTF_8))) {
+      throw new TaskException(
+          Kind.OUTPUT,
+          target + ": is a different scene, which may be edited; --overwrite replaces it");
+    }
   }
 
   private Path beside() {

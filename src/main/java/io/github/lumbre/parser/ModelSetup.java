@@ -1,5 +1,7 @@
 package io.github.lumbre.parser;
 
+import static java.util.stream.Collectors.joining;
+
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
@@ -21,6 +23,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
@@ -231,16 +234,24 @@ public record ModelSetup(
     if (camera.isEmpty()) {
       return view.isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
     }
-    List<String> names = model.cameras().stream().map(ModelCamera::name).toList();
+    List<String> names = new ArrayList<>();
+    for (ModelCamera each : model.cameras()) {
+      // A camera without a name is named by its index.
+      names.add(each.name().isEmpty() ? Integer.toString(names.size()) : each.name());
+    }
     int index = names.indexOf(camera.get());
     if (index < 0) {
+      String wanted = Problems.quoted(camera.get());
       throw new ModelFormatException(
           ModelFormatException.Kind.MALFORMED,
           "cameras",
-          "expected a camera named "
-              + Problems.quoted(camera.get())
-              + ", found "
-              + (names.isEmpty() ? "none" : String.join(", ", names)));
+          names.isEmpty()
+              ? "expected a camera " + wanted + ", found none in the model"
+              : "expected "
+                  + names.stream().limit(20).map(Problems::quoted).collect(joining(" or "))
+                  + ", found "
+                  + wanted
+                  + Spelling.suggestion(camera.get(), names));
     }
     return Optional.of(model.cameras().get(index));
   }

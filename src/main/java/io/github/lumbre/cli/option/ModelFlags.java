@@ -127,6 +127,9 @@ public final class ModelFlags {
    * @throws ParameterException that names the flag, if a value is wrong
    */
   public ModelSetup setup(double turn) {
+    require(
+        camera.isEmpty() || !isTurned(),
+        "--turntable: cannot be combined with --camera; --view sets the first view");
     Optional<View> from = view.map(this::view);
     if (turn != 0 || isTurned()) {
       from = Optional.of(from.orElse(View.DEFAULT).turned(turn));

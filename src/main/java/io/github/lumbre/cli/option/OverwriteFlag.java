@@ -10,6 +10,10 @@ public final class OverwriteFlag {
       description = "Replace an existing output file even if it is of a different kind.")
   private boolean overwrite;
 
+  public boolean isGiven() {
+    return overwrite;
+  }
+
   /** Returns a guard without files. */
   public OutputGuard guard() {
     return new OutputGuard(overwrite);

@@ -95,11 +95,14 @@ public final class FilmNotes {
       return Optional.empty();
     }
     String json = note(SCENE_TEXT, Function.identity());
-    // A model that was moved may be used from its new folder.
-    Path folder =
-        scene.toAbsolutePath().normalize().equals(scene())
-            ? note(SCENE_FOLDER, FilmNotes::path)
-            : scene.toAbsolutePath().normalize().getParent();
+    // A model that was moved is used from its new folder, or from the folder that was moved with
+    // it.
+    Path relative = note(SCENE_FOLDER, FilmNotes::path).relativize(scene());
+    Path now = scene.toAbsolutePath().normalize();
+    Path folder = now.getParent();
+    for (int i = 1; i < relative.getNameCount() && now.endsWith(relative); i++) {
+      folder = folder.getParent();
+    }
     return Optional.of(
         new SceneText(json.getBytes(StandardCharsets.UTF_8), folder.resolve(scene.getFileName())));
   }

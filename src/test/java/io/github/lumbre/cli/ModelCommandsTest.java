@@ -1,0 +1,291 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.cli.output.ExitCodes;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** All commands work on a model file as on a scene. */
+class ModelCommandsTest {
+  private static final String SMALL = " --size 24x18 -s 4 --quiet";
+
+  @TempDir private Path directory;
+
+  @BeforeEach
+  void writeModel() throws IOException {
+    ModelSample.write(directory);
+  }
+
+  /** Runs a command line in which T stands for the directory of the test. */
+  private Outcome run(String line) {
+    return Outcome.of(
+        Stream.of(line.split(" "))
+            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
+            .toArray(String[]::new));
+  }
+
+  private void runs(String line) {
+    Outcome outcome = run(line);
+    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
+  }
+
+  private BufferedImage picture(String name) throws IOException {
+    return ImageIO.read(directory.resolve(name).toFile());
+  }
+
+  private void assertSame(String one, String other) {
+    assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
+  }
+
+  /** With a transparent background, opaque pixels are those of the model. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"front", "back", "left", "right", "top", "bottom", "iso", "30,20", "-70,-10"})
+  void theWholeModelIsInTheFrame(String view) throws IOException {
+    for (String size : new String[] {"64x32", "32x64"}) {
+      runs(
+          "render T/sample.glb --background transparent -o T/a.png -s 4 --quiet --view "
+              + view
+              + " --size "
+              + size);
+      BufferedImage picture = picture("a.png");
+      int last = picture.getWidth() - 1;
+      int bottom = picture.getHeight() - 1;
+      int covered = 0;
+      for (int y = 0; y <= bottom; y++) {
+        for (int x = 0; x <= last; x++) {
+          boolean isBorder = x == 0 || y == 0 || x == last || y == bottom;
+          int alpha = picture.getRGB(x, y) >>> 24;
+          covered += alpha > 0 ? 1 : 0;
+          assertThat(isBorder && alpha > 0).as(x + ", " + y).isFalse();
+        }
+      }
+      assertThat(covered).isGreaterThan(60);
+    }
+  }
+
+  @Test
+  void theDefaultLightIsNeitherDarkNorGlaring() throws IOException {
+    runs("render T/sample.glb --view front --background transparent -o T/a.png" + SMALL);
+    BufferedImage picture = picture("a.png");
+    int[] green =
+        Arrays.stream(picture.getRGB(0, 0, 24, 18, null, 0, 24))
+            .filter(pixel -> pixel >>> 24 == 255)
+            .map(pixel -> pixel >> 8 & 255)
+            .sorted()
+            .toArray();
+    double median = Math.pow(green[green.length / 2] / 255., 2.2);
+    assertThat(median).isBetween(.1, .6);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        " --camera close",
+        " --camera 1",
+        " --view iso --fov 60 --ground",
+        " --variant red --view back",
+        " --pose lift@0.5 --sky white --sky-intensity 0.5",
+        " --background #336699 --sky T/sky/sky.pfm --sky-rotation 40"
+      })
+  void theImportedSceneHasTheSamePicture(String flags) throws IOException {
+    Files.createDirectory(directory.resolve("sky"));
+    runs("render T/sample.glb --sky white -o T/sky/sky.pfm --size 4x2 -s 1 --quiet");
+    runs("import T/sample.glb -o T/scene.json" + flags);
+    runs("render T/scene.json -o T/a.pfm" + SMALL);
+    runs("render T/sample.glb -o T/b.pfm" + SMALL + flags);
+    assertSame("a.pfm", "b.pfm");
+  }
+
+  @Test
+  void flagsChangeThePicture() throws IOException {
+    runs("render T/sample.glb -o T/a.pfm" + SMALL);
+    for (String flags :
+        new String[] {"--variant red", "--pose lift@1 --camera close", "--ground", "--view top"}) {
+      runs("render T/sample.glb -o T/b.pfm " + flags + SMALL);
+      assertThat(Files.mismatch(directory.resolve("a.pfm"), directory.resolve("b.pfm")))
+          .as(flags)
+          .isNotEqualTo(-1);
+    }
+  }
+
+  @Test
+  void aResumedRenderIsBitIdentical() throws IOException {
+    runs("render T/sample.glb --view iso --ground -o T/a.pfm --size 24x18 -s 8 --quiet");
+    runs("render T/sample.glb --view iso --ground -o T/b.pfm --checkpoint T/b.film" + SMALL);
+    Files.createDirectory(directory.resolve("moved"));
+    for (String file : new String[] {"sample.glb", "paint.png"}) {
+      Files.move(directory.resolve(file), directory.resolve("moved/" + file));
+    }
+    Outcome lost = run("resume T/b.film -s 8 --quiet");
+    assertThat(lost.exitCode()).isIn(ExitCodes.SCENE, ExitCodes.ASSET);
+    assertThat(lost.err()).contains("sample.glb");
+    runs("resume T/b.film -s 8 --quiet --scene T/moved/sample.glb");
+    assertSame("a.pfm", "b.pfm");
+  }
+
+  /** The sky is beside the folder of the model, and both are moved. */
+  @Test
+  void aModelMayMoveWithItsSky() throws IOException {
+    Files.createDirectories(directory.resolve("old/models"));
+    ModelSample.write(directory.resolve("old/models"));
+    runs("render T/sample.glb -o T/old/sky.pfm --size 4x2 -s 1 --quiet");
+    runs(
+        "render T/old/models/sample.glb --sky T/old/sky.pfm -o T/b.pfm --checkpoint T/b.film"
+            + SMALL);
+    Files.move(directory.resolve("old"), directory.resolve("new"));
+    runs("resume T/b.film -s 6 --quiet --scene T/new/models/sample.glb");
+  }
+
+  @Test
+  void aChangedModelIsNotResumed() throws IOException {
+    runs("render T/sample.glb -o T/b.pfm --checkpoint T/b.film" + SMALL);
+    ModelSample.writeWith(directory, "\"metallicFactor\": 0", "\"metallicFactor\": 1");
+    assertThat(run("resume T/b.film -s 8 --quiet").exitCode()).isNotEqualTo(ExitCodes.OK);
+  }
+
+  @Test
+  void mergedSharesAreBitIdentical() {
+    runs("render T/sample.glb -o T/a.pfm" + SMALL);
+    for (int i = 0; i < 2; i++) {
+      runs(
+          "render T/sample.glb --share %1$d/2 --checkpoint T/%1$d.film -o T/%1$d.pfm".formatted(i)
+              + SMALL);
+    }
+    runs("merge T/0.film T/1.film -o T/b.pfm");
+    assertSame("a.pfm", "b.pfm");
+  }
+
+  @Test
+  void turntablesAreNumberedAndBeginWithTheView() throws IOException {
+    runs("render T/sample.glb --turntable 3 --view 10,5 -o T/a.pfm" + SMALL);
+    runs("render T/sample.glb --view 10,5 -o T/first.pfm" + SMALL);
+    runs("render T/sample.glb --view 130,5 -o T/second.pfm" + SMALL);
+    assertSame("a-000.pfm", "first.pfm");
+    assertSame("a-001.pfm", "second.pfm");
+    assertThat(directory.resolve("a-002.pfm")).exists();
+    assertThat(directory.resolve("a.pfm")).doesNotExist();
+  }
+
+  @Test
+  void reportsNameNodesAndMaterials() {
+    Outcome pixel = run("pixel T/sample.glb 12,9 --size 24x18 -s 4 --sample 0");
+    assertThat(pixel.out()).contains("sample.glb", "nodes[0]", "body", "materials[0]", "paint");
+    Outcome audit = run("audit T/sample.glb --view front --camera close");
+    assertThat(audit.exitCode()).isEqualTo(ExitCodes.USAGE);
+    assertThat(run("audit T/sample.glb --camera close").exitCode()).isEqualTo(ExitCodes.OK);
+    assertThat(run("check T/sample.glb --plan").out()).contains("meshes");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--camera closer | cameras: expected \"close\" or \"1\", found \"closer\"; did you mean",
+        "--variant rde | expected \"red\" or \"blue\", found \"rde\"",
+        "--pose lfit@1 | \"lift\"",
+        "--sky none.hdr | none.hdr"
+      })
+  void unknownNamesListWhatTheModelOffers(String flags, String message) {
+    run("render T/sample.glb -o T/a.png " + flags).assertFailed(ExitCodes.ASSET, message);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--view up | --view: expected front, back",
+        "--view 0,91 | --view: expected an elevation",
+        "--view front --camera close | --camera and --view",
+        "--fov 180 | --fov",
+        "--unit 0 | --unit",
+        "--up x | --up: expected y or z, found x",
+        "--pose lift@-1 | --pose",
+        "--pose lift@soon | --pose: expected a number, found soon",
+        "--background red | --background",
+        "--sky-intensity -1 | --sky-intensity",
+        "--turntable 0 | --turntable",
+        "--turntable 2 --camera close | --turntable: cannot be combined with --camera"
+      })
+  void wrongFlagsAreRefused(String flags, String message) {
+    Outcome outcome = run("render T/sample.glb -o T/a.png " + flags);
+    assertThat(outcome.err()).contains(message);
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--camera c",
+        "--view top",
+        "--fov 30",
+        "--sky white",
+        "--ground",
+        "--pose a",
+        "--variant a",
+        "--up z",
+        "--unit 2",
+        "--turntable 2"
+      })
+  void scenesRefuseTheFlagsOfModels(String flag) {
+    runs("import T/sample.glb -o T/scene.json");
+    Outcome outcome = run("render T/scene.json -o T/a.png " + flag);
+    assertThat(outcome.err()).contains(flag.split(" ")[0] + ": requires a model file");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
+  }
+
+  @Test
+  void missingAndDamagedModelsAreLocated() throws IOException {
+    run("render T/none.glb -o T/a.png").assertFailed(ExitCodes.SCENE, "none.glb: ", "found none");
+    ModelSample.writeWith(directory, "\"mesh\": 0", "\"mesh\": 7");
+    for (String command : new String[] {"render", "check", "audit", "import"}) {
+      run(command + " T/sample.glb")
+          .assertFailed(ExitCodes.ASSET, "sample.glb: nodes[0].mesh: ", "found 7");
+    }
+    ModelSample.write(directory);
+    Files.delete(directory.resolve("paint.png"));
+    run("render T/sample.glb -o T/a.png")
+        .assertFailed(ExitCodes.ASSET, "sample.glb: images[0].uri: ", "paint.png");
+  }
+
+  @Test
+  void inputsAndEditedScenesAreKept() throws IOException {
+    Files.createDirectory(directory.resolve("sky"));
+    runs("render T/sample.glb -o T/sky/sky.pfm --size 4x2 -s 1 --quiet");
+    byte[] texture = Files.readAllBytes(directory.resolve("paint.png"));
+    run("render T/sample.glb -o T/paint.png --overwrite")
+        .assertFailed(ExitCodes.OUTPUT, "paint.png");
+    run("render T/sample.glb --sky T/sky/sky.pfm -o T/sky/sky.pfm --overwrite")
+        .assertFailed(ExitCodes.OUTPUT, "sky.pfm");
+    assertThat(Files.readAllBytes(directory.resolve("paint.png"))).isEqualTo(texture);
+    runs("import T/sample.glb");
+    runs("import T/sample.glb");
+    run("import T/sample.glb --ground").assertFailed(ExitCodes.OUTPUT, "--overwrite");
+    runs("import T/sample.glb --ground --overwrite");
+    assertThat(run("import T/sample.glb -o T/sky/scene.json").err()).contains("in a folder that");
+    assertThat(run("import T/sample.glb -o T/new.gltf").err()).contains(".json");
+  }
+
+  @Test
+  void plainFormatsHaveUnitsAndAxes() throws IOException {
+    Files.writeString(
+        directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 0 2\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
+    runs("render T/a.obj --up z --unit 0.001 -o T/a.pfm" + SMALL);
+    runs("render T/a.obj -o T/b.pfm" + SMALL);
+    assertThat(Files.mismatch(directory.resolve("a.pfm"), directory.resolve("b.pfm")))
+        .isNotEqualTo(-1);
+  }
+}
