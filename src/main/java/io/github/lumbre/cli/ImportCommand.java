@@ -19,6 +19,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -78,7 +79,7 @@ final class ImportCommand implements Callable<Integer> {
     if (ModelSetup.isModel(target)) {
       throw failure("--output: expected a name that ends in .json, found " + target);
     }
-    ModelSetup setup = flags.setup(0);
+    ModelSetup setup = flags.setup(OptionalDouble.empty());
     Path folder = target.toAbsolutePath().normalize().getParent();
     for (Path used : setup.files(model)) {
       if (!used.startsWith(folder)) {

@@ -54,7 +54,7 @@ class ModelCommandsTest {
   @ValueSource(
       strings = {"front", "back", "left", "right", "top", "bottom", "iso", "30,20", "-70,-10"})
   void theWholeModelIsInTheFrame(String view) throws IOException {
-    for (String size : new String[] {"64x32", "32x64"}) {
+    for (String size : new String[] {"128x64", "64x128"}) {
       runs(
           "render T/sample.glb --background transparent -o T/a.png -s 4 --quiet --view "
               + view
@@ -183,7 +183,7 @@ class ModelCommandsTest {
   @Test
   void reportsNameNodesAndMaterials() {
     Outcome pixel = run("pixel T/sample.glb 12,9 --size 24x18 -s 4 --sample 0");
-    assertThat(pixel.out()).contains("sample.glb", "nodes[0]", "body", "materials[0]", "paint");
+    assertThat(pixel.out()).contains("nodes[0]", "body", "materials[0]", "paint");
     Outcome audit = run("audit T/sample.glb --view front --camera close");
     assertThat(audit.exitCode()).isEqualTo(ExitCodes.USAGE);
     assertThat(run("audit T/sample.glb --camera close").exitCode()).isEqualTo(ExitCodes.OK);

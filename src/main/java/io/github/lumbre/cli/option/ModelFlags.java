@@ -123,16 +123,17 @@ public final class ModelFlags {
   /**
    * Returns the scene around the model.
    *
-   * @param turn degrees by which the view is turned about the vertical axis
+   * @param turn degrees by which the view is turned about the vertical axis; empty without a
+   *     turntable
    * @throws ParameterException that names the flag, if a value is wrong
    */
-  public ModelSetup setup(double turn) {
+  public ModelSetup setup(OptionalDouble turn) {
     require(
-        camera.isEmpty() || !isTurned(),
+        camera.isEmpty() || turn.isEmpty(),
         "--turntable: cannot be combined with --camera; --view sets the first view");
     Optional<View> from = view.map(this::view);
-    if (turn != 0 || isTurned()) {
-      from = Optional.of(from.orElse(View.DEFAULT).turned(turn));
+    if (turn.isPresent()) {
+      from = Optional.of(from.orElse(View.DEFAULT).turned(turn.getAsDouble()));
     }
     double angle = fov.orElse(ModelSetup.DEFAULT_FOV);
     require(
@@ -157,11 +158,6 @@ public final class ModelFlags {
         isTransparent ? Optional.empty() : background.flatMap(this::color),
         isTransparent,
         options());
-  }
-
-  private boolean isTurned() {
-    return spec.optionsMap().containsKey("--turntable")
-        && spec.commandLine().getParseResult().hasMatchedOption("--turntable");
   }
 
   private ModelOptions options() {
@@ -233,10 +229,7 @@ public final class ModelFlags {
   /** Returns the aspect ratio of the frame; empty if no flag sets it. */
   public OptionalDouble aspect() {
     ParseResult given = spec.commandLine().getParseResult();
-    Optional<Size> size =
-        spec.optionsMap().containsKey("--size")
-            ? given.matchedOptionValue("--size", Optional.empty())
-            : Optional.empty();
+    Optional<Size> size = given.matchedOptionValue("--size", Optional.empty());
     return size.map(s -> OptionalDouble.of((double) s.width() / s.height()))
         .orElse(OptionalDouble.empty());
   }

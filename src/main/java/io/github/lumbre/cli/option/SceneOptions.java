@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Mixin;
@@ -25,7 +26,7 @@ import picocli.CommandLine.Parameters;
 public final class SceneOptions {
   private Optional<byte[]> text = Optional.empty();
   private Optional<SceneText> modelScene = Optional.empty();
-  private double turn;
+  private OptionalDouble turn = OptionalDouble.empty();
 
   @Mixin private ModelFlags model = new ModelFlags();
 
@@ -85,7 +86,7 @@ public final class SceneOptions {
 
   /** Turns the view of a model about the vertical axis, by an angle in degrees. */
   public void turn(double degrees) {
-    turn = degrees;
+    turn = OptionalDouble.of(degrees);
     modelScene = Optional.empty();
   }
 
