@@ -93,7 +93,7 @@ record ExrHeader(
   /** Returns the number of pixels from the first to the last; the largest int if it is larger. */
   private static int side(int first, int last) throws ImageFormatException {
     if (last < first) {
-      throw malformed("OpenEXR: its window ends before it begins");
+      throw malformed("OpenEXR: the data window ends before it begins");
     }
     return (int) Math.min((long) last - first + 1, Integer.MAX_VALUE);
   }
@@ -102,7 +102,7 @@ record ExrHeader(
     int mode = value.get(8);
     Tiles tiles = new Tiles(value.getInt(0), value.getInt(4), mode & 0xf, mode >> 4 == 1);
     if (tiles.width < 1 || tiles.height < 1 || tiles.levels > 2) {
-      throw malformed("OpenEXR: its description of tiles is damaged");
+      throw malformed("OpenEXR: the description of tiles is damaged");
     }
     return tiles;
   }

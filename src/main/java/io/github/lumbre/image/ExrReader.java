@@ -119,7 +119,7 @@ final class ExrReader {
     int lines = header.blockHeight();
     int first = Objects.checkIndex(in.getInt() - header.top(), header.height());
     if (first % lines != 0 || found.get(first / lines)) {
-      throw malformed("OpenEXR is damaged: its blocks are not one for each " + lines + " lines");
+      throw malformed("OpenEXR is damaged: expected one block for every " + lines + " lines");
     }
     found.set(first / lines);
     readBlock(0, first);

@@ -16,4 +16,10 @@ public enum Unlit implements Material {
   public Bsdf at(double u, double v) {
     return Absorber.BLACK;
   }
+
+  /** Returns this material, by which a surface is known not to scatter. */
+  @Override
+  public Material simplified() {
+    return this;
+  }
 }

@@ -30,7 +30,7 @@ class PixelsTest {
         .hasMessage("values: expected 2x2x3 values, found 11");
     assertThatThrownBy(() -> Pixels.of(0, 2, 3, new byte[0]))
         .isInstanceOf(IllegalArgumentException.class);
-    assertThatThrownBy(() -> Pixels.of(1, 1, 2, new byte[2]))
+    assertThatThrownBy(() -> Pixels.of(1, 1, 5, new byte[5]))
         .isInstanceOf(IllegalArgumentException.class);
   }
 

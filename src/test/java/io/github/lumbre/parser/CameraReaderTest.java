@@ -182,7 +182,7 @@ class CameraReaderTest {
         "'cameraType': 'FishEye', 'angle': 361"
             + "|.angle: expected a number in (0, 360], found 361",
         "'cameraType': 'Box'"
-            + "|.cameraType: expected one of Pinhole, ThinLens, Cylindrical, Spherical, FishEye,"
+            + "|.cameraType: expected one of Pinhole, ThinLens, Orthographic, Cylindrical, Spherical, FishEye,"
             + " found 'Box'"
       })
   void errorsInCamerasSayWhereAndWhat(String camera, String message) {
