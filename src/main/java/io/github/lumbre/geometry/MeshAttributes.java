@@ -24,6 +24,18 @@ public record MeshAttributes(double[] tangents, double[] uv1, float[] colors) {
     Objects.requireNonNull(colors, "colors");
   }
 
+  /** Returns the attributes of some vertices. */
+  MeshAttributes part(int[] vertices) {
+    float[] some = new float[colors.length == 0 ? 0 : 4 * vertices.length];
+    for (int i = 0; i < some.length; i += 4) {
+      System.arraycopy(colors, 4 * vertices[i / 4], some, i, 4);
+    }
+    return new MeshAttributes(
+        TriangleMesh.selected(tangents, vertices, 4),
+        TriangleMesh.selected(uv1, vertices, 2),
+        some);
+  }
+
   /** Returns these attributes with their tangents in world space. */
   MeshAttributes mapped(Transform toWorld) {
     if (tangents.length == 0) {

@@ -173,6 +173,39 @@ public final class TriangleMesh {
     return e1.maxAbs() > 0 && e2.maxAbs() > 0 ? e1.normalized().cross(e2.normalized()) : Vec3.ZERO;
   }
 
+  /**
+   * Returns a mesh with some of this mesh's triangles and their vertices.
+   *
+   * @param triangles numbers of triangles, each less than {@link #triangleCount}
+   */
+  public TriangleMesh part(int[] triangles) {
+    int[] corners = new int[3 * triangles.length];
+    for (int i = 0; i < corners.length; i++) {
+      corners[i] = indices[3 * triangles[i / 3] + i % 3];
+    }
+    int[] vertices = Arrays.stream(corners).sorted().distinct().toArray();
+    Arrays.setAll(corners, i -> Arrays.binarySearch(vertices, corners[i]));
+    return new TriangleMesh(
+        selected(positions, vertices, 3),
+        selected(normals, vertices, 3),
+        selected(uvs, vertices, 2),
+        corners,
+        attributes.part(vertices),
+        0);
+  }
+
+  /** Returns the values of some vertices; empty if there are none of any vertex. */
+  static double[] selected(double[] values, int[] vertices, int perVertex) {
+    if (values.length == 0) {
+      return values;
+    }
+    double[] result = new double[perVertex * vertices.length];
+    for (int i = 0; i < vertices.length; i++) {
+      System.arraycopy(values, perVertex * vertices[i], result, perVertex * i, perVertex);
+    }
+    return result;
+  }
+
   /** Returns this mesh in world space, with each vertex mapped once. */
   TriangleMesh baked(Transform toWorld) {
     return new TriangleMesh(this, toWorld);
@@ -213,7 +246,7 @@ public final class TriangleMesh {
   }
 
   /** Returns the vertex number at a corner, 0 to 2, of a triangle. */
-  int vertex(int triangle, int corner) {
+  public int vertex(int triangle, int corner) {
     return indices[3 * triangle + corner];
   }
 
@@ -222,7 +255,8 @@ public final class TriangleMesh {
     return positions;
   }
 
-  Vec3 position(int vertex) {
+  /** Returns a vertex in local space. */
+  public Vec3 position(int vertex) {
     return load(positions, vertex);
   }
 
@@ -256,7 +290,7 @@ public final class TriangleMesh {
   }
 
   /** Returns the texture coordinates at a corner, 0 to 2, of a triangle. */
-  TexturePoint uv(int triangle, int corner) {
+  public TexturePoint uv(int triangle, int corner) {
     if (uvs.length == 0) {
       return new TexturePoint(corner == 1 ? 1 : 0, corner == 2 ? 1 : 0);
     }

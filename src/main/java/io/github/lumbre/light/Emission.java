@@ -13,12 +13,27 @@ import java.util.Objects;
  *
  * @param radiance emitted radiance in linear RGB, the same in all directions
  * @param twoSided whether the inside emits as well as the outside
+ * @param meanRadiance estimate of the mean radiance over the surface, using the largest color
+ *     component; it decides how often the surface is sampled as a light
  */
-public record Emission(Texture<Rgb> radiance, boolean twoSided) {
+public record Emission(Texture<Rgb> radiance, boolean twoSided, double meanRadiance) {
   private static final int GRID = 16;
 
   public Emission {
     Objects.requireNonNull(radiance, "radiance");
+  }
+
+  /**
+   * Creates an emission whose mean radiance is that of a grid of 16 × 16 points of the texture's
+   * unit square.
+   */
+  public Emission(Texture<Rgb> radiance, boolean twoSided) {
+    this(radiance, twoSided, mean(radiance));
+  }
+
+  /** Returns this emission with another mean radiance. */
+  public Emission withMean(double newMeanRadiance) {
+    return new Emission(radiance, twoSided, newMeanRadiance);
   }
 
   /**
@@ -41,11 +56,7 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided) {
     return twoSided || point.isSeenFrontally(reference) ? radiance.at(point.texture()) : Rgb.BLACK;
   }
 
-  /**
-   * Returns an estimate of the mean radiance, using the largest color component. It averages a grid
-   * of 16 × 16 points of the texture.
-   */
-  double meanRadiance() {
+  private static double mean(Texture<Rgb> radiance) {
     double sum = 0;
     for (int i = 0; i < GRID * GRID; i++) {
       TexturePoint p =

@@ -80,14 +80,18 @@ public final class ModelScene {
     for (ModelPart part : model.parts()) {
       TriangleMesh mesh = mesh(part);
       if (mesh.triangleCount() > 0) {
-        Shape shape = shape(mesh, toWorld.times(part.toWorld()), uses.get(part.geometry()) > 1);
+        Transform partToWorld = toWorld.times(part.toWorld());
+        Shape shape = shape(mesh, partToWorld, uses.get(part.geometry()) > 1);
         boolean isClosed = !part.material().doubleSided() && shape.isClosed();
         surfaces.add(
             new ModelSurface(
                 part,
                 shape,
                 materials.of(part.material(), isClosed),
-                materials.emission(part.material())));
+                materials
+                    .emission(part.material())
+                    .map(emission -> EmissiveTriangles.of(mesh, shape, partToWorld, emission))
+                    .orElse(List.of())));
       }
     }
     return surfaces;

@@ -4,30 +4,40 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.scene.SceneBuilder;
+import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 
 /**
  * A part of a model as a scene has it.
  *
  * @param shape in the scene's world space
- * @param emission empty if the surface emits no light
+ * @param emitters divide the shape if it emits light; empty otherwise
  */
-public record ModelSurface(
-    ModelPart part, Shape shape, Material material, Optional<Emission> emission) {
+public record ModelSurface(ModelPart part, Shape shape, Material material, List<Emitter> emitters) {
+  /**
+   * A part of a surface that emits light of similar radiance.
+   *
+   * @param shape in the scene's world space
+   */
+  public record Emitter(Shape shape, Emission emission) {
+    public Emitter {
+      Objects.requireNonNull(shape, "shape");
+      Objects.requireNonNull(emission, "emission");
+    }
+  }
+
   public ModelSurface {
     Objects.requireNonNull(part, "part");
     Objects.requireNonNull(shape, "shape");
     Objects.requireNonNull(material, "material");
-    Objects.requireNonNull(emission, "emission");
+    emitters = List.copyOf(emitters);
   }
 
-  /** Adds the surface to a scene: one primitive, and one emitter if it emits light. */
+  /** Adds the surface to a scene: one primitive, or one with an emission for each emitter. */
   public void addTo(SceneBuilder scene) {
-    if (emission.isPresent()) {
-      scene.add(shape, material, emission.get());
-    } else {
+    if (emitters.isEmpty()) {
       scene.add(shape, material);
     }
+    emitters.forEach(emitter -> scene.add(emitter.shape(), material, emitter.emission()));
   }
 }

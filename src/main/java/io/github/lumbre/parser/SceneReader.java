@@ -185,13 +185,13 @@ final class SceneReader {
     return scene.build();
   }
 
-  /** Records the origin of a primitive or light that was just added. */
+  /** Records the origin of the primitives or lights that were just added. */
   private void note(Addition addition, SceneBuilder scene) {
-    if (scene.primitiveCount() > primitives.size()) {
+    while (scene.primitiveCount() > primitives.size()) {
       primitives.add(addition.origin);
       materialsOfPrimitives.add(addition.material);
     }
-    if (scene.emitterCount() > emitters.size()) {
+    while (scene.emitterCount() > emitters.size()) {
       emitters.add(addition.origin);
     }
   }
