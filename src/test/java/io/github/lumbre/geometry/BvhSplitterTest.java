@@ -20,7 +20,8 @@ class BvhSplitterTest {
   private static final int AFTER = 3;
 
   private static final List<LeafCost> COSTS =
-      List.of(BinaryTraversal.COSTS, WideTree.COSTS, new LeafCost(1, 16, 3), new LeafCost(4, 2, .5));
+      List.of(
+          BinaryTraversal.COSTS, WideTree.COSTS, new LeafCost(1, 16, 3), new LeafCost(4, 2, .5));
 
   /** Returns boxes of random sizes whose centers are the integers from 0 on, in random order. */
   private static double[] boxes(Random random, int range) {
@@ -95,8 +96,8 @@ class BvhSplitterTest {
           assertThat(order[i]).isEqualTo(i);
         }
       }
-      assertThat(range(first, end)).containsExactlyInAnyOrderElementsOf(
-          IntStream.range(first, end).boxed().toList());
+      assertThat(range(first, end))
+          .containsExactlyInAnyOrderElementsOf(IntStream.range(first, end).boxed().toList());
     }
   }
 

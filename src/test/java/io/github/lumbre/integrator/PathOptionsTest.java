@@ -91,8 +91,7 @@ class PathOptionsTest {
   @EnumSource(MisHeuristic.class)
   void lightsAreSampledWhereThatCanHelp(MisHeuristic heuristic) {
     Scene area = empty().addAreaLight(ceilingLamp(1, 1, 2), glow(1)).build();
-    Scene both =
-        empty().addAreaLight(ceilingLamp(1, 1, 2), glow(1)).add(point(Vec3.Y, 1)).build();
+    Scene both = empty().addAreaLight(ceilingLamp(1, 1, 2), glow(1)).add(point(Vec3.Y, 1)).build();
     assertThat(heuristic.samplesLights(List.of())).isFalse();
     assertThat(heuristic.samplesLights(area.emitters())).isEqualTo(heuristic != MisHeuristic.BSDF);
     assertThat(heuristic.samplesLights(both.emitters())).isTrue();

@@ -165,8 +165,7 @@ class PathTracerTest {
   /** A white surface keeps the whole throughput, so roulette never ends a path. */
   @Test
   void rouletteSparesPathsOfFullThroughput() {
-    PathTracer tracer =
-        new PathTracer(furnace(Rgb.WHITE), PathOptions.toDepth(40).rouletteFrom(0));
+    PathTracer tracer = new PathTracer(furnace(Rgb.WHITE), PathOptions.toDepth(40).rouletteFrom(0));
     for (int sample = 0; sample < 20; sample++) {
       assertClose(radiance(tracer, INSIDE, sample, plain), Rgb.grey(40));
     }
@@ -298,8 +297,7 @@ class PathTracerTest {
             .add(EnvironmentLight.uniform(Rgb.grey(.1)))
             .build();
     PathTracer tracer =
-        new PathTracer(
-            scene, PathOptions.toDepth(1).by(heuristic).by(LightSamplerKind.UNIFORM));
+        new PathTracer(scene, PathOptions.toDepth(1).by(heuristic).by(LightSamplerKind.UNIFORM));
     boolean samples = heuristic != MisHeuristic.BSDF;
     int found = 0;
     for (int sample = 0; sample < SAMPLES; sample++) {
@@ -407,8 +405,7 @@ class PathTracerTest {
   private static Mesh tiltedFloor() {
     double[] positions = {-9, 0, -9, 0, 0, 9, 9, 0, -9};
     double[] normals = {1, 1, 0, 1, 1, 0, 1, 1, 0};
-    TriangleMesh data =
-        TriangleMesh.of(positions, normals, new double[0], new int[] {0, 1, 2});
+    TriangleMesh data = TriangleMesh.of(positions, normals, new double[0], new int[] {0, 1, 2});
     return Mesh.baked(data, Transform.IDENTITY);
   }
 
@@ -425,8 +422,7 @@ class PathTracerTest {
             .add(sphere(0, 1, 0, .2), matte(.5))
             .add(point(new Vec3(0, 2, 0), 1))
             .build();
-    PathTracer tracer =
-        new PathTracer(scene, PathOptions.toDepth(5).rouletteFrom(firstRoulette));
+    PathTracer tracer = new PathTracer(scene, PathOptions.toDepth(5).rouletteFrom(firstRoulette));
     Set<End> ends = EnumSet.noneOf(End.class);
     for (int sample = 0; sample < SAMPLES; sample++) {
       RenderContext context = RenderContext.recordedBy(recorder);
@@ -582,8 +578,8 @@ class PathTracerTest {
             .addAreaLight(sphere(-.3, 0, .3, .1), glow(1))
             .build();
     int split = 4;
-    PathTracer tracer = new PathTracer(
-            scene, PathOptions.toDepth(6).splitInto(split).rouletteFrom(NEVER));
+    PathTracer tracer =
+        new PathTracer(scene, PathOptions.toDepth(6).splitInto(split).rouletteFrom(NEVER));
     for (int sample = 0; sample < SAMPLES; sample++) {
       radiance(tracer, INSIDE, sample, recorded);
       List<PathVertex> vertices = recorder.vertices();
@@ -611,8 +607,7 @@ class PathTracerTest {
         assertThat(first.ray().direction()).isEqualTo(directions.get(branch));
         assertThat(first.ray().origin().minus(origin).length()).isLessThan(1e-12);
         assertThat(first.throughput().r() * split)
-            .isCloseTo(
-                at.throughput().r() * at.scattered().get(branch).weight().r(), rounding());
+            .isCloseTo(at.throughput().r() * at.scattered().get(branch).weight().r(), rounding());
       }
     }
   }

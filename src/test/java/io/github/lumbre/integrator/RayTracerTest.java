@@ -210,8 +210,7 @@ class RayTracerTest {
                 new Rectangle(TestScenes.at(1.2, 4, .8).times(turned(180, 0, 0)), .6, .6, false),
                 glow(2))
             .build();
-    assertClose(
-        radiance(new RayTracer(scene, 1, 0), lookingDownAt(0), 0, plain), ALBEDO.times(2));
+    assertClose(radiance(new RayTracer(scene, 1, 0), lookingDownAt(0), 0, plain), ALBEDO.times(2));
     assertThat(radiance(new RayTracer(scene, 0, 9), lookingDownAt(0), 0, plain).isBlack()).isTrue();
     assertThat(plain.shadowRays()).isZero();
   }

@@ -97,8 +97,7 @@ class VertexTest {
         Vec3 wi = direction(to);
         double cosine = wi.dot(TILTED);
         boolean scatters = wi.y() > 0 && cosine > 0;
-        assertThat(valueOf(wi).r())
-            .isCloseTo(scatters ? .5 / Math.PI * cosine : 0, within(1e-9));
+        assertThat(valueOf(wi).r()).isCloseTo(scatters ? .5 / Math.PI * cosine : 0, within(1e-9));
       }
       assertThat(valueOf(Vec3.X).r()).isZero();
     }
@@ -168,8 +167,7 @@ class VertexTest {
   /** Of two equal lights, opaque surfaces sample mostly the one on the viewer's side. */
   @Test
   void lightsAreSelectedForTheSidesThatScatter() {
-    Scene lights =
-        empty().add(point(TILTED.times(2), 1)).add(point(TILTED.times(-2), 1)).build();
+    Scene lights = empty().add(point(TILTED.times(2), 1)).add(point(TILTED.times(-2), 1)).build();
     LightSampler sampler = LightSampler.over(lights.emitters());
     LightChoice choice = new LightChoice();
     for (boolean isFront : new boolean[] {true, false}) {

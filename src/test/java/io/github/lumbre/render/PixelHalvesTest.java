@@ -61,8 +61,7 @@ class PixelHalvesTest {
       }
     }
     PixelHalves negative = new PixelHalves(1, Rgb.grey(1), 1, Rgb.grey(-1e-6));
-    assertThat(negative.cautiousSquaredError())
-        .isCloseTo(.25 / PixelHalves.FLOOR, within(1e-3));
+    assertThat(negative.cautiousSquaredError()).isCloseTo(.25 / PixelHalves.FLOOR, within(1e-3));
   }
 
   /** Uniform numbers around 100 have the variance 1/12, and the mean of n of them has 1/(12 n). */

@@ -44,8 +44,7 @@ class SampleLimitTest {
   /** One bad component rejects the sample; rejected samples are black and not clamped. */
   @Test
   void samplesThatAreNegativeOrNotFiniteAreRejected() {
-    for (double bad :
-        new double[] {-1e-300, -5, Double.NaN, Double.POSITIVE_INFINITY, -1 / 0.0}) {
+    for (double bad : new double[] {-1e-300, -5, Double.NaN, Double.POSITIVE_INFINITY, -1 / 0.0}) {
       for (Rgb sample : new Rgb[] {new Rgb(bad, 9, 9), new Rgb(9, bad, 9), new Rgb(9, 9, bad)}) {
         assertThat(SampleLimit.isRejected(sample)).isTrue();
         assertThat(LIMIT.isClamped(sample)).isFalse();

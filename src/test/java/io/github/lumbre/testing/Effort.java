@@ -12,6 +12,7 @@ public final class Effort {
   public static final String EXHAUSTIVE = "exhaustive";
 
   private static final boolean IS_EXHAUSTIVE = Boolean.getBoolean("lumbre.exhaustive");
+
   /**
    * The system property that makes tests brief, so that they can judge each of many mutants of the
    * program.
