@@ -24,12 +24,14 @@ final class Passing {
   private long rays;
 
   /**
-   * Moves a hit that {@link Scene#intersect} has found to the first surface that stops the ray.
+   * Moves the context's hit, which {@link Scene#intersect} has found, to the first surface that
+   * stops the ray.
    *
    * @param vertex number of the path's next vertex
    * @return whether there is one
    */
-  boolean stops(Scene scene, NearestHit hit, int vertex, Sampler sampler) {
+  boolean stops(Scene scene, int vertex, Sampler sampler, RenderContext context) {
+    NearestHit hit = context.hit;
     red = 1;
     green = 1;
     blue = 1;
@@ -50,13 +52,14 @@ final class Passing {
       if (material.isOpaque()) {
         return true;
       }
-      Rgb passed = material.transmittance(surface);
-      double probability = Math.min(1, passed.max());
-      if (sampler.get1d(Sampler.passing(vertex, layer)) >= probability) {
-        scale(Rgb.grey(1 / (1 - probability)));
+      if (material.catchesShadows() && vertex == 0) {
+        if (!CaughtShadows.isLit(scene, surface, layer, sampler, context)) {
+          scale(Rgb.BLACK);
+          return true;
+        }
+      } else if (!passes(material, surface, sampler.get1d(Sampler.passing(vertex, layer)))) {
         return true;
       }
-      scale(passed.times(1 / probability));
       Vec3 direction = hit.direction();
       surface.spawn(direction.x(), direction.y(), direction.z(), hit);
       rays++;
@@ -65,6 +68,17 @@ final class Passing {
       }
     }
     scale(Rgb.BLACK);
+    return true;
+  }
+
+  private boolean passes(Material material, SurfaceHit surface, double random) {
+    Rgb passed = material.transmittance(surface);
+    double probability = Math.min(1, passed.max());
+    if (random >= probability) {
+      scale(Rgb.grey(1 / (1 - probability)));
+      return false;
+    }
+    scale(passed.times(1 / probability));
     return true;
   }
 

@@ -205,7 +205,7 @@ public final class PathTracer implements Integrator {
   /** Moves the hit beyond transparent surfaces; returns whether a surface stops the ray. */
   private boolean passTransparency(int depth, Sampler sampler, RenderContext context) {
     Passing passing = context.passing;
-    boolean stops = passing.stops(scene, context.hit, depth, sampler);
+    boolean stops = passing.stops(scene, depth, sampler, context);
     context.rays += passing.rays();
     context.path.scale(passing.red(), passing.green(), passing.blue());
     return stops;

@@ -98,7 +98,7 @@ public final class RayTracer implements Integrator {
     boolean isHit = scene.intersect(branch.ray(), hit);
     Branch seen = branch;
     if (isHit && hasPassing) {
-      isHit = context.passing.stops(scene, hit, number, sampler);
+      isHit = context.passing.stops(scene, number, sampler, context);
       context.rays += context.passing.rays();
       seen = branch.scaled(context.passing.factor());
     }

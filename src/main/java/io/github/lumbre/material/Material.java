@@ -40,6 +40,11 @@ public interface Material {
     return Rgb.BLACK;
   }
 
+  /** Returns whether the camera sees only the surface's shadows; see {@link ShadowCatcher}. */
+  default boolean catchesShadows() {
+    return false;
+  }
+
   /**
    * Returns the absorption coefficient of the medium behind the surface, per world unit; black if
    * it absorbs nothing.

@@ -13,6 +13,7 @@ import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.ScalarChannel;
+import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -55,6 +56,7 @@ final class MaterialReader {
           .with("None", material -> Surface.DEFAULT)
           .with("Phong", this::phong, keys("color", "specularColor", "exponent", "normal"))
           .with("CookTorrance", this::cookTorrance, cookTorranceKeys())
+          .with("ShadowCatcher", this::shadowCatcher, keys("color"))
           .with("MetallicRoughness", this::metallicRoughness, metallicRoughnessKeys());
 
   MaterialReader(AssetTable assets, TextureReader textures) {
@@ -133,6 +135,10 @@ final class MaterialReader {
 
   private Surface diffuse(JsonNode material) {
     return surface(material, new Matte(reflectances(material, "color").get(0)));
+  }
+
+  private Surface shadowCatcher(JsonNode material) {
+    return surface(material, new ShadowCatcher(reflectances(material, "color").get(0)));
   }
 
   private Surface color(JsonNode material) {

@@ -40,7 +40,8 @@ import java.util.OptionalDouble;
  * @param sky {@code studio}, {@code white} or the path of a latitude-longitude picture
  * @param skyIntensity factor of the sky's radiance, at least 0
  * @param skyRotation rotation of the sky about the vertical axis, in degrees
- * @param ground whether the model stands on an infinite gray floor
+ * @param ground whether the model stands on an infinite gray floor, of which only the shadows are
+ *     visible if the background is transparent
  * @param background color that the camera sees instead of the sky; empty for the sky
  * @param transparent whether the background is transparent
  * @param options what to read from the model
@@ -316,11 +317,11 @@ public record ModelSetup(
     return object;
   }
 
-  private static JsonObject groundMaterial() {
+  private JsonObject groundMaterial() {
     JsonObject material = new JsonObject();
     material.addProperty("assetType", "Material");
     material.addProperty("id", 2);
-    material.addProperty("materialType", "Diffuse");
+    material.addProperty("materialType", transparent ? "ShadowCatcher" : "Diffuse");
     material.add("color", color(Rgb.grey(GROUND_GRAY)));
     return material;
   }

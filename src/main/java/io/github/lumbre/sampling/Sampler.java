@@ -42,6 +42,9 @@ public interface Sampler {
   /** Beyond the dimensions of all vertices that a path can have. */
   int FIRST_PASSING = 1 << 30;
 
+  /** Beyond the dimensions of all passed surfaces. */
+  int FIRST_CAUGHT = 3 << 29;
+
   /** Returns the first dimension of a path's vertex; the one that the camera sees is 0. */
   static int vertex(int number) {
     return FIRST_VERTEX + number * VERTEX_STRIDE;
@@ -55,6 +58,15 @@ public interface Sampler {
    */
   static int passing(int vertex, int layer) {
     return FIRST_PASSING + (vertex << 8) + layer;
+  }
+
+  /**
+   * Returns the first of five dimensions that decide whether a camera ray sees a shadow.
+   *
+   * @param layer how many surfaces the ray has passed
+   */
+  static int caught(int layer) {
+    return FIRST_CAUGHT + (layer << 3);
   }
 
   /** Moves to a sample of a pixel of the full frame. */

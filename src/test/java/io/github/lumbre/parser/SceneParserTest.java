@@ -518,7 +518,7 @@ class SceneParserTest {
       value = {
         "'materialType': 'Velvet'"
             + "|.materialType: expected one of Diffuse, Color, Reflective, Refractive, None, Phong,"
-            + " CookTorrance, MetallicRoughness, found 'Velvet'",
+            + " CookTorrance, ShadowCatcher, MetallicRoughness, found 'Velvet'",
         "'materialType': 'Phong', 'exponent': -1"
             + "|.exponent: expected a finite number >= 0, found -1",
         "'materialType': 'CookTorrance', 'roughness': 1.5"

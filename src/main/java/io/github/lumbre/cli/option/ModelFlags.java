@@ -87,7 +87,11 @@ public final class ModelFlags {
       description = "Rotation of the sky about the vertical axis (0).")
   private Optional<Double> skyRotation;
 
-  @Option(names = "--ground", description = "Put the model on an infinite gray floor.")
+  @Option(
+      names = "--ground",
+      description =
+          "Put the model on an infinite gray floor. If the background is transparent, only its"
+              + " shadow is seen.")
   private boolean ground;
 
   @Option(

@@ -1,0 +1,54 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.Texture;
+
+/**
+ * A floor that shows only its shadows: the camera sees black where other surfaces block the direct
+ * light, in proportion to the light that they block, and otherwise what is behind the floor. All
+ * other rays meet a diffuse surface.
+ *
+ * @param surface what other rays meet
+ */
+public record ShadowCatcher(Matte surface) implements Material {
+  /**
+   * @param albedo fraction of the light that is reflected to other surfaces; components above 1 are
+   *     clamped to 1
+   */
+  public ShadowCatcher(Texture<Rgb> albedo) {
+    this(new Matte(albedo));
+  }
+
+  @Override
+  public boolean isUniform() {
+    return surface.isUniform();
+  }
+
+  @Override
+  public Bsdf at(double u, double v) {
+    return surface.at(u, v);
+  }
+
+  @Override
+  public boolean catchesShadows() {
+    return true;
+  }
+
+  /** {@inheritDoc} The camera may see through this one. Its transmittance is black. */
+  @Override
+  public boolean isOpaque() {
+    return false;
+  }
+
+  @Override
+  public Rgb transmittance(SurfaceHit hit) {
+    return Rgb.BLACK;
+  }
+
+  /** Returns this material, which must be known to catch shadows. */
+  @Override
+  public Material simplified() {
+    return this;
+  }
+}
