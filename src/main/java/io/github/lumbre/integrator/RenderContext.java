@@ -88,7 +88,7 @@ public final class RenderContext {
     double length = 0;
     for (int layer = 0; scene.intersect(shadow); layer++) {
       Material material = scene.primitiveAt(shadow).material();
-      length += shadow.t();
+      length += shadow.t() * shadow.direction().length();
       if (material.isOpaque() || layer == Passing.MAX_LAYERS) {
         return true;
       }

@@ -59,6 +59,10 @@ final class AssetData {
     void error(Kind kind, String message) {
       asset.error(kind, key, message);
     }
+
+    void warn(String message) {
+      asset.warn(key, message);
+    }
   }
 
   /**

@@ -174,19 +174,32 @@ final class TextureReader {
       return decoded(content).map(pixels -> new Picture.Decoded(pixels, filter));
     }
     try {
-      Image image = LinearReader.decode(content.bytes());
-      for (float value : image.rgb()) {
-        if (!(value >= 0 && value < Float.POSITIVE_INFINITY)) {
-          content.error(Kind.ASSET, "expected finite colors of at least 0, found " + value);
-          return Optional.empty();
-        }
-      }
-      return Optional.of(new Picture.Linear(image));
+      return positive(content, LinearReader.decode(content.bytes())).map(Picture.Linear::new);
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
       return Optional.empty();
     }
+  }
+
+  /** Returns a picture with 0 in place of negative colors; empty if one is not finite. */
+  private static Optional<Image> positive(AssetData.Content content, Image image) {
+    float[] rgb = image.rgb();
+    int negative = 0;
+    for (int i = 0; i < rgb.length; i++) {
+      if (!Float.isFinite(rgb[i])) {
+        content.error(Kind.ASSET, "expected finite colors, found " + rgb[i]);
+        return Optional.empty();
+      }
+      if (rgb[i] < 0) {
+        negative++;
+        rgb[i] = 0;
+      }
+    }
+    if (negative > 0) {
+      content.warn("has " + negative + " negative colors, which count as 0");
+    }
+    return Optional.of(image);
   }
 
   private static Optional<Pixels> decoded(AssetData.Content content) {
@@ -206,14 +219,11 @@ final class TextureReader {
     ImageReader.ignoredColorSpace(content.bytes())
         .ifPresent(
             space ->
-                content
-                    .asset()
-                    .warn(
-                        content.key(),
-                        "the picture has "
-                            + Problems.shortened(space)
-                            + ", which is ignored; its colors are read as sRGB;"
-                            + " convert it to sRGB"));
+                content.warn(
+                    "the picture has "
+                        + Problems.shortened(space)
+                        + ", which is ignored; its colors are read as sRGB;"
+                        + " convert it to sRGB"));
   }
 
   private static void warnOfBomb(AssetData.Content content, Pixels pixels) {
@@ -221,7 +231,7 @@ final class TextureReader {
     int bytes = content.bytes().length;
     if (texels > (long) SUSPICIOUS_TEXELS_PER_BYTE * bytes) {
       String size = pixels.width() + "x" + pixels.height();
-      content.asset().warn(content.key(), bytes + " bytes decode to " + size + " pixels");
+      content.warn(bytes + " bytes decode to " + size + " pixels");
     }
   }
 

@@ -103,6 +103,15 @@ class CaughtShadowsTest {
     assertThat(opacity(new PathTracer(scene, 3), lookingDownAt(0))).isCloseTo(blocked, within(.02));
   }
 
+  /** The sky, of irradiance π, is sampled by a density, the point light is not. */
+  @Test
+  void skiesAndPointLightsCountByTheirIrradiance() {
+    Scene scene =
+        underSky(caught().add(ceilingLamp(1, 1, 1), matte(.5)).add(point(new Vec3(0, 2, 0), 12)));
+    double blocked = (3 + Math.PI * hidden(1, 1)) / (3 + Math.PI);
+    assertThat(opacity(new PathTracer(scene, 3), lookingDownAt(0))).isCloseTo(blocked, within(.02));
+  }
+
   @Test
   void panesCastShadowsThatTheirOpacityDims() {
     MetallicRoughness veil =

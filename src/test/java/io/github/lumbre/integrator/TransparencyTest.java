@@ -305,6 +305,84 @@ class TransparencyTest {
     assertMean(new PathTracer(lit, 1), new Ray(Vec3.Y, Vec3.Y.negated()), .5);
   }
 
+  @Test
+  void backplatesAreRecordedAsLightOfTheEnvironment() {
+    Scene scene =
+        empty().add(EnvironmentLight.uniform(Rgb.WHITE)).backplate(new Rgb(.125, .25, .5)).build();
+    for (Integrator integrator : new Integrator[] {path(scene), ray(scene)}) {
+      PathRecorder recorder = new PathRecorder();
+      SobolSampler sampler = new SobolSampler(3);
+      sampler.startSample(1, 2, 3);
+      integrator.radiance(FORWARD, sampler, RenderContext.recordedBy(recorder));
+      PathVertex only = recorder.vertices().get(0);
+      assertThat(only.end()).isEqualTo(PathVertex.End.ESCAPED);
+      assertThat(only.contributions()).hasSize(1);
+      assertThat(only.contributions().get(0).lights().get(0).radiance())
+          .isEqualTo(new Rgb(.125, .25, .5));
+    }
+  }
+
+  @Test
+  void eachPassedSurfaceCountsAsARay() {
+    SceneBuilder builder = empty().addEmissive(wall(9), glow(1));
+    for (int i = 1; i <= 5; i++) {
+      builder.add(wall(i), veil(0, 0));
+    }
+    Scene scene = builder.build();
+    for (Integrator integrator : new Integrator[] {path(scene), ray(scene)}) {
+      RenderContext context = new RenderContext();
+      SobolSampler sampler = new SobolSampler(3);
+      sampler.startSample(1, 2, 3);
+      assertThat(integrator.radiance(FORWARD, sampler, context)).isEqualTo(Rgb.WHITE);
+      assertThat(context.rays()).isEqualTo(6);
+    }
+  }
+
+  /** Camera rays and shadow rays pass at most 255 surfaces. */
+  @ParameterizedTest
+  @ValueSource(ints = {255, 256, 300})
+  void raysEndAfter255Surfaces(int layers) {
+    SceneBuilder builder = empty().addEmissive(wall(999), glow(1));
+    SceneBuilder lit =
+        empty().add(floor(), matte(.5)).add(point(new Vec3(0, 2 * layers, 0), 4. * layers));
+    for (int i = 1; i <= layers; i++) {
+      builder.add(wall(i), veil(0, 0));
+      lit.add(new Rectangle(at(0, i, 0), 9, 9, true), veil(0, 0));
+    }
+    Ray down = new Ray(new Vec3(0, .5, 0), Vec3.Y.negated());
+    for (Integrator integrator : new Integrator[] {path(builder.build()), ray(builder.build())}) {
+      assertThat(radiance(integrator, FORWARD).g()).isEqualTo(layers > 255 ? 0 : 1);
+    }
+    for (Integrator integrator : new Integrator[] {path(lit.build()), ray(lit.build())}) {
+      double irradiance = 1. / layers;
+      assertThat(radiance(integrator, down).g())
+          .isCloseTo(layers > 255 ? 0 : .5 / Math.PI * irradiance, within(1e-12));
+    }
+  }
+
+  /** Light passes the faces of a half opaque box, and what is in it absorbs. */
+  @Test
+  void mediaDimPointLightsThatPassTheirBoundaries() {
+    Material medium =
+        plastic(1)
+            .transmission(ScalarChannel.of(1))
+            .ior(1)
+            .volume(Rgb.grey(.5))
+            .opacity(ScalarChannel.of(.25))
+            .build();
+    Scene scene =
+        empty()
+            .add(floor(), matte(.5))
+            .add(new Box(at(0, 2, 0), 4, 1.5, 4), medium)
+            .add(point(new Vec3(0, 4, 0), 16))
+            .build();
+    Ray down = new Ray(new Vec3(0, .5, 0), Vec3.Y.negated());
+    double expected = .75 * .75 * Math.exp(-.75) * .5 / Math.PI;
+    for (Integrator integrator : new Integrator[] {ray(scene), new PathTracer(scene, 1)}) {
+      assertThat(radiance(integrator, down).g()).isCloseTo(expected, within(1e-9));
+    }
+  }
+
   static Stream<Arguments> integrators() {
     return Stream.of(1, 3)
         .flatMap(
