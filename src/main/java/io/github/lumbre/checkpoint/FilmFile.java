@@ -205,7 +205,9 @@ public record FilmFile(FilmHeader header, Film film) {
         }
         try {
           film.decode(pixel, buffer);
-        } catch (BufferUnderflowException | IllegalArgumentException e) {
+        } catch (BufferUnderflowException e) {
+          throw new FilmFormatException("pixel " + pixel + " cannot be read: the file ends early");
+        } catch (IllegalArgumentException e) {
           throw new FilmFormatException("pixel " + pixel + " cannot be read: " + e.getMessage());
         }
       }

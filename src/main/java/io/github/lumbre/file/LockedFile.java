@@ -96,7 +96,12 @@ final class LockedFile implements Closeable {
           path, StandardOpenOption.CREATE, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
     } catch (FileSystemException e) {
       throw new IOException(
-          target + ": the directory " + path.getParent() + " cannot be written: " + reason(e), e);
+          target
+              + ": the directory "
+              + path.getParent()
+              + " cannot be written: "
+              + FileFailure.reason(e),
+          e);
     }
   }
 
@@ -109,12 +114,5 @@ final class LockedFile implements Closeable {
       // Some network file systems do not support locks. The file can be written nevertheless.
       return true;
     }
-  }
-
-  /**
-   * Returns the reason of a file system error; "permission denied" if the exception states none.
-   */
-  static String reason(FileSystemException e) {
-    return e.getReason() == null ? "permission denied" : e.getReason();
   }
 }

@@ -199,7 +199,7 @@ public final class OutputFile implements Closeable {
     } catch (NoSuchFileException e) {
       return absolute;
     } catch (FileSystemException e) {
-      throw new IOException(target + ": " + LockedFile.reason(e), e);
+      throw new IOException(target + ": " + FileFailure.reason(e), e);
     }
   }
 

@@ -96,14 +96,14 @@ final class LightTree implements NearLights {
   }
 
   /**
-   * Returns the probability of descending to the left child; 0.5 where the ratio of the importances
-   * is undefined.
+   * Returns the probability of descending to the left child; 0.5 where the sum of the importances
+   * is 0 or infinite.
    */
   private double leftShare(int left, LightChoice receiver) {
     double one = nodes.importance(left, receiver);
     double other = nodes.importance(left + 1, receiver);
-    double share = one / (one + other);
-    return share >= 0 ? share : .5;
+    double sum = one + other;
+    return sum > 0 && sum < Double.POSITIVE_INFINITY ? one / sum : .5;
   }
 
   /**

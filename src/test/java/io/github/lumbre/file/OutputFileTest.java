@@ -309,6 +309,6 @@ class OutputFileTest {
     Files.createDirectory(directory.resolve(".a.png.tmp"));
     assertThatThrownBy(() -> OutputFile.open(directory.resolve("a.png")))
         .isInstanceOf(IOException.class)
-        .hasMessageContaining("cannot be written: Is a directory");
+        .hasMessageContaining("cannot be written: is a directory");
   }
 }
