@@ -39,10 +39,14 @@ final class ObjFaces {
 
   private final ObjSmoothing smoothing = new ObjSmoothing();
   private int[] face = new int[12];
+  private int narrowFaces;
+
+  /** The place of the first face of one or two corners. */
+  private String narrowFace = "";
 
   /**
-   * @param isModel whether colors of vertices are read, and faces without normals in a smoothing
-   *     group get smooth normals
+   * @param isModel whether colors of vertices are read, faces without normals in a smoothing group
+   *     get smooth normals, and faces of one or two corners are ignored
    */
   ObjFaces(TextScanner scanner, ObjCensus census, boolean isModel) {
     this.scanner = scanner;
@@ -129,10 +133,27 @@ final class ObjFaces {
       count++;
     }
     if (count < 3) {
-      throw scanner.error("expected at least 3 corners per face, found " + count);
+      ignoreOrRefuse(count);
     }
     for (int k = 2; k < count; k++) {
       addTriangle(surface, 0, k - 1, k);
+    }
+  }
+
+  /** Some tools write loose edges as faces of two corners. */
+  private void ignoreOrRefuse(int count) throws ModelFormatException {
+    if (!isModel || count == 0) {
+      throw scanner.error("expected at least 3 corners per face, found " + count);
+    }
+    if (narrowFaces++ == 0) {
+      narrowFace = scanner.location();
+    }
+  }
+
+  /** Adds a warning if faces of one or two corners were ignored. */
+  void warnOfNarrowFaces(Warnings warnings) {
+    if (narrowFaces > 0) {
+      warnings.add(narrowFace, "ignored faces of fewer than 3 corners: " + narrowFaces);
     }
   }
 

@@ -91,6 +91,7 @@ final class ObjModelReader {
       throw scanner.error("expected at least one face, found the end of the file");
     }
     faces.finish();
+    faces.warnOfNarrowFaces(warnings);
     List<ModelPart> result = new ArrayList<>();
     Map<String, ModelMaterial> materials = readMaterials();
     for (Map.Entry<Key, Part> entry : parts.entrySet()) {

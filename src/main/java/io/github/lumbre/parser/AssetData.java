@@ -99,22 +99,25 @@ final class AssetData {
   }
 
   /**
-   * Returns access to the files that a model names, relative to the model's own folder.
+   * Returns access to the files that a model names, relative to the model's own folder. It adds no
+   * errors to the scene: a model may do without some of its files.
    *
-   * @param object the object that names the model; errors are reported there
    * @param model name of the model file, relative to the scene's folder
    */
-  ModelFolder folderOf(JsonNode object, String model) {
+  ModelFolder folderOf(String model) {
     String parent = model.substring(0, model.lastIndexOf('/') + 1);
-    return (name, location) ->
-        file(object, parent + name)
-            .map(Content::bytes)
-            .orElseThrow(
-                () ->
-                    new ModelFormatException(
-                        ModelFormatException.Kind.ASSET,
-                        location,
-                        "the file " + Problems.quoted(name) + " cannot be used"));
+    return (name, location) -> {
+      try {
+        return bytes(parent + name);
+      } catch (Unusable e) {
+        throw new ModelFormatException(
+            e.kind == Kind.LIMIT
+                ? ModelFormatException.Kind.TOO_LARGE
+                : ModelFormatException.Kind.ASSET,
+            location,
+            e.getMessage());
+      }
+    };
   }
 
   /** Returns the model files that objects name, and the files that these name, if they exist. */
@@ -188,28 +191,45 @@ final class AssetData {
     return Arrays.copyOf(letters, count);
   }
 
+  /** Thrown if a file cannot be read. */
+  private static final class Unusable extends Exception {
+    private static final long serialVersionUID = 1;
+
+    private final Kind kind;
+
+    Unusable(Kind kind, String message) {
+      super(message);
+      this.kind = kind;
+    }
+
+    static Unusable unreadable(String name, String reason) {
+      return new Unusable(
+          Kind.ASSET, "expected a readable file, found " + Problems.quoted(name) + ": " + reason);
+    }
+  }
+
   /** Returns the bytes of a file; empty, with an error added at "file", if it cannot be read. */
   Optional<Content> file(JsonNode asset, String name) {
     try {
-      Optional<Path> path = inFolder(asset, name);
-      if (path.isEmpty() || !isFile(asset, name, path.get())) {
-        return Optional.empty();
-      }
-      byte[] bytes = Files.readAllBytes(path.get());
+      return Optional.of(new Content(asset, FILE_KEY, bytes(name)));
+    } catch (Unusable e) {
+      asset.error(e.kind, FILE_KEY, e.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  private byte[] bytes(String name) throws Unusable {
+    try {
+      Path path = inFolder(name);
+      requireFile(name, path);
+      byte[] bytes = Files.readAllBytes(path);
       hash(bytes);
       hashes.put(name, Sha256.of(bytes));
-      return Optional.of(new Content(asset, FILE_KEY, bytes));
+      return bytes;
     } catch (ClosedByInterruptException e) {
       throw new CancellationException(e.toString());
     } catch (IOException e) {
-      asset.error(
-          Kind.ASSET,
-          FILE_KEY,
-          "expected a readable file, found "
-              + Problems.quoted(name)
-              + ": "
-              + FileFailure.reason(e));
-      return Optional.empty();
+      throw Unusable.unreadable(name, FileFailure.reason(e));
     }
   }
 
@@ -220,62 +240,47 @@ final class AssetData {
     }
   }
 
-  /** Returns whether a path is a file small enough to be read; adds an error if it is not. */
-  private static boolean isFile(JsonNode asset, String name, Path path) throws IOException {
+  /** Checks that a path is a file small enough to be read. */
+  private static void requireFile(String name, Path path) throws IOException, Unusable {
     if (!Files.readAttributes(path, BasicFileAttributes.class).isRegularFile()) {
       String found = Files.isDirectory(path) ? "a folder" : "no regular file";
-      asset.error(
-          Kind.ASSET, FILE_KEY, "expected a file, found " + found + " at " + Problems.quoted(name));
-      return false;
+      throw new Unusable(
+          Kind.ASSET, "expected a file, found " + found + " at " + Problems.quoted(name));
     }
     if (Files.size(path) > MAX_BYTES) {
-      asset.error(
-          Kind.LIMIT,
-          FILE_KEY,
-          "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path));
-      return false;
+      throw new Unusable(
+          Kind.LIMIT, "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path));
     }
-    return true;
   }
 
-  /** Returns the real path of a file; empty, with an error added, if it is outside the folder. */
-  private Optional<Path> inFolder(JsonNode asset, String name) throws IOException {
+  /** Returns the real path of a file in the folder. */
+  private Path inFolder(String name) throws IOException, Unusable {
     Path folder = folder();
     Optional<Path> path;
     try {
       path = relative(name).map(folder::resolve).map(Path::normalize);
     } catch (InvalidPathException e) {
-      asset.error(
-          Kind.ASSET,
-          FILE_KEY,
-          "expected a readable file, found "
-              + Problems.quoted(name)
-              + ": "
-              + FileFailure.reason(e));
-      return Optional.empty();
+      throw Unusable.unreadable(name, FileFailure.reason(e));
     }
     if (path.isEmpty() || !path.get().startsWith(folder)) {
-      asset.error(
-          FILE_KEY,
+      throw new Unusable(
+          Kind.INVALID,
           "expected a relative path inside the scene's folder, found " + Problems.quoted(name));
-      return Optional.empty();
     }
     Path real;
     try {
       real = path.get().toRealPath();
     } catch (NoSuchFileException e) {
-      asset.error(Kind.ASSET, FILE_KEY, "expected a file, found none at " + Problems.quoted(name));
-      return Optional.empty();
+      throw new Unusable(Kind.ASSET, "expected a file, found none at " + Problems.quoted(name));
     }
     if (!real.startsWith(folder)) {
-      asset.error(
-          FILE_KEY,
+      throw new Unusable(
+          Kind.INVALID,
           "expected a file inside the scene's folder, found the link "
               + Problems.quoted(name)
               + ", which points outside it; copy the file into the folder");
-      return Optional.empty();
     }
-    return Optional.of(real);
+    return real;
   }
 
   /**

@@ -87,17 +87,13 @@ final class ModelObjects {
 
   private List<Part> parts(Placed object, String name, AssetData.Content content) {
     JsonNode node = object.node();
-    boolean hadErrors = node.problems().hasErrors();
     try {
-      Model model =
-          ModelReader.read(name, content.bytes(), data.folderOf(node, name), options(node));
+      Model model = ModelReader.read(name, content.bytes(), data.folderOf(name), options(node));
       model.warnings().forEach(warning -> node.warn("file", name + ": " + warning));
       Transform toWorld = object.toWorld().times(ModelScene.TO_LEFT_HANDED);
       return parts(node, name, new ModelScene(model, toWorld, kernel), overrides(node));
     } catch (ModelFormatException e) {
-      if (hadErrors || !node.problems().hasErrors()) {
-        report(node, name, e);
-      }
+      report(node, name, e);
     } catch (IOException e) {
       CancellationException cancelled = new CancellationException(e.toString());
       cancelled.initCause(e);

@@ -262,6 +262,19 @@ class ModelCommandsTest {
   }
 
   @Test
+  void anObjFileMayLackItsMaterials() throws IOException {
+    Files.writeString(
+        directory.resolve("a.obj"),
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    Outcome outcome = run("render T/a.obj -o T/a.png" + SMALL);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    assertThat(outcome.err().lines())
+        .hasSize(2)
+        .allMatch(line -> line.contains("warning") && line.contains("a.obj: line "));
+    assertThat(outcome.err()).contains("found none at \"a.mtl\"");
+  }
+
+  @Test
   void inputsAndEditedScenesAreKept() throws IOException {
     Files.createDirectory(directory.resolve("sky"));
     runs("render T/sample.glb -o T/sky/sky.pfm --size 4x2 -s 1 --quiet");

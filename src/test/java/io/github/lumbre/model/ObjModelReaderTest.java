@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
@@ -90,6 +91,21 @@ class ObjModelReaderTest {
         .containsExactly(
             "line 5: ignored statements \"l\": only polygons are supported",
             "line 7: ignored the unknown statement \"foo\"");
+  }
+
+  @Test
+  void facesOfTwoCornersAreReportedOnce() throws ModelFormatException {
+    Model model = obj("f 1 2;f 1 2 3;f 2;f 2 3 4").read();
+    assertThat(model.parts()).hasSize(1);
+    assertThat(model.parts().get(0).geometry().triangleCount()).isEqualTo(2);
+    assertThat(model.warnings())
+        .containsExactly("line 5: ignored faces of fewer than 3 corners: 2");
+  }
+
+  @Test
+  void facesWithoutCornersAreRefused() {
+    assertThatThrownBy(() -> obj("f 1 2 3;f").read())
+        .hasMessage("line 6: expected at least 3 corners per face, found 0");
   }
 
   @Test
