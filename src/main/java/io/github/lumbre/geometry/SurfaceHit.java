@@ -93,7 +93,7 @@ public final class SurfaceHit {
    * Replaces the shading normal with another unit normal, in world space, and realigns the tangents
    * as {@link Frame#around} does. Normal maps perturb the normal this way.
    */
-  public void bendTo(Vec3 normal) {
+  public void perturb(Vec3 normal) {
     Vec3 u = new Vec3(tangentX, tangentY, tangentZ);
     Vec3 v = new Vec3(bitangentX, bitangentY, bitangentZ);
     // No Frame is created here: escape analysis cannot remove an object that comes from two

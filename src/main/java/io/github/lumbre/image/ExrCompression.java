@@ -27,7 +27,8 @@ enum ExrCompression {
           "OpenEXR: expected no compression, RLE, ZIPS, ZIP or PIZ, found "
               + (code >= 5 && code <= 9
                   ? new String[] {"PXR24", "B44", "B44A", "DWAA", "DWAB"}[code - 5]
-                  : "code " + code));
+                  : "code " + code)
+              + "; save the picture with ZIP compression");
     }
     return values()[code];
   }

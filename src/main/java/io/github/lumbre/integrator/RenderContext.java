@@ -9,7 +9,7 @@ import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.texture.UnreadablePoints;
+import io.github.lumbre.texture.InvalidCoordinates;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Objects;
@@ -121,8 +121,8 @@ public final class RenderContext {
    * Returns the number of invalid texture coordinates (NaN or infinite) on this thread since the
    * last call, and resets it to 0.
    */
-  public long takeUnreadablePoints() {
-    return UnreadablePoints.take();
+  public long takeInvalidCoordinates() {
+    return InvalidCoordinates.take();
   }
 
   /** Prepares for the next camera ray. */

@@ -30,7 +30,7 @@ final class Vertex {
    */
   void moveTo(SurfaceHit newSurface, Material material) {
     surface = newSurface;
-    material.bend(surface);
+    material.perturb(surface);
     // If the viewer is behind the shading plane but in front of the surface, shade with the
     // geometric normal.
     lookBack();

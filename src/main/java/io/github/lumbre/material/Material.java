@@ -62,5 +62,5 @@ public interface Material {
   }
 
   /** Perturbs the hit's shading frame by a normal map, if there is one. */
-  default void bend(SurfaceHit hit) {}
+  default void perturb(SurfaceHit hit) {}
 }

@@ -53,13 +53,13 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
   }
 
   @Override
-  public void bend(SurfaceHit hit) {
-    material.bend(hit);
+  public void perturb(SurfaceHit hit) {
+    material.perturb(hit);
     Vec3 local = map.normal(hit.u(uvSet), hit.v(uvSet));
     if (local.maxAbs() != 0) {
       // Normalize first, so that sums of huge components do not overflow.
       Vec3 normal = hit.toWorld(local.normalized()).normalized();
-      hit.bendTo(NormalMap.raised(normal, hit.geometricNormal()));
+      hit.perturb(NormalMap.raised(normal, hit.geometricNormal()));
     }
   }
 

@@ -46,7 +46,7 @@ final class BucketWorker implements Runnable {
   private long reported;
   private long rejected;
   private long saturated;
-  private long unreadable;
+  private long invalidCoordinates;
   private long clamped;
   private double clampedLight;
 
@@ -73,7 +73,7 @@ final class BucketWorker implements Runnable {
   public void run() {
     boolean returned = false;
     // Discard the count of earlier work of this thread.
-    context.takeUnreadablePoints();
+    context.takeInvalidCoordinates();
     try {
       bucket = queue.take();
       while (bucket.isPresent() && render(bucket.get())) {
@@ -83,7 +83,7 @@ final class BucketWorker implements Runnable {
       returned = true;
     } finally {
       bucket = Optional.empty();
-      unreadable = context.takeUnreadablePoints();
+      invalidCoordinates = context.takeInvalidCoordinates();
       if (!returned) {
         queue.stop();
       }
@@ -187,7 +187,7 @@ final class BucketWorker implements Runnable {
         rejected,
         firstRejected,
         saturated,
-        unreadable,
+        invalidCoordinates,
         clamped,
         clampedLight);
   }

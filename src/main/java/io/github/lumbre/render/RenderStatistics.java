@@ -15,7 +15,7 @@ import java.util.stream.Stream;
  *     black
  * @param firstRejected the first few rejected samples
  * @param saturated the number of samples too bright for the film, which were reduced to its maximum
- * @param unreadable the number of invalid texture coordinates (NaN or infinite), which were
+ * @param invalidCoordinates the number of invalid texture coordinates (NaN or infinite), which were
  *     replaced with (0, 0)
  * @param clamped the number of samples scaled down to the settings' clamp
  * @param clampedLight the light lost by clamping, as the sum of the means of the channels; its last
@@ -28,7 +28,7 @@ public record RenderStatistics(
     long rejected,
     List<RejectedSample> firstRejected,
     long saturated,
-    long unreadable,
+    long invalidCoordinates,
     long clamped,
     double clampedLight)
     implements Serializable {
@@ -65,7 +65,7 @@ public record RenderStatistics(
             .limit(MAX_FIRST_REJECTED)
             .toList(),
         saturated + o.saturated,
-        unreadable + o.unreadable,
+        invalidCoordinates + o.invalidCoordinates,
         clamped + o.clamped,
         clampedLight + o.clampedLight);
   }

@@ -19,7 +19,7 @@ record Bilinear(int x0, int x1, int y0, int y1, double s, double t) {
   static Bilinear around(double u, double v, int width, int height) {
     boolean isReadable = Texel.isFinite(u, v);
     if (!isReadable) {
-      UnreadablePoints.count();
+      InvalidCoordinates.count();
     }
     // Count from the centers of the left column and the bottom row.
     double column = width * (isReadable ? Texel.fraction(u) : 0) - .5;

@@ -74,7 +74,7 @@ public final class SampledTexture implements Texture<Rgb> {
    */
   public double channel(double u, double v, int channel) {
     if (!Texel.isFinite(u, v)) {
-      UnreadablePoints.count();
+      InvalidCoordinates.count();
       return channel(0, 0, channel);
     }
     double x = clamped(u) * pixels.width();

@@ -10,7 +10,7 @@ final class Texel {
   /** Returns the column, counted from the left. Also counts invalid points. */
   static int column(double u, double v, int width) {
     if (!isFinite(u, v)) {
-      UnreadablePoints.count();
+      InvalidCoordinates.count();
       return 0;
     }
     return index(u, width);

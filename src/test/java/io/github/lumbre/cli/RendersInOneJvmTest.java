@@ -56,9 +56,9 @@ class RendersInOneJvmTest {
       throws InterruptedException, ExecutionException {
     SceneFile odd = parse(new SceneParser(), marble("1e308"));
     SceneFile sound = parse(new SceneParser(), marble("1000"));
-    long expected = render(odd.scene(), odd).statistics().unreadable();
+    long expected = render(odd.scene(), odd).statistics().invalidCoordinates();
     assertThat(expected).isPositive();
-    assertThat(render(sound.scene(), sound).statistics().unreadable()).isZero();
+    assertThat(render(sound.scene(), sound).statistics().invalidCoordinates()).isZero();
     ExecutorService threads = Executors.newFixedThreadPool(4);
     try {
       List<Future<RenderResult>> odds = new ArrayList<>();
@@ -68,8 +68,8 @@ class RendersInOneJvmTest {
         sounds.add(threads.submit(() -> render(sound.scene(), sound)));
       }
       for (int i = 0; i < 50; i++) {
-        assertThat(odds.get(i).get().statistics().unreadable()).isEqualTo(expected);
-        assertThat(sounds.get(i).get().statistics().unreadable()).isZero();
+        assertThat(odds.get(i).get().statistics().invalidCoordinates()).isEqualTo(expected);
+        assertThat(sounds.get(i).get().statistics().invalidCoordinates()).isZero();
       }
     } finally {
       threads.shutdownNow();

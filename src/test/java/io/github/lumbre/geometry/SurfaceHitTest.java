@@ -243,7 +243,7 @@ class SurfaceHitTest {
       SurfaceHit hit = surface(random, 0);
       Frame before = hit.shading();
       Vec3 normal = i % 10 == 0 ? before.tangent() : Shapes.direction(random);
-      hit.bendTo(normal);
+      hit.perturb(normal);
       assertThat(hit.shading())
           .isEqualTo(Frame.around(normal, before.tangent(), before.bitangent()));
       hit.shadeFlat();

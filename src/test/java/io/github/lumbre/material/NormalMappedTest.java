@@ -55,10 +55,10 @@ class NormalMappedTest {
   private static Vec3 normal(SurfaceHit hit, Rgb tilt, UvMapping mapping) {
     NormalMap map = new NormalMap(Texture.constant(tilt), mapping, 1);
     Frame unbent = hit.shading();
-    new NormalMapped(Matte.GREY, map).bend(hit);
-    Vec3 bent = hit.shading().normal();
+    new NormalMapped(Matte.GREY, map).perturb(hit);
+    Vec3 perturbed = hit.shading().normal();
     hit.shadeBy(unbent);
-    return bent;
+    return perturbed;
   }
 
   /** Returns the changes of u and v over a small step along a tangential direction. */
@@ -186,11 +186,11 @@ class NormalMappedTest {
   void mapsOnMapsPerturbOneAfterTheOther() {
     Scene scene = scene(new Rectangle(Transform.IDENTITY, 2, 2, true));
     SurfaceHit hit = hit(scene, Vec3.Y, Vec3.Y.negated()).orElseThrow();
-    Vec3 bent = normal(hit, new Rgb(.48, .36, .8), UvMapping.IDENTITY);
+    Vec3 perturbed = normal(hit, new Rgb(.48, .36, .8), UvMapping.IDENTITY);
     NormalMap tilt = new NormalMap(Texture.constant(new Rgb(.48, .36, .8)), UvMapping.IDENTITY, 1);
     NormalMap flat = new NormalMap(Texture.constant(new Rgb(0, 0, 1)), UvMapping.IDENTITY, 1);
-    new NormalMapped(new NormalMapped(Matte.GREY, tilt), flat).bend(hit);
-    assertThat(hit.shading().normal()).isEqualTo(bent).isNotEqualTo(hit.geometricNormal());
+    new NormalMapped(new NormalMapped(Matte.GREY, tilt), flat).perturb(hit);
+    assertThat(hit.shading().normal()).isEqualTo(perturbed).isNotEqualTo(hit.geometricNormal());
   }
 
   private static void assertUsable(SurfaceHit hit) {
@@ -199,8 +199,8 @@ class NormalMappedTest {
     assertThat(frame.bitangent().length()).isCloseTo(1, within(1e-12));
     assertThat(frame.tangent().dot(frame.normal())).isCloseTo(0, within(1e-12));
     assertThat(frame.bitangent().dot(frame.normal())).isCloseTo(0, within(1e-12));
-    Vec3 bent = normal(hit, new Rgb(.3, 0, .9), UvMapping.IDENTITY);
-    assertThat(bent.dot(frame.normal())).isCloseTo(Math.sqrt(.9), within(1e-12));
+    Vec3 perturbed = normal(hit, new Rgb(.3, 0, .9), UvMapping.IDENTITY);
+    assertThat(perturbed.dot(frame.normal())).isCloseTo(Math.sqrt(.9), within(1e-12));
   }
 
   @Test

@@ -144,14 +144,14 @@ class ImageTextureTest {
   void whatIsNotFiniteIsReadAtTheOriginAndCounted(Filter filter) {
     ImageTexture texture = new ImageTexture(random(3, 5, 3), Role.COLOUR, filter);
     Rgb origin = texture.at(new TexturePoint(0, 0));
-    UnreadablePoints.take();
+    InvalidCoordinates.take();
     double[] odd = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
     for (double value : odd) {
       assertThat(texture.at(new TexturePoint(value, .7))).isEqualTo(origin);
       assertThat(texture.at(new TexturePoint(.7, value))).isEqualTo(origin);
     }
-    assertThat(UnreadablePoints.take()).isEqualTo(2L * odd.length);
-    assertThat(UnreadablePoints.take()).isZero();
+    assertThat(InvalidCoordinates.take()).isEqualTo(2L * odd.length);
+    assertThat(InvalidCoordinates.take()).isZero();
   }
 
   @Test

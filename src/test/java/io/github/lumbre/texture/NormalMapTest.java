@@ -28,16 +28,16 @@ class NormalMapTest {
     return v.normalized();
   }
 
-  private static Vec3 bent(Rgb normal, UvMapping mapping, double strength) {
+  private static Vec3 perturbed(Rgb normal, UvMapping mapping, double strength) {
     NormalMap map = new NormalMap(Texture.constant(normal), mapping, strength);
-    return bent(map, Frame.WORLD, Vec3.Z).normal();
+    return perturbed(map, Frame.WORLD, Vec3.Z).normal();
   }
 
   /** Returns the shading frame of a surface after a normal map is applied. */
-  private static Frame bent(NormalMap map, Frame shading, Vec3 geometricNormal) {
+  private static Frame perturbed(NormalMap map, Frame shading, Vec3 geometricNormal) {
     SurfaceHit hit =
         new SurfaceHit().set(Vec3.ZERO, geometricNormal, shading, POINT, geometricNormal, 0);
-    new NormalMapped(Matte.GREY, map).bend(hit);
+    new NormalMapped(Matte.GREY, map).perturb(hit);
     return hit.shading();
   }
 
@@ -52,35 +52,35 @@ class NormalMapTest {
       NormalMap map =
           new NormalMap(new ImageTexture(pixels, Role.NORMAL, filter), UvMapping.IDENTITY, 1);
       Frame frame = Frame.around(direction());
-      assertThat(bent(map, frame, frame.normal())).isEqualTo(frame);
+      assertThat(perturbed(map, frame, frame.normal())).isEqualTo(frame);
     }
   }
 
   @Test
   void componentsFollowTangentBitangentAndNormal() {
-    Vec3 normal = bent(new Rgb(.48, -.36, .8), UvMapping.IDENTITY, 1);
+    Vec3 normal = perturbed(new Rgb(.48, -.36, .8), UvMapping.IDENTITY, 1);
     assertThat(normal.minus(new Vec3(.48, -.36, .8)).length()).isLessThan(4 * EPS);
     // The components need not form a unit vector.
-    assertThat(bent(new Rgb(.12, -.09, .2), UvMapping.IDENTITY, 1).minus(normal).length())
+    assertThat(perturbed(new Rgb(.12, -.09, .2), UvMapping.IDENTITY, 1).minus(normal).length())
         .isLessThan(4 * EPS);
   }
 
   @Test
   void negativeScalesMirrorTheBumps() {
     Rgb tilt = new Rgb(.48, .36, .8);
-    assertThat(bent(tilt, scaled(3, 2), 1).x()).isCloseTo(.48, within(4 * EPS));
-    assertThat(bent(tilt, scaled(-3, 2), 1).x()).isCloseTo(-.48, within(4 * EPS));
-    assertThat(bent(tilt, scaled(-3, 2), 1).y()).isCloseTo(.36, within(4 * EPS));
-    assertThat(bent(tilt, scaled(3, -2), 1).y()).isCloseTo(-.36, within(4 * EPS));
+    assertThat(perturbed(tilt, scaled(3, 2), 1).x()).isCloseTo(.48, within(4 * EPS));
+    assertThat(perturbed(tilt, scaled(-3, 2), 1).x()).isCloseTo(-.48, within(4 * EPS));
+    assertThat(perturbed(tilt, scaled(-3, 2), 1).y()).isCloseTo(.36, within(4 * EPS));
+    assertThat(perturbed(tilt, scaled(3, -2), 1).y()).isCloseTo(-.36, within(4 * EPS));
   }
 
   @Test
   void mapsStretchedWithoutEndHaveNoSlopeThatWay() {
     Rgb tilt = new Rgb(.48, .36, .8);
-    Vec3 alongV = bent(tilt, scaled(0, 2), 1);
+    Vec3 alongV = perturbed(tilt, scaled(0, 2), 1);
     assertThat(alongV.x()).isZero();
     assertThat(alongV.y() / alongV.z()).isCloseTo(.45, within(4 * EPS));
-    Vec3 alongU = bent(tilt, scaled(3, 0), 1);
+    Vec3 alongU = perturbed(tilt, scaled(3, 0), 1);
     assertThat(alongU.x() / alongU.z()).isCloseTo(.6, within(4 * EPS));
     assertThat(alongU.y()).isZero();
   }
@@ -95,25 +95,25 @@ class NormalMapTest {
   @Test
   void strengthMultipliesTheSlopes() {
     Rgb tilt = new Rgb(.3, .4, .5);
-    assertThat(bent(tilt, UvMapping.IDENTITY, 0)).isEqualTo(Vec3.Z);
+    assertThat(perturbed(tilt, UvMapping.IDENTITY, 0)).isEqualTo(Vec3.Z);
     for (double strength : new double[] {-1, .5, 2, 10}) {
-      Vec3 normal = bent(tilt, UvMapping.IDENTITY, strength);
+      Vec3 normal = perturbed(tilt, UvMapping.IDENTITY, strength);
       assertThat(normal.x() / normal.z()).isCloseTo(.6 * strength, within(1e-14));
       assertThat(normal.y() / normal.z()).isCloseTo(.8 * strength, within(1e-14));
     }
-    assertThatThrownBy(() -> bent(tilt, UvMapping.IDENTITY, Double.NaN))
+    assertThatThrownBy(() -> perturbed(tilt, UvMapping.IDENTITY, Double.NaN))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("strength");
   }
 
   @Test
   void normalsBelowTheHorizonAreBentBackToJustAbove() {
-    Vec3 normal = bent(new Rgb(.8, 0, -.6), UvMapping.IDENTITY, 1);
+    Vec3 normal = perturbed(new Rgb(.8, 0, -.6), UvMapping.IDENTITY, 1);
     assertThat(normal.z()).isBetween(5e-4, 2e-3);
     assertThat(normal.x()).isGreaterThan(.99);
     // Straight down, no side is nearer than another.
-    assertThat(bent(new Rgb(0, 0, -1), UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
-    assertThat(bent(Rgb.BLACK, UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
+    assertThat(perturbed(new Rgb(0, 0, -1), UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
+    assertThat(perturbed(Rgb.BLACK, UvMapping.IDENTITY, 1)).isEqualTo(Vec3.Z);
   }
 
   @Test
@@ -130,14 +130,14 @@ class NormalMapTest {
       Vec3 u = direction();
       Vec3 v = direction();
       Frame frame = Frame.around(shading, u, v);
-      Frame bent = bent(map, frame, geometric);
-      assertThat(bent.normal().dot(geometric)).isGreaterThan(9e-4);
-      assertThat(bent.normal().length()).isCloseTo(1, within(4 * EPS));
-      assertThat(bent.tangent().length()).isCloseTo(1, within(4 * EPS));
-      assertThat(bent.bitangent().length()).isCloseTo(1, within(8 * EPS));
-      assertThat(bent.tangent().dot(bent.normal())).isCloseTo(0, within(4 * EPS));
-      assertThat(bent.bitangent().dot(bent.normal())).isCloseTo(0, within(4 * EPS));
-      assertThat(bent.bitangent().dot(bent.tangent())).isCloseTo(0, within(4 * EPS));
+      Frame perturbed = perturbed(map, frame, geometric);
+      assertThat(perturbed.normal().dot(geometric)).isGreaterThan(9e-4);
+      assertThat(perturbed.normal().length()).isCloseTo(1, within(4 * EPS));
+      assertThat(perturbed.tangent().length()).isCloseTo(1, within(4 * EPS));
+      assertThat(perturbed.bitangent().length()).isCloseTo(1, within(8 * EPS));
+      assertThat(perturbed.tangent().dot(perturbed.normal())).isCloseTo(0, within(4 * EPS));
+      assertThat(perturbed.bitangent().dot(perturbed.normal())).isCloseTo(0, within(4 * EPS));
+      assertThat(perturbed.bitangent().dot(perturbed.tangent())).isCloseTo(0, within(4 * EPS));
     }
   }
 
@@ -146,9 +146,9 @@ class NormalMapTest {
     Frame mirrored = new Frame(Vec3.X, Vec3.Y.negated(), Vec3.Z);
     for (Frame frame : new Frame[] {Frame.WORLD, mirrored}) {
       NormalMap map = new NormalMap(Texture.constant(new Rgb(.3, .2, .9)), UvMapping.IDENTITY, 1);
-      Frame bent = bent(map, frame, Vec3.Z);
-      assertThat(bent.tangent().dot(frame.tangent())).isGreaterThan(.9);
-      assertThat(bent.bitangent().dot(frame.bitangent())).isGreaterThan(.9);
+      Frame perturbed = perturbed(map, frame, Vec3.Z);
+      assertThat(perturbed.tangent().dot(frame.tangent())).isGreaterThan(.9);
+      assertThat(perturbed.bitangent().dot(frame.bitangent())).isGreaterThan(.9);
     }
   }
 }

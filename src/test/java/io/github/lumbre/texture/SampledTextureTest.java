@@ -90,6 +90,6 @@ class SampledTextureTest {
         assertThat(texture.at(x, x).isFinite()).isTrue();
       }
     }
-    UnreadablePoints.take();
+    InvalidCoordinates.take();
   }
 }

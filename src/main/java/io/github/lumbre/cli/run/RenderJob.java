@@ -95,15 +95,15 @@ public record RenderJob(
     }
     double seconds = (System.nanoTime() - start) * 1e-9;
     requireSamples(film);
-    long unreadable = statistics.unreadable();
-    warnOfUnreadable(unreadable);
+    long invalidCoordinates = statistics.invalidCoordinates();
+    warnOfInvalidCoordinates(invalidCoordinates);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
     finish(film, new RenderResult(film.develop(), complete, statistics), noise, light, seconds);
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
     }
-    if (how.strict() && unreadable != 0) {
+    if (how.strict() && invalidCoordinates != 0) {
       return ExitCodes.WARNINGS;
     }
     return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
@@ -197,7 +197,7 @@ public record RenderJob(
     return report.isPresent() ? report.get() : LightReport.of(file, film, statistics, true);
   }
 
-  private void warnOfUnreadable(long points) {
+  private void warnOfInvalidCoordinates(long points) {
     if (points != 0) {
       messages.line(
           "warning: "

@@ -34,7 +34,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Surfaces with strongly perturbed normals do not create light or let it pass. */
-class BentNormalsTest {
+class PerturbedNormalsTest {
   private static final Texture<Rgb> WHITE = Texture.constant(Rgb.WHITE);
 
   /** Returns a map of random normals, half of them below the surface. */

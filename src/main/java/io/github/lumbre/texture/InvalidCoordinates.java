@@ -9,10 +9,10 @@ package io.github.lumbre.texture;
  * count each other's points, even with shared textures, and texture evaluation needs no extra
  * argument.
  */
-public final class UnreadablePoints {
+public final class InvalidCoordinates {
   private static final ThreadLocal<long[]> COUNT = ThreadLocal.withInitial(() -> new long[1]);
 
-  private UnreadablePoints() {}
+  private InvalidCoordinates() {}
 
   static void count() {
     COUNT.get()[0]++;
