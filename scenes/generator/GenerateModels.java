@@ -70,6 +70,9 @@ public final class GenerateModels {
     if (wants("tumbler")) {
       Tableware.tumbler().write(models.resolve("tumbler.obj"), "A tumbler, 0.095 units tall.");
     }
+    if (wants("lantern")) {
+      Lantern.glb().write(models.resolve("lantern.glb"), "A burning oil lantern, 0.42 units tall");
+    }
     if (wants("table")) {
       Table.obj().write(models.resolve("table.obj"), "A table, 1.6 x 0.9 units, 0.75 tall.");
     }

@@ -70,9 +70,8 @@ final class Lathe {
     normals.add(point[0] < 1e-9 ? new double[] {0, Math.signum(normal[1])} : normal);
   }
 
-  /** Turns the outline into triangles in so many segments; u runs around, v along the outline. */
-  ObjFile obj(int segments) {
-    ObjFile obj = new ObjFile(5);
+  /** Adds the surface in so many segments; u runs around, v along the outline. */
+  <C, T extends Triangles<C>> T into(T out, int segments) {
     double[] lengths = new double[points.size()];
     for (int i = 1; i < lengths.length; i++) {
       double[] a = points.get(i - 1);
@@ -82,24 +81,24 @@ final class Lathe {
     double total = lengths[lengths.length - 1];
     for (int i = 0; i + 1 < points.size(); i++) {
       for (int s = 0; s < segments; s++) {
-        String a = corner(obj, i, s, segments, lengths[i] / total);
-        String b = corner(obj, i, s + 1, segments, lengths[i] / total);
-        String c = corner(obj, i + 1, s + 1, segments, lengths[i + 1] / total);
-        String d = corner(obj, i + 1, s, segments, lengths[i + 1] / total);
-        obj.face(a, d, b);
-        obj.face(d, c, b);
+        C a = corner(out, i, s, segments, lengths[i] / total);
+        C b = corner(out, i, s + 1, segments, lengths[i] / total);
+        C c = corner(out, i + 1, s + 1, segments, lengths[i + 1] / total);
+        C d = corner(out, i + 1, s, segments, lengths[i + 1] / total);
+        out.face(a, d, b);
+        out.face(d, c, b);
       }
     }
-    return obj;
+    return out;
   }
 
-  private String corner(ObjFile obj, int i, int segment, int segments, double v) {
+  private <C> C corner(Triangles<C> out, int i, int segment, int segments, double v) {
     double a = 2 * Math.PI * (segment % segments) / segments;
     double c = StrictMath.cos(a);
     double s = StrictMath.sin(a);
     double[] p = points.get(i);
     double[] n = normals.get(i);
     Vec position = new Vec(p[0] * c, p[1], p[0] * s);
-    return obj.corner(position, (double) segment / segments, v, new Vec(n[0] * c, n[1], n[0] * s));
+    return out.corner(position, (double) segment / segments, v, new Vec(n[0] * c, n[1], n[0] * s));
   }
 }

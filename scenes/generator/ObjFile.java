@@ -10,7 +10,7 @@ import java.util.Map;
  * The text of a Wavefront OBJ file, with every position, uv and normal written once. Mutable while
  * it is built.
  */
-final class ObjFile {
+final class ObjFile implements Triangles<String> {
   private final Map<String, Integer> positions = new LinkedHashMap<>();
   private final Map<String, Integer> coordinates = new LinkedHashMap<>();
   private final Map<String, Integer> normals = new LinkedHashMap<>();
@@ -26,7 +26,8 @@ final class ObjFile {
   }
 
   /** Returns the corner "v/t/n" to be used in {@link #face}. */
-  String corner(Vec p, double u, double v, Vec n) {
+  @Override
+  public String corner(Vec p, double u, double v, Vec n) {
     return index(
             positions, number(p.x(), decimals), number(p.y(), decimals), number(p.z(), decimals))
         + "/"
@@ -36,7 +37,8 @@ final class ObjFile {
   }
 
   /** Adds a triangle, unless two of its corners coincide. */
-  void face(String a, String b, String c) {
+  @Override
+  public void face(String a, String b, String c) {
     String pa = a.substring(0, a.indexOf('/'));
     String pb = b.substring(0, b.indexOf('/'));
     String pc = c.substring(0, c.indexOf('/'));

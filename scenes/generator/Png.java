@@ -27,6 +27,15 @@ final class Png {
   }
 
   private static void write(Path file, Raster raster, boolean filters) throws IOException {
+    Files.write(file, bytes(raster, filters));
+  }
+
+  /** Returns the bytes of a file. */
+  static byte[] bytes(Raster raster) throws IOException {
+    return bytes(raster, true);
+  }
+
+  private static byte[] bytes(Raster raster, boolean filters) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     bytes.write(SIGNATURE);
     ByteArrayOutputStream header = new ByteArrayOutputStream();
@@ -37,7 +46,7 @@ final class Png {
     chunk(bytes, "IHDR", header.toByteArray());
     chunk(bytes, "IDAT", compress(raster, filters));
     chunk(bytes, "IEND", new byte[0]);
-    Files.write(file, bytes.toByteArray());
+    return bytes.toByteArray();
   }
 
   private static byte[] compress(Raster raster, boolean filters) throws IOException {

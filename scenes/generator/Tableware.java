@@ -19,7 +19,7 @@ final class Tableware {
         .curve(
             3, .0329, .2094, .0369, .185, .0394, .163, .0388, .145, .0328, .1252, .0212, .1104,
             .0105, .1035, 0, .1015)
-        .obj(SEGMENTS);
+        .into(new ObjFile(5), SEGMENTS);
   }
 
   /** A tumbler, 0.095 units tall, with a heavy bottom. */
@@ -32,6 +32,6 @@ final class Tableware {
         .curve(6, .0354, .0936, .0337, .065, .0316, .034, .0297, .0165)
         .arc(6, .0257, .0165, .004, 0, -90)
         .curve(2, .0257, .0125, .014, .0118, 0, .0115)
-        .obj(SEGMENTS);
+        .into(new ObjFile(5), SEGMENTS);
   }
 }

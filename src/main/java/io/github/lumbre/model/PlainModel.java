@@ -5,8 +5,8 @@ import java.util.List;
 
 /** What models without materials, cameras and lights have in common. Stateless. */
 final class PlainModel {
-  /** The reflectance of surfaces without a material: that of a white wall. */
-  private static final double ALBEDO = .8;
+  /** The reflectance of surfaces without a material: that of light gray paint, which leaves room for what is brighter. */
+  private static final double ALBEDO = .7;
 
   private PlainModel() {}
 

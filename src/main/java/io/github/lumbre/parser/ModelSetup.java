@@ -6,7 +6,6 @@ import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.Model;
@@ -14,7 +13,6 @@ import io.github.lumbre.model.ModelCamera;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.ModelPart;
 import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.SceneFormatException.Kind;
@@ -66,9 +64,6 @@ public record ModelSetup(
   /** The height that belongs to {@link #DEFAULT_WIDTH}. */
   public static final int DEFAULT_HEIGHT = 768;
 
-  /** The fraction of the frame that the model may fill. */
-  private static final double FILL = .92;
-
   private static final double GROUND_GRAY = .6;
 
   /**
@@ -77,14 +72,21 @@ public record ModelSetup(
    * @param azimuth degrees around the vertical axis: 0 in front, 90 to the right of the picture's
    *     front view
    * @param elevation degrees above the horizon, in [-90, 90]
+   * @param isTurntable whether the camera keeps its distance to the axis at all azimuths; otherwise
+   *     it is as near as this azimuth allows, with the model in the middle of the frame
    */
-  public record View(double azimuth, double elevation) {
+  public record View(double azimuth, double elevation, boolean isTurntable) {
     /** From the front, a little from the right and above. */
     public static final View DEFAULT = new View(30, 20);
 
-    /** Returns this direction, turned about the vertical axis. */
+    /** Creates a view that is framed for its own azimuth. */
+    public View(double azimuth, double elevation) {
+      this(azimuth, elevation, false);
+    }
+
+    /** Returns this direction, turned about the vertical axis as a picture of a turntable. */
     public View turned(double degrees) {
-      return new View(azimuth + degrees, elevation);
+      return new View(azimuth + degrees, elevation, true);
     }
   }
 
@@ -189,13 +191,13 @@ public record ModelSetup(
     scene.add("renderOptions", renderOptions());
     JsonArray assets = new JsonArray();
     JsonArray objects = new JsonArray();
-    Extent extent = Extent.of(model);
-    objects.add(cameraObject(model, extent, aspect));
+    ModelFraming framing = ModelFraming.of(model);
+    objects.add(cameraObject(model, framing, aspect));
     objects.add(dome(assets, folder));
     objects.add(modelObject(name));
     if (ground) {
       assets.add(groundMaterial());
-      objects.add(floor(extent.min().y()));
+      objects.add(floor(framing.bottom()));
     }
     scene.add("assets", assets);
     scene.add("objects", objects);
@@ -215,7 +217,7 @@ public record ModelSetup(
     return render;
   }
 
-  private JsonObject cameraObject(Model model, Extent extent, OptionalDouble aspect)
+  private JsonObject cameraObject(Model model, ModelFraming framing, OptionalDouble aspect)
       throws ModelFormatException {
     Optional<ModelCamera> own = ownCamera(model);
     if (own.isPresent()) {
@@ -226,7 +228,7 @@ public record ModelSetup(
     object.addProperty("id", 1);
     object.addProperty("cameraType", "Pinhole");
     object.addProperty("fieldOfView", fov);
-    object.add("localPosition", vector(extent.eye(from, fov, aspect.orElse(4 / 3.))));
+    object.add("localPosition", vector(framing.eye(from, fov, aspect.orElse(4 / 3.))));
     object.add("localRotation", vector(new Vec3(from.elevation(), -from.azimuth(), 0)));
     return object;
   }
@@ -358,70 +360,5 @@ public record ModelSetup(
     object.addProperty("g", c.g());
     object.addProperty("b", c.b());
     return object;
-  }
-
-  /** The vertices of a model in the scene's space, and the box around them. */
-  private record Extent(Model model, Vec3 min, Vec3 max) {
-    static Extent of(Model model) {
-      double[] box = {
-        Double.POSITIVE_INFINITY,
-        Double.POSITIVE_INFINITY,
-        Double.POSITIVE_INFINITY,
-        Double.NEGATIVE_INFINITY,
-        Double.NEGATIVE_INFINITY,
-        Double.NEGATIVE_INFINITY
-      };
-      forVertices(
-          model,
-          v -> {
-            box[0] = Math.min(box[0], v.x());
-            box[1] = Math.min(box[1], v.y());
-            box[2] = Math.min(box[2], v.z());
-            box[3] = Math.max(box[3], v.x());
-            box[4] = Math.max(box[4], v.y());
-            box[5] = Math.max(box[5], v.z());
-          });
-      return box[0] > box[3]
-          ? new Extent(model, Vec3.ZERO, Vec3.ZERO)
-          : new Extent(model, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
-    }
-
-    private static void forVertices(Model model, java.util.function.Consumer<Vec3> visitor) {
-      for (ModelPart part : model.parts()) {
-        Transform toWorld = ModelScene.TO_LEFT_HANDED.times(part.toWorld());
-        double[] positions = part.geometry().positions();
-        for (int vertex : part.geometry().indices()) {
-          visitor.accept(
-              toWorld.point(
-                  new Vec3(
-                      positions[3 * vertex],
-                      positions[3 * vertex + 1],
-                      positions[3 * vertex + 2])));
-        }
-      }
-    }
-
-    /** Returns where a camera must stand so that all vertices are in the frame. */
-    Vec3 eye(View from, double fov, double aspect) {
-      double sinA = Elementary.sinDegrees(from.azimuth());
-      double cosA = Elementary.cosDegrees(from.azimuth());
-      double sinE = Elementary.sinDegrees(from.elevation());
-      double cosE = Elementary.cosDegrees(from.elevation());
-      Vec3 back = new Vec3(sinA * cosE, sinE, -cosA * cosE);
-      Vec3 right = new Vec3(cosA, 0, sinA);
-      Vec3 up = new Vec3(-sinA * sinE, cosE, cosA * sinE);
-      double tan = FILL * Elementary.tanDegrees(fov / 2);
-      Vec3 center = min.plus(max).times(.5);
-      double[] distance = {1e-3 * max.minus(min).length()};
-      forVertices(
-          model,
-          vertex -> {
-            Vec3 v = vertex.minus(center);
-            double across = Math.max(Math.abs(v.dot(right)) / aspect, Math.abs(v.dot(up)));
-            distance[0] = Math.max(distance[0], across / tan + v.dot(back));
-          });
-      double far = distance[0] > 0 ? distance[0] : 1;
-      return center.plus(far, back);
-    }
   }
 }

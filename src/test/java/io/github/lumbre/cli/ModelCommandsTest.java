@@ -172,10 +172,10 @@ class ModelCommandsTest {
   @Test
   void turntablesAreNumberedAndBeginWithTheView() throws IOException {
     runs("render T/sample.glb --turntable 3 --view 10,5 -o T/a.pfm" + SMALL);
-    runs("render T/sample.glb --view 10,5 -o T/first.pfm" + SMALL);
-    runs("render T/sample.glb --view 130,5 -o T/second.pfm" + SMALL);
-    assertSame("a-000.pfm", "first.pfm");
-    assertSame("a-001.pfm", "second.pfm");
+    runs("render T/sample.glb --turntable 1 --view 10,5 -o T/first.pfm" + SMALL);
+    runs("render T/sample.glb --turntable 1 --view 130,5 -o T/second.pfm" + SMALL);
+    assertSame("a-000.pfm", "first-000.pfm");
+    assertSame("a-001.pfm", "second-000.pfm");
     assertThat(directory.resolve("a-002.pfm")).exists();
     assertThat(directory.resolve("a.pfm")).doesNotExist();
   }

@@ -1,0 +1,157 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.Model;
+import io.github.lumbre.model.ModelPart;
+import io.github.lumbre.model.ModelScene;
+import io.github.lumbre.parser.ModelSetup.View;
+import java.util.function.Consumer;
+
+/** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
+final class ModelFraming {
+  /** The fraction of the frame that the model may fill. */
+  private static final double FILL = .92;
+
+  /** The least distance of a vertex from the camera, relative to the diagonal of the box. */
+  private static final double NEAR = 1e-3;
+
+  private final Model model;
+  private final Vec3 min;
+  private final Vec3 max;
+
+  private ModelFraming(Model model, Vec3 min, Vec3 max) {
+    this.model = model;
+    this.min = min;
+    this.max = max;
+  }
+
+  static ModelFraming of(Model model) {
+    double infinity = Double.POSITIVE_INFINITY;
+    double[] box = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
+    forVertices(
+        model,
+        v -> {
+          box[0] = Math.min(box[0], v.x());
+          box[1] = Math.min(box[1], v.y());
+          box[2] = Math.min(box[2], v.z());
+          box[3] = Math.max(box[3], v.x());
+          box[4] = Math.max(box[4], v.y());
+          box[5] = Math.max(box[5], v.z());
+        });
+    return box[0] > box[3]
+        ? new ModelFraming(model, Vec3.ZERO, Vec3.ZERO)
+        : new ModelFraming(
+            model, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
+  }
+
+  /** Calls the visitor with each vertex in world space, once for each of its triangles. */
+  private static void forVertices(Model model, Consumer<Vec3> visitor) {
+    for (ModelPart part : model.parts()) {
+      Transform toWorld = ModelScene.TO_LEFT_HANDED.times(part.toWorld());
+      double[] positions = part.geometry().positions();
+      for (int vertex : part.geometry().indices()) {
+        visitor.accept(
+            toWorld.point(
+                new Vec3(
+                    positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2])));
+      }
+    }
+  }
+
+  /** Returns the height of the lowest vertex. */
+  double bottom() {
+    return min.y();
+  }
+
+  /**
+   * Returns the nearest point for a pinhole camera that has all vertices in its frame, with equal
+   * margins to the left and right, and above and below. A camera of a turntable has the smallest
+   * distance and the height that suit every azimuth, and the middle of the model's box is on the
+   * vertical line through the middle of its frame.
+   *
+   * @param fov vertical angle of view in degrees
+   * @param aspect width of the frame over its height
+   */
+  Vec3 eye(View from, double fov, double aspect) {
+    double sinA = Elementary.sinDegrees(from.azimuth());
+    double cosA = Elementary.cosDegrees(from.azimuth());
+    double sinE = Elementary.sinDegrees(from.elevation());
+    double cosE = Elementary.cosDegrees(from.elevation());
+    Vec3 back = new Vec3(sinA * cosE, sinE, -cosA * cosE);
+    Vec3 right = new Vec3(cosA, 0, sinA);
+    Vec3 up = new Vec3(-sinA * sinE, cosE, cosA * sinE);
+    double tan = FILL * Elementary.tanDegrees(fov / 2);
+    Vec3 center = min.plus(max).times(.5);
+    Bounds across = new Bounds(aspect * tan);
+    Bounds upwards = new Bounds(tan);
+    double[] nearest = {0};
+    forVertices(
+        model,
+        vertex -> {
+          Vec3 v = vertex.minus(center);
+          if (from.isTurntable()) {
+            double radius = Math.sqrt(v.x() * v.x() + v.z() * v.z());
+            across.addCircle(0, v.y() * sinE, radius, cosE);
+            upwards.addCircle(v.y() * cosE, v.y() * sinE, radius, sinE, cosE);
+            nearest[0] = Math.max(nearest[0], v.y() * sinE + radius * cosE);
+          } else {
+            double depth = v.dot(back);
+            across.add(v.dot(right), depth);
+            upwards.add(v.dot(up), depth);
+            nearest[0] = Math.max(nearest[0], depth);
+          }
+        });
+    double margin = NEAR * max.minus(min).length();
+    double distance =
+        Math.max(nearest[0] + margin, Math.max(across.distance(), upwards.distance()));
+    return center
+        .plus(distance > 0 ? distance : 1, back)
+        .plus(across.middle(), right)
+        .plus(upwards.middle(), up);
+  }
+
+  /**
+   * The bounds of points along one axis of the frame. A point at {@code x} and {@code depth}
+   * towards the camera is in the frame of a camera at {@code e} and {@code distance} if |x − e| ≤
+   * tan (distance − depth).
+   */
+  private static final class Bounds {
+    private final double tan;
+    private double high = Double.NEGATIVE_INFINITY;
+    private double low = Double.POSITIVE_INFINITY;
+
+    Bounds(double tan) {
+      this.tan = tan;
+    }
+
+    void add(double x, double depth) {
+      high = Math.max(high, x + tan * depth);
+      low = Math.min(low, x - tan * depth);
+    }
+
+    /** Adds the points (x + r sin φ, depth + r cos φ cosE) for all φ. */
+    void addCircle(double x, double depth, double r, double cosE) {
+      double reach = r * Math.sqrt(1 + tan * tan * cosE * cosE);
+      high = Math.max(high, x + tan * depth + reach);
+      low = Math.min(low, x - tan * depth - reach);
+    }
+
+    /** Adds the points (x − r cos φ sinE, depth + r cos φ cosE) for all φ. */
+    void addCircle(double x, double depth, double r, double sinE, double cosE) {
+      high = Math.max(high, x + tan * depth + r * Math.abs(tan * cosE - sinE));
+      low = Math.min(low, x - tan * depth - r * Math.abs(tan * cosE + sinE));
+    }
+
+    /** Returns the smallest distance of a camera that has all points in its frame. */
+    double distance() {
+      return high > low ? (high - low) / (2 * tan) : 0;
+    }
+
+    /** Returns where the margins are equal at every distance. */
+    double middle() {
+      return high > low ? (high + low) / 2 : 0;
+    }
+  }
+}
