@@ -262,4 +262,87 @@ class MeshDataTest {
       assertThat(bounds.max().minus(new Vec3(3, 4, 5)).maxAbs()).isLessThan(1e-12);
     }
   }
+
+  /** Of all eight ways to lay the axes of a texture along those of a square. */
+  @Test
+  void framesFollowMirroredAndTurnedTextures() {
+    for (int way = 0; way < 8; way++) {
+      double[] uvs = new double[10];
+      Vec3 alongU = ((way & 1) == 0 ? Vec3.X : Vec3.Y).times((way & 2) == 0 ? 1 : -1);
+      Vec3 alongV = ((way & 1) == 0 ? Vec3.Y : Vec3.X).times((way & 4) == 0 ? 1 : -1);
+      for (int i = 0; i < 5; i++) {
+        uvs[2 * i] = 3 + square().position(i).dot(alongU);
+        uvs[2 * i + 1] = 5 + square().position(i).dot(alongV);
+      }
+      TriangleMesh mesh =
+          TriangleMesh.of(
+              new double[] {7, 7, 7, 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0},
+              NONE,
+              uvs,
+              new int[] {1, 2, 3, 1, 3, 4});
+      for (double[] at : new double[][] {{1.5, .5}, {.5, 1.5}}) {
+        Frame frame = hit(Mesh.baked(mesh, Transform.IDENTITY), at[0], at[1]).shading();
+        assertThat(frame.tangent().minus(alongU).maxAbs()).isLessThan(1e-12);
+        assertThat(frame.bitangent().minus(alongV).maxAbs()).isLessThan(1e-12);
+      }
+    }
+  }
+
+  @Test
+  void tangentsOfVerticesAreInterpolated() {
+    double[] tangents = {1, 0, 0, 1, 0, 1, 0, 1, -.6, .8, 0, 1};
+    TriangleMesh mesh =
+        TriangleMesh.of(
+            new double[] {0, 0, 0, 2, 0, 0, 0, 2, 0},
+            NONE,
+            NONE,
+            new int[] {0, 1, 2},
+            new MeshAttributes(tangents, NONE, new float[0]));
+    for (double[] at : new double[][] {{0.2, .3}, {1.2, .4}, {.3, 1.4}}) {
+      double b1 = at[0] / 2;
+      double b2 = at[1] / 2;
+      Vec3 expected = new Vec3(1 - b1 - b2 - .6 * b2, b1 + .8 * b2, 0).normalized();
+      Frame frame = hit(Mesh.baked(mesh, Transform.IDENTITY), at[0], at[1]).shading();
+      assertThat(frame.tangent().minus(expected).maxAbs()).isLessThan(1e-12);
+    }
+  }
+
+  @Test
+  void bakedTangentsHaveLengthOne() {
+    double[] mapped =
+        new MeshAttributes(new double[] {.6, .8, 0, 1}, NONE, new float[0])
+            .mapped(Transform.scale(new Vec3(5, 1, 2)))
+            .tangents();
+    double length = Math.sqrt(9 + .64);
+    assertThat(mapped[0]).isCloseTo(3 / length, within(1e-12));
+    assertThat(mapped[1]).isCloseTo(.8 / length, within(1e-12));
+    assertThat(mapped[3]).isEqualTo(1);
+  }
+
+  @Test
+  void theSecondSetIsTheFirstWhereAMeshHasOneOnly() {
+    double[] uvs = {0, 0, 1, 0, 0, 1};
+    TriangleMesh mesh =
+        TriangleMesh.of(
+            new double[] {0, 0, 0, 2, 0, 0, 0, 2, 0},
+            NONE,
+            uvs,
+            new int[] {0, 1, 2},
+            new MeshAttributes(NONE, NONE, new float[] {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}));
+    SurfaceHit hit = hit(Mesh.baked(mesh, Transform.IDENTITY), .5, .5);
+    assertThat(hit.u(1)).isEqualTo(hit.u(0));
+    assertThat(hit.v(1)).isEqualTo(hit.v(0));
+  }
+
+  @Test
+  void numbersOfTheWrongRangeAreRefused() {
+    double[] positions = {0, 0, 0, 2, 0, 0, 0, 2, 0};
+    double[] normals = {0, 0, 1, 0, 0, Double.NaN, 0, 0, 1};
+    assertThatThrownBy(() -> TriangleMesh.of(positions, normals, NONE, new int[] {0, 1, 2}))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("normals");
+    assertThatThrownBy(() -> TriangleMesh.of(positions, NONE, NONE, new int[] {0, 1, 3}))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("indices[2]: expected 0 to 2, found 3");
+  }
 }

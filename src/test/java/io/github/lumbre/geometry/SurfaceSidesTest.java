@@ -139,4 +139,89 @@ class SurfaceSidesTest {
     mesh.sample(0, 0, 3, .5, .5, sample);
     assertThat(sample.pdf()).isZero();
   }
+
+  @Test
+  void sidesAreThoseOfObliqueRaysToo() {
+    Random random = new Random(14);
+    Vec3 centre = new Vec3(1, 2, 3);
+    Sphere sphere = new Sphere(Transform.translation(centre), 2);
+    for (int i = 0; i < 300; i++) {
+      Vec3 inside = centre.plus(1.8, Shapes.direction(random));
+      Vec3 way = Shapes.direction(random);
+      SurfaceHit in = Shapes.hit(sphere, new Ray(inside, way)).orElseThrow();
+      assertThat(in.isFrontal()).isFalse();
+      Ray back = new Ray(inside.plus(-9, way), way);
+      SurfaceHit out = Shapes.hit(sphere, back).orElseThrow();
+      assertThat(out.isFrontal()).isTrue();
+    }
+  }
+
+  /** u grows around the axis, v downwards. */
+  @Test
+  void tangentsOfSpheresFollowTheTexture() {
+    Random random = new Random(15);
+    for (int i = 0; i < 200; i++) {
+      Vec3 scale = new Vec3(i % 2 == 0 ? 1.5 : -1.5, 1.5, 1.5);
+      Transform place =
+          Transform.translation(Shapes.point(random, 3))
+              .times(Shapes.rotation(random))
+              .times(Transform.scale(scale));
+      Vec3 any = Shapes.direction(random);
+      Vec3 n = new Vec3(any.x(), .3 * any.y(), any.z()).normalized();
+      Sphere sphere = new Sphere(place, 2);
+      Vec3 origin = place.point(n.times(4));
+      Ray ray = new Ray(origin, place.point(Vec3.ZERO).minus(origin).normalized());
+      SurfaceHit hit = Shapes.hit(sphere, ray).orElseThrow();
+      Vec3 around = place.vector(n.cross(Vec3.Y)).normalized();
+      assertThat(hit.shading().tangent().minus(around).maxAbs()).isLessThan(1e-9);
+      Vec3 down = place.vector(Vec3.Y.negated());
+      assertThat(hit.shading().bitangent().dot(down)).isPositive();
+    }
+  }
+
+  @Test
+  void errorsOfRectanglesAreThoseOfTheirPoints() {
+    Random random = new Random(16);
+    for (int i = 0; i < 100; i++) {
+      Transform place = Shapes.placement(random, 10, 3);
+      Rectangle rectangle = new Rectangle(place, 200, 300, true);
+      Vec3 local = new Vec3(200 * (random.nextDouble() - .5), 0, 300 * (random.nextDouble() - .5));
+      Vec3 normal = place.normal(Vec3.Y);
+      Ray ray = new Ray(place.point(local).plus(5, normal), normal.negated());
+      SurfaceHit hit = Shapes.hit(rectangle, ray).orElseThrow();
+      double expected = place.pointError(local, normal);
+      assertThat(hit.error()).isCloseTo(expected, within(1e-6 * expected));
+    }
+  }
+
+  /** Rays from far away have large errors in the space of an instance, and none in world space. */
+  @Test
+  void errorsOfSamplesOfInstancesGrowWithTheDistanceOfTheReference() {
+    TriangleMesh ball = Shapes.closedBall(4, 5, 0, false);
+    Transform place = Transform.rotationDegrees(new Vec3(10, 20, 30));
+    SurfaceSample near = new SurfaceSample();
+    SurfaceSample far = new SurfaceSample();
+    Vec3 way = Shapes.direction(new Random(17));
+    int compared = 0;
+    for (int i = 0; i < 32; i++) {
+      double u = (i + .5) / 32;
+      Shape instance = new MeshInstance(new SharedMesh(ball), place);
+      Shape baked = Mesh.baked(ball, place);
+      for (Shape shape : new Shape[] {instance, baked}) {
+        Vec3 close = way.times(10);
+        Vec3 distant = way.times(1e6);
+        shape.sample(close.x(), close.y(), close.z(), u, .5, near);
+        shape.sample(distant.x(), distant.y(), distant.z(), u, .5, far);
+        if (near.pdf() > 0 && far.pdf() > 0) {
+          compared++;
+          if (shape == instance) {
+            assertThat(far.error()).isGreaterThan(1e3 * near.error());
+          } else {
+            assertThat(far.error()).isEqualTo(near.error());
+          }
+        }
+      }
+    }
+    assertThat(compared).isGreaterThan(16);
+  }
 }
