@@ -36,6 +36,7 @@ public final class GenerateScenes {
     scenes.add(glassAndMirror());
     scenes.addAll(Courtyard.all());
     scenes.add(torusKnot());
+    scenes.add(lantern());
     scenes.addAll(TableScenes.all());
     for (Scene scene : scenes) {
       Files.writeString(folder.resolve(scene.name + ".json"), scene.toJson());
@@ -79,6 +80,18 @@ public final class GenerateScenes {
     s.add(s.meshShape("knot", knot, mesh).at(0, 1.66, 0).turn(-68, 0, 0).scale(.38));
     s.add(s.rectangleLight("key", 2, 2, Scene.rgb(14, 13, 11)).at(-3, 4.8, -3).turn(45, 45, 0));
     s.add(s.rectangleLight("fill", 2, 2, Scene.rgb(1.5, 2, 3)).at(4, 2.5, -1.5).turn(15, -70, 0));
+    return s;
+  }
+
+  /** The lantern, a glTF model with its own materials and a flame, in a dim studio. */
+  private static Scene lantern() {
+    Scene s = new Scene("lantern", 560, 640, 400).set("maxTraceDepth", 12);
+    s.set("toneMap", "neutral").set("exposure", 1.2);
+    int floor = s.diffuse("floor", .28, .27, .26);
+    s.camera("Pinhole", "fieldOfView", 22).at(-.32, .42, -1.34).turn(10, 13.5, 0);
+    s.add(s.studio("studio", .22));
+    s.add(s.model("lantern", "models/lantern.glb").at(0, .03, 0).turn(0, 24, 0));
+    s.add(s.infinitePlane("floor", floor));
     return s;
   }
 }

@@ -10,7 +10,7 @@ import java.util.Map;
  * A burning oil lantern on a wooden board, 0.42 m tall: lacquer, brass, thin glass, wood, light.
  */
 final class Lantern {
-  private static final int SEGMENTS = 56;
+  private static final int SEGMENTS = 44;
   private static final int WOOD = 384;
 
   private Lantern() {}

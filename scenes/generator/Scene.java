@@ -177,6 +177,16 @@ final class Scene {
     return light("Sphere", name, radiance).with("radius", radius);
   }
 
+  /** Soft boxes all around. */
+  Node studio(String name, double intensity) {
+    return new Node("Light", name, "lightType", "Dome", "sky", "studio", "intensity", intensity);
+  }
+
+  /** A model with materials of its own. */
+  Node model(String name, String file) {
+    return new Node("Model", name, "file", file);
+  }
+
   Node dome(String name, int texture, double intensity) {
     return new Node("Light", name, "lightType", "Dome")
         .with("textureId", texture, "intensity", intensity);
