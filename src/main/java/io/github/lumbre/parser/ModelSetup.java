@@ -58,6 +58,20 @@ public record ModelSetup(
   /** The default angle of view, in degrees. */
   public static final double DEFAULT_FOV = 35;
 
+  /** A camera of the model or {@link View#DEFAULT}, in the studio, without a ground. */
+  public static final ModelSetup DEFAULT =
+      new ModelSetup(
+          Optional.empty(),
+          Optional.empty(),
+          DEFAULT_FOV,
+          "studio",
+          1,
+          0,
+          false,
+          Optional.empty(),
+          false,
+          ModelOptions.DEFAULT);
+
   /** The default size of a picture of a model, in pixels. */
   public static final int DEFAULT_WIDTH = 1024;
 
@@ -96,6 +110,33 @@ public record ModelSetup(
     Objects.requireNonNull(sky, "sky");
     Objects.requireNonNull(background, "background");
     Objects.requireNonNull(options, "options");
+  }
+
+  /** Returns this setup, seen from a direction instead of by a camera of the model. */
+  public ModelSetup seenFrom(View newView) {
+    return new ModelSetup(
+        Optional.empty(),
+        Optional.of(newView),
+        fov,
+        sky,
+        skyIntensity,
+        skyRotation,
+        ground,
+        background,
+        transparent,
+        options);
+  }
+
+  /** Returns this setup with a floor that the model stands on. */
+  public ModelSetup onGround() {
+    return new ModelSetup(
+        camera, view, fov, sky, skyIntensity, skyRotation, true, background, transparent, options);
+  }
+
+  /** Returns this setup with a transparent background. */
+  public ModelSetup onTransparentBackground() {
+    return new ModelSetup(
+        camera, view, fov, sky, skyIntensity, skyRotation, ground, Optional.empty(), true, options);
   }
 
   /** Returns whether a file is a model, by the ending of its name. */

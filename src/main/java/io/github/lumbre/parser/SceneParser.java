@@ -17,6 +17,7 @@ import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
@@ -159,6 +160,25 @@ public final class SceneParser {
       interrupted.initCause(e);
       throw interrupted;
     }
+  }
+
+  /**
+   * Reads a model and builds the scene around it. The picture's size is that of the parser's
+   * settings, or 1024x768.
+   *
+   * @param model path of a glTF, OBJ, PLY or STL file
+   * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
+   * @throws IOException if the model exists but cannot be read
+   */
+  public SceneFile parse(Path model, ModelSetup setup) throws SceneFormatException, IOException {
+    RenderSettings size =
+        change.apply(
+            new RenderSettings.Builder()
+                .size(ModelSetup.DEFAULT_WIDTH, ModelSetup.DEFAULT_HEIGHT)
+                .build());
+    double aspect = size.width() / (double) size.height();
+    SceneText text = setup.sceneOf(model, OptionalDouble.of(aspect));
+    return parse(text.json(), text.path());
   }
 
   /**

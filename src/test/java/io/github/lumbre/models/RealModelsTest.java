@@ -5,12 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LinearReader;
-import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.SceneText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,8 +16,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -37,19 +33,6 @@ import org.junit.jupiter.params.provider.EnumSource;
 @Tag("models")
 class RealModelsTest {
   private static final int PATIENCE_SECONDS = 60;
-
-  private static final ModelSetup DEFAULTS =
-      new ModelSetup(
-          Optional.empty(),
-          Optional.empty(),
-          ModelSetup.DEFAULT_FOV,
-          "studio",
-          1,
-          0,
-          false,
-          Optional.empty(),
-          false,
-          ModelOptions.DEFAULT);
 
   private static final List<Row> ROWS = new ArrayList<>();
 
@@ -201,8 +184,7 @@ class RealModelsTest {
   }
 
   private static Content model(Path file) throws SceneFormatException, IOException {
-    SceneText text = DEFAULTS.sceneOf(file, OptionalDouble.empty());
-    SceneFile scene = new SceneParser().parse(text.json(), text.path());
+    SceneFile scene = new SceneParser().parse(file, ModelSetup.DEFAULT);
     List<String> warnings =
         scene.warnings().stream().map(w -> w.path() + ": " + w.message()).toList();
     return new Content(scene.contents().triangles(), warnings);
