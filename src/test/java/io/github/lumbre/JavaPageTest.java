@@ -76,6 +76,6 @@ class JavaPageTest {
   void thereAreExamplesOfEverythingThatThePagePromises() throws Exception {
     assertThat(String.join("", blocks()))
         .contains("SceneParser", "Scene.seenBy", "isCancelled", "Budget(", "ImageWriter.write")
-        .contains("CheckpointFile", "FilmMerge", "PixelReplay");
+        .contains("CheckpointFile", "FilmMerge", "PixelReplay", "ModelSetup");
   }
 }
