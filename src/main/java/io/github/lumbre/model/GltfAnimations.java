@@ -52,7 +52,7 @@ final class GltfAnimations {
       throw new ModelFormatException(
           Kind.MALFORMED,
           "animations",
-          "expected an animation " + GltfText.quoted(wanted) + ", found none in the model");
+          "expected an animation " + PrintableText.quoted(wanted) + ", found none in the model");
     }
     if (names.contains(wanted)) {
       return names.indexOf(wanted);
@@ -65,7 +65,7 @@ final class GltfAnimations {
     throw new ModelFormatException(
         Kind.MALFORMED,
         "animations",
-        "expected " + GltfText.choice(names) + ", found " + GltfText.quoted(wanted));
+        "expected " + GltfText.choice(names) + ", found " + PrintableText.quoted(wanted));
   }
 
   private void set(
@@ -94,7 +94,7 @@ final class GltfAnimations {
               .add(
                   target.location("path"),
                   "expected translation, rotation, scale or weights, found "
-                      + GltfText.quoted(path)
+                      + PrintableText.quoted(path)
                       + "; left at rest");
     }
   }

@@ -54,7 +54,7 @@ final class GltfExtensions {
         throw new ModelFormatException(
             Kind.UNSUPPORTED,
             "extensionsRequired",
-            GltfText.shortened(name)
+            PrintableText.shortened(name)
                 + " is required; "
                 + ADVICE.getOrDefault(name, "export the model without it"));
       }
@@ -65,7 +65,7 @@ final class GltfExtensions {
             .warnings()
             .add(
                 "extensionsUsed",
-                GltfText.shortened(name) + " is not supported; the model may look different");
+                PrintableText.shortened(name) + " is not supported; the model may look different");
       }
     }
   }
@@ -81,7 +81,7 @@ final class GltfExtensions {
       throw new ModelFormatException(
           Kind.UNSUPPORTED,
           asset.location(member),
-          "expected 2.0, found " + GltfText.quoted(asset.text(member, "")));
+          "expected 2.0, found " + PrintableText.quoted(asset.text(member, "")));
     }
   }
 }

@@ -293,7 +293,7 @@ final class GltfJson {
       return GltfText.number(number);
     }
     if (value instanceof String text) {
-      return GltfText.quoted(text);
+      return PrintableText.quoted(text);
     }
     return value instanceof Map
         ? "an object"

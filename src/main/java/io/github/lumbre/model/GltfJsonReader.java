@@ -128,7 +128,7 @@ final class GltfJsonReader {
     double number = Double.parseDouble(text);
     if (Double.isInfinite(number)) {
       String place = path(in.getPreviousPath());
-      throw malformed(place, "expected a finite number, found " + GltfText.shortened(text));
+      throw malformed(place, "expected a finite number, found " + PrintableText.shortened(text));
     }
     return number;
   }

@@ -50,7 +50,7 @@ final class GltfUri {
       throw new ModelFormatException(
           Kind.ASSET,
           location,
-          "expected a relative path or a data URI, found " + GltfText.quoted(uri));
+          "expected a relative path or a data URI, found " + PrintableText.quoted(uri));
     }
     try {
       return StandardCharsets.UTF_8
@@ -58,7 +58,7 @@ final class GltfUri {
           .decode(ByteBuffer.wrap(unescaped(uri, location)))
           .toString();
     } catch (CharacterCodingException e) {
-      throw malformed(location, "expected UTF-8, found " + GltfText.quoted(uri));
+      throw malformed(location, "expected UTF-8, found " + PrintableText.quoted(uri));
     }
   }
 
@@ -74,7 +74,8 @@ final class GltfUri {
       int low = i + 2 <= text.length - 1 ? Character.digit(text[i + 2], 16) : -1;
       if (high < 0 || low < 0) {
         throw malformed(
-            location, "expected two hexadecimal digits after %, found " + GltfText.quoted(uri));
+            location,
+            "expected two hexadecimal digits after %, found " + PrintableText.quoted(uri));
       }
       out.write(16 * high + low);
       i += 2;

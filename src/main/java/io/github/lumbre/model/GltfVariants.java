@@ -32,8 +32,13 @@ final class GltfVariants {
           Kind.MALFORMED,
           "extensions." + NAME + ".variants",
           names.isEmpty()
-              ? "expected a variant " + GltfText.quoted(wanted.get()) + ", found none in the model"
-              : "expected " + GltfText.choice(names) + ", found " + GltfText.quoted(wanted.get()));
+              ? "expected a variant "
+                  + PrintableText.quoted(wanted.get())
+                  + ", found none in the model"
+              : "expected "
+                  + GltfText.choice(names)
+                  + ", found "
+                  + PrintableText.quoted(wanted.get()));
     }
   }
 
