@@ -24,6 +24,7 @@ import java.util.Optional;
  *   <li>{@code illum} 6 and 7 refract: the transmission is 1 − d, or 1 if d = 1, with index {@code
  *       Ni} and color {@code Tf}. Otherwise, {@code d}, or 1 − {@code Tr}, is the opacity.
  *   <li>A {@code map_Bump} with colors is a normal map; height maps are ignored.
+ *   <li>A picture that is missing is left out with a warning.
  * </ul>
  */
 final class MtlConversion {
@@ -131,7 +132,7 @@ final class MtlConversion {
 
   private void setOpacity() throws ModelFormatException, IOException {
     double opacity = opacity();
-    Optional<MtlMap> map = in.map("map_d");
+    Optional<MtlMap> map = map("map_d");
     Optional<ModelTexture> texture = Optional.empty();
     int channel = 0;
     if (map.isPresent()) {
@@ -152,8 +153,8 @@ final class MtlConversion {
   }
 
   private Optional<NormalInput> normalMap() throws ModelFormatException, IOException {
-    Optional<MtlMap> norm = in.map("norm");
-    Optional<MtlMap> map = norm.isPresent() ? norm : in.map("map_bump", "bump");
+    Optional<MtlMap> norm = map("norm");
+    Optional<MtlMap> map = norm.isPresent() ? norm : map("map_bump", "bump");
     if (map.isEmpty()) {
       return Optional.empty();
     }
@@ -165,19 +166,22 @@ final class MtlConversion {
   }
 
   private ColorInput color(String key, Rgb otherwise) throws ModelFormatException, IOException {
-    Optional<MtlMap> map = in.map("map_" + key);
-    Rgb factor = in.color(key).orElse(map.isPresent() ? Rgb.WHITE : otherwise);
+    Optional<MtlMap> map = map("map_" + key);
+    // A factor of 0 is not meant, even if the picture is missing.
+    boolean isBlackMeant = in.map("map_" + key).isEmpty();
+    Rgb factor =
+        in.color(key)
+            .filter(color -> isBlackMeant || !color.isBlack())
+            .orElse(map.isPresent() ? Rgb.WHITE : otherwise);
     Rgb limited = key.equals("ke") ? factor : factor.clampedToOne();
-    if (map.isEmpty()) {
-      return ColorInput.of(limited);
-    }
-    return new ColorInput(
-        limited.isBlack() ? Rgb.WHITE : limited, Optional.of(textures.texture(map.get())));
+    return map.isEmpty()
+        ? ColorInput.of(limited)
+        : new ColorInput(limited, Optional.of(textures.texture(map.get())));
   }
 
   private ScalarInput scalar(String key, double otherwise)
       throws ModelFormatException, IOException {
-    Optional<MtlMap> map = in.map("map_" + key);
+    Optional<MtlMap> map = map("map_" + key);
     double factor = unit(key, map.isPresent() ? 1 : otherwise);
     if (map.isEmpty()) {
       return ScalarInput.of(factor);
@@ -186,6 +190,14 @@ final class MtlConversion {
         factor == 0 ? 1 : factor,
         Optional.of(textures.texture(map.get())),
         Math.max(0, map.get().channel()));
+  }
+
+  /**
+   * Returns the texture of the first of some keys that has one; empty if its picture is missing.
+   */
+  private Optional<MtlMap> map(String... keys) throws ModelFormatException, IOException {
+    Optional<MtlMap> map = in.map(keys);
+    return map.isPresent() && textures.isReadable(map.get(), warnings) ? map : Optional.empty();
   }
 
   private double unit(String key, double otherwise) {

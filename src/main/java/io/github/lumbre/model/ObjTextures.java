@@ -42,6 +42,21 @@ final class ObjTextures {
     return image;
   }
 
+  /** Returns whether there is a picture that may be read; adds a warning if not. */
+  boolean isReadable(MtlMap map, Warnings warnings) throws ModelFormatException, IOException {
+    try {
+      image(map);
+      return true;
+    } catch (ModelFormatException e) {
+      if (e.kind() != Kind.ASSET) {
+        throw e;
+      }
+      warnings.once(
+          " picture " + map.file(), map.location(), e.detail() + "; the picture is left out");
+      return false;
+    }
+  }
+
   /**
    * Returns whether a bump map holds heights: it is gray. A picture that cannot be decoded is taken
    * for a normal map, so that its error is found where it is used.

@@ -127,12 +127,12 @@ final class AssetData {
       Path folder = model.getParent();
       ModelFolder recording =
           (name, location) -> {
-            Path file = folder.resolve(name).normalize();
-            if (Files.isRegularFile(file) && file.startsWith(folder())) {
-              all.add(file);
-              return Files.readAllBytes(file);
+            Optional<Path> file = validRelative(name).map(folder::resolve).map(Path::normalize);
+            if (file.filter(Files::isRegularFile).isEmpty() || !file.get().startsWith(folder())) {
+              throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, name);
             }
-            throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, name);
+            all.add(file.get());
+            return Files.readAllBytes(file.get());
           };
       try {
         ModelReader.read(
@@ -140,7 +140,7 @@ final class AssetData {
             Files.readAllBytes(model),
             recording,
             ModelOptions.DEFAULT);
-      } catch (ModelFormatException | InvalidPathException e) {
+      } catch (ModelFormatException e) {
         // Reading the scene reports the error.
         continue;
       }

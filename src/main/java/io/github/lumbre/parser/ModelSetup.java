@@ -5,6 +5,7 @@ import static java.util.stream.Collectors.joining;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -17,8 +18,10 @@ import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -197,22 +200,32 @@ public record ModelSetup(
   /** Returns access to the files in a folder and below. */
   private static ModelFolder folderOf(Path folder) {
     return (name, location) -> {
-      Path path = folder.resolve(name).normalize();
+      String problem;
       try {
-        if (path.startsWith(folder) && path.toRealPath().startsWith(folder.toRealPath())) {
+        Path path = folder.resolve(name).normalize();
+        if (!path.startsWith(folder) || !path.toRealPath().startsWith(folder.toRealPath())) {
+          problem = "expected a file inside the model's folder, found " + Problems.quoted(name);
+        } else if (Files.isRegularFile(path)) {
           return Files.readAllBytes(path);
+        } else {
+          String found = Files.isDirectory(path) ? "a folder" : "no regular file";
+          problem = "expected a file, found " + found + " at " + Problems.quoted(name);
         }
+      } catch (ClosedByInterruptException e) {
+        throw e;
       } catch (NoSuchFileException e) {
-        throw new ModelFormatException(
-            ModelFormatException.Kind.ASSET,
-            location,
-            "expected a file, found none at " + Problems.quoted(name));
+        problem = "expected a file, found none at " + Problems.quoted(name);
+      } catch (InvalidPathException e) {
+        problem = unreadable(name, FileFailure.reason(e));
+      } catch (IOException e) {
+        problem = unreadable(name, FileFailure.reason(e));
       }
-      throw new ModelFormatException(
-          ModelFormatException.Kind.ASSET,
-          location,
-          "expected a file inside the model's folder, found " + Problems.quoted(name));
+      throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, problem);
     };
+  }
+
+  private static String unreadable(String name, String reason) {
+    return "expected a readable file, found " + Problems.quoted(name) + ": " + reason;
   }
 
   /** Returns the absolute paths of the model and, if it is a file, the sky. */

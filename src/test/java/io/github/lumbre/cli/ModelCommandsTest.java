@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -272,6 +273,29 @@ class ModelCommandsTest {
         .hasSize(2)
         .allMatch(line -> line.contains("warning") && line.contains("a.obj: line "));
     assertThat(outcome.err()).contains("found none at \"a.mtl\"");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "none.png|expected a file, found none at \"none.png\"",
+        "../paint.png|expected a relative path inside the scene's folder, found \"../paint.png\"",
+        "folder|expected a file, found a folder at \"folder\"",
+        "a\0b|expected a relative path inside the scene's folder, found \"a\\u0000b\"",
+        "paint.png/b|expected a readable file, found \"paint.png/b\": not a directory",
+      })
+  void anObjFileMayLackItsPictures(String name, String warning) throws IOException {
+    Path folder = Files.createDirectories(directory.resolve("obj/folder")).getParent();
+    Files.writeString(
+        folder.resolve("a.obj"), "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+    Files.writeString(folder.resolve("a.mtl"), "newmtl m\nKd 1 0 0\nmap_Kd " + name + "\n");
+    Files.copy(directory.resolve("paint.png"), folder.resolve("paint.png"));
+    Outcome outcome = run("render T/obj/a.obj -o T/a.png" + SMALL);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    assertThat(outcome.err().lines())
+        .singleElement(InstanceOfAssertFactories.STRING)
+        .contains("warning", "a.obj: a.mtl line 3: " + warning, "; the picture is left out");
   }
 
   @Test

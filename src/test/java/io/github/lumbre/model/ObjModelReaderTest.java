@@ -85,6 +85,34 @@ class ObjModelReaderTest {
   }
 
   @Test
+  void missingPicturesAreLeftOutAndReportedOnce() throws ModelFormatException {
+    Model model =
+        material(
+                "Kd .5;Ks 0;Ke 0;Pm 0;map_Kd no.png;map_Ks no.png;map_Ke no.png;map_d no.png;"
+                    + "norm no.png;map_Pr other.png;map_Pm a.png")
+            .read();
+    ModelMaterial material = model.parts().get(0).material();
+    assertThat(material.baseColor()).isEqualTo(ColorInput.of(Rgb.grey(.5)));
+    assertThat(material.emission()).isEqualTo(ColorInput.of(Rgb.BLACK));
+    assertThat(material.alphaMode()).isEqualTo(AlphaMode.OPAQUE);
+    assertThat(material.normalMap()).isEmpty();
+    assertThat(material.roughness()).isEqualTo(ScalarInput.of(1));
+    assertThat(material.metallic().texture()).isPresent();
+    assertThat(model.warnings())
+        .containsExactly(
+            "a.mtl line 6: expected a file, found none: no.png; the picture is left out",
+            "a.mtl line 11: expected a file, found none: other.png; the picture is left out");
+  }
+
+  @Test
+  void blackStandsForAMissingPicture() throws ModelFormatException {
+    Rgb lightGray = PlainModel.defaultMaterial().baseColor().factor();
+    assertThat(read("Kd 0;map_Kd no.png").baseColor()).isEqualTo(ColorInput.of(lightGray));
+    assertThat(read("Kd 0").baseColor()).isEqualTo(ColorInput.of(Rgb.BLACK));
+    assertThat(read("Ke 0;map_Ke no.png").emission()).isEqualTo(ColorInput.of(Rgb.BLACK));
+  }
+
+  @Test
   void otherStatementsAreReportedOnce() throws ModelFormatException {
     Model model = obj("l 1 2;l 2 3;foo;foo;lod 3;f 1 2 3").read();
     assertThat(model.warnings())
@@ -263,8 +291,7 @@ class ObjModelReaderTest {
             + " the line",
         "map_Kd -s a.png|MALFORMED a.mtl line 2: expected a finite number, found \"a.png\"",
         "map_Kd -foo a.png|MALFORMED a.mtl line 2: expected an option such as -s or a file, found"
-            + " \"-foo\"",
-        "map_Kd no.png|ASSET a.mtl line 2: expected a file, found none: no.png"
+            + " \"-foo\""
       })
   void errorsNameTheLibraryAndTheLine(String statements, String message) {
     assertThat(material(statements).refusal()).isEqualTo(message);
