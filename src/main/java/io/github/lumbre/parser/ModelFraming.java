@@ -17,6 +17,12 @@ final class ModelFraming {
   /** The least distance of a vertex from the camera, relative to the diagonal of the box. */
   private static final double NEAR = 1e-3;
 
+  /** How equal margins are, relative to what the model fills. */
+  private static final double EVEN = 1e-4;
+
+  /** The largest number of passes over the vertices. */
+  private static final int MAX_PASSES = 20;
+
   private final Model model;
   private final Vec3 min;
   private final Vec3 max;
@@ -87,8 +93,7 @@ final class ModelFraming {
     Bounds across = new Bounds(aspect * tan);
     Bounds upwards = new Bounds(tan);
     double[] nearest = {0};
-    forVertices(
-        model,
+    Consumer<Vec3> measure =
         vertex -> {
           Vec3 v = vertex.minus(center);
           if (from.isTurntable()) {
@@ -102,10 +107,17 @@ final class ModelFraming {
             upwards.add(v.dot(up), depth);
             nearest[0] = Math.max(nearest[0], depth);
           }
-        });
+        };
+    forVertices(model, measure);
     double margin = NEAR * max.minus(min).length();
     double distance =
         Math.max(nearest[0] + margin, Math.max(across.distance(), upwards.distance()));
+    // One axis does not fill its part of the frame; it gets equal margins step by step.
+    boolean isEven = distance == 0;
+    for (int pass = 0; !isEven && pass < MAX_PASSES; pass++) {
+      isEven = across.fitTo(distance) & upwards.fitTo(distance);
+      forVertices(model, measure);
+    }
     return center
         .plus(distance > 0 ? distance : 1, back)
         .plus(across.middle(), right)
@@ -118,7 +130,7 @@ final class ModelFraming {
    * tan (distance − depth).
    */
   private static final class Bounds {
-    private final double tan;
+    private double tan;
     private double high = Double.NEGATIVE_INFINITY;
     private double low = Double.POSITIVE_INFINITY;
 
@@ -144,12 +156,25 @@ final class ModelFraming {
       low = Math.min(low, x - tan * depth - r * Math.abs(tan * cosE + sinE));
     }
 
+    /**
+     * Begins anew with the part of the frame that the points fill at a distance, by the former
+     * bounds. Returns whether it is nearly the former part.
+     */
+    boolean fitTo(double distance) {
+      double filled = high > low ? (high - low) / (2 * distance) : tan;
+      boolean isSame = Math.abs(filled - tan) <= EVEN * tan;
+      tan = filled;
+      high = Double.NEGATIVE_INFINITY;
+      low = Double.POSITIVE_INFINITY;
+      return isSame;
+    }
+
     /** Returns the smallest distance of a camera that has all points in its frame. */
     double distance() {
       return high > low ? (high - low) / (2 * tan) : 0;
     }
 
-    /** Returns where the margins are equal at every distance. */
+    /** Returns where the margins are equal at the smallest distance. */
     double middle() {
       return high > low ? (high + low) / 2 : 0;
     }
