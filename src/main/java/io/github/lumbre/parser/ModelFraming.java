@@ -174,7 +174,9 @@ final class ModelFraming {
       return high > low ? (high - low) / (2 * tan) : 0;
     }
 
-    /** Returns where the margins are equal at the smallest distance. */
+    /**
+     * Returns the position along the axis where a camera at {@link #distance} has equal margins.
+     */
     double middle() {
       return high > low ? (high + low) / 2 : 0;
     }
