@@ -42,7 +42,7 @@ class LayersTest {
   private static final String BASIC = "math image sampling texture geometry";
   private static final String LIBRARY =
       BASIC
-          + " file path material camera light scene model integrator render parser checkpoint"
+          + " file text path material camera light scene model integrator render parser checkpoint"
           + " stopping audit";
 
   /** The packages that each package may use, in addition to itself and Java. */
@@ -50,6 +50,7 @@ class LayersTest {
       Map.ofEntries(
           Map.entry("math", ""),
           Map.entry("file", ""),
+          Map.entry("text", ""),
           Map.entry("image", "file"),
           Map.entry("path", "math image"),
           Map.entry("sampling", "math"),
@@ -58,11 +59,11 @@ class LayersTest {
           Map.entry("material", BASIC),
           Map.entry("camera", "math image sampling"),
           Map.entry("light", BASIC),
-          Map.entry("scene", BASIC + " material camera light"),
+          Map.entry("scene", BASIC + " text material camera light"),
           Map.entry("integrator", BASIC + " path material camera light scene"),
           Map.entry("render", "math image sampling geometry path camera scene integrator"),
           Map.entry("model", BASIC + " material camera light scene"),
-          Map.entry("parser", BASIC + " file material camera light scene model"),
+          Map.entry("parser", BASIC + " file text material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
           Map.entry("stopping", "math image scene render"),
           Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),

@@ -27,11 +27,15 @@ import java.util.zip.CRC32C;
 public record FilmFile(FilmHeader header, Film film) {
   private static final int BUFFER_BYTES = 1 << 16;
   private static final int CHECKSUM_BYTES = 4;
-  private static final int MAX_HEADER_BYTES = 1 << 20;
+  private static final int MAX_HEADER_BYTES = 1 << 24;
 
   public FilmFile {
     Objects.requireNonNull(header, "header");
     Objects.requireNonNull(film, "film");
+    if (!header.layers().ofFilm().equals(film.layers())) {
+      throw new IllegalArgumentException(
+          "film: expected " + header.layers().ofFilm() + ", found " + film.layers());
+    }
   }
 
   /**
@@ -39,17 +43,20 @@ public record FilmFile(FilmHeader header, Film film) {
    *
    * @param identity see {@link FilmHeader#identity(String, RenderSettings)}
    * @param film film of one render, whose numbers of samples become the header's only part
+   * @param layers the film's layers
    * @param notes see {@link FilmHeader#notes}
    * @param statistics statistics of all samples of the film
    */
   public static FilmFile of(
       Map<String, String> identity,
       Film film,
+      RecordedLayers layers,
       Map<String, String> notes,
       RenderStatistics statistics) {
     List<FilmPart> parts = List.of(FilmPart.of(film));
     return new FilmFile(
-        new FilmHeader(identity, film.hasAlpha(), film.window(), parts, statistics, notes), film);
+        new FilmHeader(identity, film.hasAlpha(), film.window(), layers, parts, statistics, notes),
+        film);
   }
 
   /** Writes this film file to a reserved file, from its start. Does not commit the file. */
@@ -61,9 +68,10 @@ public record FilmFile(FilmHeader header, Film film) {
     write(output, StandardCharsets.UTF_8.encode(HeaderText.of(header)), checksum);
     int pixels = film.window().width() * film.window().height();
     for (int pixel = 0; pixel < pixels; pixel++) {
-      if (buffer.remaining() < Film.MAX_PIXEL_BYTES) {
+      int bytes = film.encodedBytes(pixel);
+      if (buffer.remaining() < bytes) {
         write(output, buffer.flip(), checksum);
-        buffer.clear();
+        buffer = bytes > buffer.capacity() ? ByteBuffer.allocate(bytes) : buffer.clear();
       }
       film.encode(pixel, buffer);
     }
@@ -142,7 +150,7 @@ public record FilmFile(FilmHeader header, Film film) {
   /** The input before the checksum: header and pixels. */
   private static final class Input {
     private final FileChannel channel;
-    private final ByteBuffer buffer = ByteBuffer.allocate(BUFFER_BYTES).limit(0);
+    private ByteBuffer buffer = ByteBuffer.allocate(BUFFER_BYTES).limit(0);
     private long left;
 
     Input(FileChannel channel, long bytes) {
@@ -184,10 +192,17 @@ public record FilmFile(FilmHeader header, Film film) {
     }
 
     private static FilmHeader parsed(String text) throws FilmFormatException {
-      String first = HeaderText.MAGIC + " " + HeaderText.VERSION;
-      if (!text.startsWith(first + "\n")) {
+      String first = text.lines().findFirst().orElse("");
+      if (HeaderText.VERSIONS.stream()
+          .noneMatch(version -> first.equals(HeaderText.MAGIC + " " + version))) {
         throw new FilmFormatException(
-            "expected '" + first + "', found '" + text.lines().findFirst().orElse("") + "'");
+            "expected '"
+                + HeaderText.MAGIC
+                + "' with version "
+                + String.join(" or ", HeaderText.VERSIONS)
+                + ", found '"
+                + first
+                + "'");
       }
       return HeaderText.parse(text);
     }
@@ -197,24 +212,50 @@ public record FilmFile(FilmHeader header, Film film) {
       if (left + buffer.remaining() < pixels) {
         throw new FilmFormatException("is damaged: it has fewer bytes than its window has pixels");
       }
-      int first = header.parts().stream().mapToInt(FilmPart::first).min().orElse(0);
-      Film film = new Film(header.window(), header.hasAlpha(), first);
+      Film film = emptyFilm(header);
       for (int pixel = 0; pixel < pixels; pixel++) {
         if (buffer.remaining() < Film.MAX_PIXEL_BYTES && left > 0) {
           fill();
         }
-        try {
-          film.decode(pixel, buffer);
-        } catch (BufferUnderflowException e) {
-          throw new FilmFormatException("pixel " + pixel + " cannot be read: the file ends early");
-        } catch (IllegalArgumentException e) {
-          throw new FilmFormatException("pixel " + pixel + " cannot be read: " + e.getMessage());
-        }
+        decode(film, pixel);
       }
       if (left + buffer.remaining() != 0) {
         throw new FilmFormatException("is damaged: there are extra bytes after the last pixel");
       }
       return film;
+    }
+
+    private static Film emptyFilm(FilmHeader header) throws FilmFormatException {
+      int first = header.parts().stream().mapToInt(FilmPart::first).min().orElse(0);
+      try {
+        return new Film(header.window(), header.hasAlpha(), first, header.layers().ofFilm());
+      } catch (ArithmeticException e) {
+        throw new FilmFormatException("its layers are too large for its window");
+      }
+    }
+
+    /** Reads a pixel; those with many primitives may be longer than the buffer. */
+    private void decode(Film film, int pixel) throws IOException {
+      while (true) {
+        int start = buffer.position();
+        try {
+          film.decode(pixel, buffer);
+          return;
+        } catch (BufferUnderflowException e) {
+          if (left == 0) {
+            throw new FilmFormatException(
+                "pixel " + pixel + " cannot be read: the file ends early");
+          }
+          buffer.position(start);
+          if (buffer.remaining() == buffer.capacity()) {
+            buffer = ByteBuffer.allocate(Math.multiplyExact(2, buffer.capacity())).put(buffer);
+            buffer.flip();
+          }
+          fill();
+        } catch (IllegalArgumentException e) {
+          throw new FilmFormatException("pixel " + pixel + " cannot be read: " + e.getMessage());
+        }
+      }
     }
   }
 }

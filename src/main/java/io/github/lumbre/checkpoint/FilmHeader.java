@@ -22,6 +22,7 @@ import java.util.Set;
  *     identities belong to the same picture, and their samples may be added
  * @param hasAlpha whether the film counts the samples that cover each pixel
  * @param window the film's window in the full frame
+ * @param layers what the film records besides the picture
  * @param parts the samples of the film, in parts that do not overlap; usually one part
  * @param faults numbers of rejected and of saturated samples, and the positions of the first
  *     rejected ones; all other statistics are dropped
@@ -31,6 +32,7 @@ public record FilmHeader(
     Map<String, String> identity,
     boolean hasAlpha,
     Crop window,
+    RecordedLayers layers,
     List<FilmPart> parts,
     RenderStatistics faults,
     Map<String, String> notes) {
@@ -66,6 +68,17 @@ public record FilmHeader(
           Setting.WIDTH,
           Setting.HEIGHT,
           Setting.TRANSPARENT);
+
+  /** Creates the header of a film without layers. */
+  public FilmHeader(
+      Map<String, String> identity,
+      boolean hasAlpha,
+      Crop window,
+      List<FilmPart> parts,
+      RenderStatistics faults,
+      Map<String, String> notes) {
+    this(identity, hasAlpha, window, RecordedLayers.NONE, parts, faults, notes);
+  }
 
   public FilmHeader {
     identity = Collections.unmodifiableMap(new LinkedHashMap<>(identity));
@@ -128,7 +141,31 @@ public record FilmHeader(
 
   /** Returns the same header with another window, other parts and other faults. */
   FilmHeader withParts(Crop newWindow, List<FilmPart> newParts, RenderStatistics newFaults) {
-    return new FilmHeader(identity, hasAlpha, newWindow, newParts, newFaults, notes);
+    return new FilmHeader(identity, hasAlpha, newWindow, layers, newParts, newFaults, notes);
+  }
+
+  /**
+   * Requires that another film has the layers of this one.
+   *
+   * @param here name of this film, for the message
+   * @param there name of the other film
+   */
+  void requireSameLayers(FilmHeader other, String here, String there) throws FilmMismatchException {
+    if (!other.layers.equals(layers)) {
+      throw new FilmMismatchException(
+          "layers: "
+              + here
+              + " has "
+              + shown(layers)
+              + ", "
+              + there
+              + " has "
+              + shown(other.layers));
+    }
+  }
+
+  private static String shown(RecordedLayers layers) {
+    return layers.isEmpty() ? NOTHING : Setting.LAYERS.type().format(layers.kinds());
   }
 
   /**

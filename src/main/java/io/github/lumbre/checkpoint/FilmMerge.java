@@ -31,6 +31,7 @@ public final class FilmMerge {
     Crop window = header.window();
     for (Named film : films.subList(1, films.size())) {
       header.requireSame(film.file().header().identity(), first.name(), film.name());
+      header.requireSameLayers(film.file().header(), first.name(), film.name());
       window = FilmPart.hull(window, film.file().header().window());
     }
     requireDisjoint(films);
@@ -38,7 +39,7 @@ public final class FilmMerge {
     films.forEach(film -> parts.addAll(film.file().header().parts()));
     List<FilmPart> joined = joined(parts);
     int firstSample = joined.stream().mapToInt(FilmPart::first).min().orElse(0);
-    Film sum = new Film(window, header.hasAlpha(), firstSample);
+    Film sum = new Film(window, header.hasAlpha(), firstSample, header.layers().ofFilm());
     // Add the films in the order of their samples, which keeps the halves of the pixels known if
     // possible.
     films.stream()

@@ -3,10 +3,13 @@ package io.github.lumbre.checkpoint;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.SurfaceNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -17,7 +20,13 @@ final class HeaderText {
   /** The first word of every film file. */
   static final String MAGIC = "LUMBRE-FILM";
 
-  static final String VERSION = "1";
+  /** The version of films without layers, and of those with layers. */
+  static final List<String> VERSIONS = List.of("1", "2");
+
+  private static final String LAYERS = "layers";
+  private static final String LIGHT_GROUP = "light-group";
+  private static final String OBJECT = "object";
+  private static final String MATERIAL = "material";
 
   private static final String NOTE = "note ";
   private static final String WITH_ALPHA = "samples covered sums first-mean";
@@ -35,7 +44,8 @@ final class HeaderText {
 
   /** Returns the lines, each with a line feed, and the empty line that ends the header. */
   static String of(FilmHeader header) {
-    StringBuilder text = new StringBuilder(MAGIC + " " + VERSION + "\n");
+    StringBuilder text = new StringBuilder(MAGIC + " ");
+    text.append(VERSIONS.get(header.layers().isEmpty() ? 0 : 1)).append('\n');
     header.identity().forEach((name, value) -> line(text, name, value));
     line(text, "window", header.window().toString());
     for (FilmPart part : header.parts()) {
@@ -47,9 +57,20 @@ final class HeaderText {
               part.window(), part.first(), part.fewest(), part.most()));
     }
     line(text, "pixel", header.hasAlpha() ? WITH_ALPHA : WITHOUT_ALPHA);
+    layers(text, header.layers());
     faults(text, header.faults());
     header.notes().forEach((name, value) -> line(text, NOTE + name, value));
     return text.append('\n').toString();
+  }
+
+  private static void layers(StringBuilder text, RecordedLayers layers) {
+    if (layers.isEmpty()) {
+      return;
+    }
+    line(text, LAYERS, Setting.LAYERS.type().format(layers.kinds()));
+    layers.lightGroups().forEach(name -> line(text, LIGHT_GROUP, name));
+    layers.surfaces().objects().forEach(name -> line(text, OBJECT, name));
+    layers.surfaces().materials().forEach(name -> line(text, MATERIAL, name));
   }
 
   private static void faults(StringBuilder text, RenderStatistics faults) {
@@ -89,6 +110,9 @@ final class HeaderText {
     Map<String, String> identity = new LinkedHashMap<>();
     Map<String, String> notes = new LinkedHashMap<>();
     List<FilmPart> parts = new ArrayList<>();
+    Map<String, List<String>> names =
+        Map.of(
+            LIGHT_GROUP, new ArrayList<>(), OBJECT, new ArrayList<>(), MATERIAL, new ArrayList<>());
     String[] lines = text.split("\n");
     for (String line : List.of(lines).subList(1, lines.length)) {
       int colon = line.indexOf(": ");
@@ -101,6 +125,8 @@ final class HeaderText {
         notes.put(name.substring(NOTE.length()), value);
       } else if (name.equals("part")) {
         parts.add(valid(name, value, HeaderText::part));
+      } else if (names.containsKey(name)) {
+        names.get(name).add(value);
       } else {
         identity.put(name, value);
       }
@@ -111,7 +137,25 @@ final class HeaderText {
     }
     Crop window = valid("window", String.valueOf(identity.remove("window")), HeaderText::window);
     RenderStatistics faults = faults(identity);
-    return new FilmHeader(identity, pixel.equals(WITH_ALPHA), window, parts, faults, notes);
+    RecordedLayers layers = layers(Optional.ofNullable(identity.remove(LAYERS)), names);
+    return new FilmHeader(identity, pixel.equals(WITH_ALPHA), window, layers, parts, faults, notes);
+  }
+
+  private static RecordedLayers layers(Optional<String> kinds, Map<String, List<String>> names)
+      throws FilmFormatException {
+    try {
+      RecordedLayers layers =
+          new RecordedLayers(
+              Setting.LAYERS.type().parse(kinds.orElse("")),
+              names.get(LIGHT_GROUP),
+              new SurfaceNames(names.get(OBJECT), names.get(MATERIAL)));
+      if (layers.kinds().isEmpty() != kinds.isEmpty()) {
+        throw new IllegalArgumentException("expected some, found none");
+      }
+      return layers;
+    } catch (IllegalArgumentException e) {
+      throw new FilmFormatException(LAYERS + ": " + e.getMessage());
+    }
   }
 
   /** Removes the faults from the values and returns them; missing ones are 0. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.FlagChecks;
@@ -37,6 +38,7 @@ import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.stopping.Budget;
 import java.nio.file.Files;
@@ -242,7 +244,7 @@ final class RenderCommand implements Callable<Integer> {
       if (dryRun) {
         return estimate(file, report);
       }
-      MemoryEstimate.require(file.settings());
+      MemoryEstimate.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
       picture.requireFits(file.settings());
       RunBudget budget =
           budgets.since(start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
@@ -282,6 +284,7 @@ final class RenderCommand implements Callable<Integer> {
     Path scene = options.scene();
     keeper.begin(
         FilmHeader.identity(file.hash(), file.settings()),
+        RecordedLayers.of(file.settings(), file.scene()),
         FilmNotes.of(scene, file, picture.target(), bits, options.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
@@ -291,7 +294,8 @@ final class RenderCommand implements Callable<Integer> {
   }
 
   private int estimate(SceneFile file, JsonSummary report) throws TaskException {
-    MemoryEstimate estimate = MemoryEstimate.measured(file.settings());
+    MemoryEstimate estimate =
+        MemoryEstimate.measured(file.settings(), FilmLayers.of(file.settings(), file.scene()));
     if (!run.isJson()) {
       estimate.lines().forEach(run.out()::line);
     }

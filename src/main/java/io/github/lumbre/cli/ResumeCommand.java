@@ -34,6 +34,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting.Group;
 import java.io.IOException;
@@ -172,11 +173,12 @@ final class ResumeCommand implements Callable<Integer> {
         report.put("scene", path.toString());
         SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
         RunBudget budget = budget(notes, file.settings(), start, startup);
-        MemoryEstimate.require(file.settings());
+        MemoryEstimate.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
         interruption.requireRender();
         setDamagedAside(loaded);
         keeper.begin(
             header.identity(),
+            header.layers(),
             FilmNotes.of(path, file, target, notes.bits(), notes.lenient(), budget),
             header.faults(),
             file.settings());

@@ -98,8 +98,8 @@ final class Path {
   }
 
   /** Reports a ray that was traced, with the current throughput. */
-  void reportRay(NearestHit ray, PathListener listener) {
-    listener.rayTraced(ray, throughputRed, throughputGreen, throughputBlue);
+  void reportRay(NearestHit ray, int depth, PathListener listener) {
+    listener.rayTraced(ray, depth, throughputRed, throughputGreen, throughputBlue);
   }
 
   /** Returns the radiance found so far, in linear RGB. */

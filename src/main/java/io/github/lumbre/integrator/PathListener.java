@@ -26,9 +26,10 @@ interface PathListener {
    * A ray was traced from the camera, or from the vertex where the path last scattered.
    *
    * @param ray origin and unit direction in world space, and the nearest hit if there is one
+   * @param depth number of surfaces that scattered the path so far
    * @param r red component of the throughput, which multiplies the light found next
    */
-  void rayTraced(NearestHit ray, double r, double g, double b);
+  void rayTraced(NearestHit ray, int depth, double r, double g, double b);
 
   /**
    * The ray hit a surface that is not shaded, because it emits or because the path has reached its

@@ -82,7 +82,7 @@ public final class PathRecorder implements PathListener {
   }
 
   @Override
-  public void rayTraced(NearestHit ray, double r, double g, double b) {
+  public void rayTraced(NearestHit ray, int depth, double r, double g, double b) {
     last.add(Rgb.BLACK);
     last = new Step(branch, new Ray(ray.origin(), ray.direction()), new Rgb(r, g, b));
     steps.add(last);

@@ -144,7 +144,7 @@ public final class PathTracer implements Integrator {
       isHit = passTransparency(depth, sampler, context);
     }
     if (context.isRecorded) {
-      path.reportRay(hit, context.listener);
+      path.reportRay(hit, depth, context.listener);
     }
     if (!isHit) {
       if (depth == 0 && hasBackplate) {

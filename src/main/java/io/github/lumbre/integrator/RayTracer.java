@@ -110,7 +110,8 @@ public final class RayTracer implements Integrator {
     NearestHit hit = context.hit;
     if (context.isRecorded) {
       Rgb throughput = branch.throughput();
-      context.listener.rayTraced(hit, throughput.r(), throughput.g(), throughput.b());
+      int depth = branch.reflections() + branch.refractions();
+      context.listener.rayTraced(hit, depth, throughput.r(), throughput.g(), throughput.b());
     }
     if (!isHit) {
       boolean isSeen = branch.reflections() == 0 && branch.refractions() == 0;

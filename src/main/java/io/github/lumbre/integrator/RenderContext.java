@@ -21,9 +21,12 @@ import java.util.Objects;
 public final class RenderContext {
   /**
    * Whether {@link #listener} receives events. Testing this flag costs less than calling a listener
-   * that does nothing.
+   * that does nothing. A listener may clear the flag for the rest of a sample.
    */
-  final boolean isRecorded;
+  boolean isRecorded;
+
+  /** Whether {@link #listener} receives the events of each sample. */
+  private final boolean isListening;
 
   final PathListener listener;
   NearestHit hit = new NearestHit();
@@ -49,6 +52,7 @@ public final class RenderContext {
 
   private RenderContext(PathListener listener, boolean isRecorded) {
     this.listener = Objects.requireNonNull(listener, "listener");
+    isListening = isRecorded;
     this.isRecorded = isRecorded;
   }
 
@@ -58,6 +62,13 @@ public final class RenderContext {
    */
   public static RenderContext recordedBy(PathRecorder recorder) {
     return new RenderContext(recorder, true);
+  }
+
+  /** Returns a context that collects the layers of each sample. */
+  public static RenderContext collecting(SampleLayers layers) {
+    RenderContext context = new RenderContext(layers, true);
+    layers.listenTo(context);
+    return context;
   }
 
   /**
@@ -128,6 +139,7 @@ public final class RenderContext {
   /** Prepares for the next camera ray. */
   public void startSample() {
     hitSomething = false;
+    isRecorded = isListening;
   }
 
   /** Returns whether the current sample's camera ray hit a surface. */

@@ -1,7 +1,9 @@
 package io.github.lumbre.lab;
 
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
@@ -9,10 +11,12 @@ import java.util.Locale;
  * An estimate of the heap that a render needs, made before it starts.
  *
  * @param settings settings of the render
+ * @param layers what the film records besides the picture
  * @param sceneBytes bytes in use by the scene and the program
  * @param maxHeapBytes maximum heap size in bytes
  */
-public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxHeapBytes) {
+public record MemoryEstimate(
+    RenderSettings settings, FilmLayers layers, long sceneBytes, long maxHeapBytes) {
   /** At most 64 bytes per pixel for the film, and 16 bytes per pixel for the developed picture. */
   private static final int BYTES_PER_PIXEL = 80;
 
@@ -35,11 +39,11 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
    *
    * @throws TaskException that states the needed and the available memory, if it cannot
    */
-  public static void require(RenderSettings settings) throws TaskException {
+  public static void require(RenderSettings settings, FilmLayers layers) throws TaskException {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();
-    if (!new MemoryEstimate(settings, usedBytes(), maxHeapBytes).fits()) {
+    if (!new MemoryEstimate(settings, layers, usedBytes(), maxHeapBytes).fits()) {
       // Much of the used memory may be garbage from reading the scene.
-      measured(settings).require();
+      measured(settings, layers).require();
     }
   }
 
@@ -47,17 +51,17 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
    * Returns whether this heap can hold a second film for a scene that has just been read. One film
    * can then be saved while the other receives samples.
    */
-  public static boolean leavesRoomForCopy(RenderSettings settings) {
+  public static boolean leavesRoomForCopy(RenderSettings settings, FilmLayers layers) {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();
-    return new MemoryEstimate(settings, usedBytes(), maxHeapBytes).fitsWithCopy()
-        || measured(settings).fitsWithCopy();
+    return new MemoryEstimate(settings, layers, usedBytes(), maxHeapBytes).fitsWithCopy()
+        || measured(settings, layers).fitsWithCopy();
   }
 
   /** Returns the estimate for a scene that has just been read. Runs a full garbage collection. */
-  public static MemoryEstimate measured(RenderSettings settings) {
+  public static MemoryEstimate measured(RenderSettings settings, FilmLayers layers) {
     Runtime runtime = Runtime.getRuntime();
     runtime.gc();
-    return new MemoryEstimate(settings, usedBytes(), runtime.maxMemory());
+    return new MemoryEstimate(settings, layers, usedBytes(), runtime.maxMemory());
   }
 
   private static long usedBytes() {
@@ -80,12 +84,17 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
   /** Returns the bytes of the film and of the developed picture. */
   public long filmBytes() {
     int more = settings.adaptive() ? BYTES_PER_ADAPTIVE_PIXEL : 0;
-    return (BYTES_PER_PIXEL + more) * pixels();
+    return (BYTES_PER_PIXEL + more) * pixels() + layerBytes();
+  }
+
+  /** Returns the bytes of the film's layers, without those of the written file. */
+  public long layerBytes() {
+    return layers.bytesPerPixel() * pixels();
   }
 
   /** Returns the bytes of a second film; checkpoints are saved from it if it fits. */
   public long copyBytes() {
-    return BYTES_PER_COPIED_PIXEL * pixels();
+    return BYTES_PER_COPIED_PIXEL * pixels() + layerBytes();
   }
 
   public long threadBytes() {
@@ -133,15 +142,21 @@ public record MemoryEstimate(RenderSettings settings, long sceneBytes, long maxH
   public List<String> lines() {
     RenderSettings.Crop window = settings.window();
     long perPixel = settings.samples();
-    return List.of(
-        "pixels   " + pixels() + ": " + window.width() + "x" + window.height(),
-        "samples  " + perPixel * pixels() + ": " + perPixel + " per pixel",
-        "film     " + mebibytes(filmBytes()),
-        "scene    " + mebibytes(sceneBytes),
-        "threads  " + mebibytes(threadBytes()) + ": " + threads(),
-        "needed   " + mebibytes(neededBytes()),
-        "copy     " + mebibytes(copyBytes()) + " more for checkpoints, if it fits",
-        "heap     " + mebibytes(maxHeapBytes));
+    List<String> lines = new ArrayList<>();
+    lines.add("pixels   " + pixels() + ": " + window.width() + "x" + window.height());
+    lines.add("samples  " + perPixel * pixels() + ": " + perPixel + " per pixel");
+    lines.add("film     " + mebibytes(filmBytes()));
+    if (!layers.isEmpty()) {
+      int each = layers.bytesPerPixel();
+      lines.add(
+          "layers   " + mebibytes(layerBytes()) + " of the film: " + each + " bytes per pixel");
+    }
+    lines.add("scene    " + mebibytes(sceneBytes));
+    lines.add("threads  " + mebibytes(threadBytes()) + ": " + threads());
+    lines.add("needed   " + mebibytes(neededBytes()));
+    lines.add("copy     " + mebibytes(copyBytes()) + " more for checkpoints, if it fits");
+    lines.add("heap     " + mebibytes(maxHeapBytes));
+    return lines;
   }
 
   /** Returns a number of bytes in mebibytes, rounded up: {@code 512 MiB}. */

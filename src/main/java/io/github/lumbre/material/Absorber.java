@@ -1,5 +1,7 @@
 package io.github.lumbre.material;
 
+import io.github.lumbre.image.Rgb;
+
 /** A BSDF that scatters no light: the surface of a light. */
 enum Absorber implements SpecularBsdf {
   BLACK;
@@ -8,5 +10,10 @@ enum Absorber implements SpecularBsdf {
   public void sample(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
     result.absorb();
+  }
+
+  @Override
+  public Rgb albedo() {
+    return Rgb.BLACK;
   }
 }

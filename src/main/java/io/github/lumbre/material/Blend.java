@@ -54,4 +54,9 @@ record Blend(Bsdf first, Bsdf second, double share) implements Bsdf {
       result.weighBy(this, new Vec3(woX, woY, woZ));
     }
   }
+
+  @Override
+  public Rgb albedo() {
+    return first.albedo().times(share).plus(second.albedo().times(1 - share));
+  }
 }

@@ -89,4 +89,14 @@ public interface Bsdf {
   default Rgb diffuseAlbedo() {
     return Rgb.BLACK;
   }
+
+  /**
+   * Returns the color of the surface at normal incidence, without light: the fraction of light that
+   * it reflects or transmits, roughly. Denoisers and compositing programs use it; light transport
+   * does not. Each component is in [0,1].
+   *
+   * <p>A diffuse surface has its albedo, a metal its reflectance at normal incidence, glass the
+   * color of its transmitted light.
+   */
+  Rgb albedo();
 }

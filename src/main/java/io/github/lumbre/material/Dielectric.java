@@ -54,4 +54,9 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
   private double eta(Vec3 wo) {
     return wo.z() > 0 ? ior : 1 / ior;
   }
+
+  @Override
+  public Rgb albedo() {
+    return transmittance;
+  }
 }

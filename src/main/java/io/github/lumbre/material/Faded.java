@@ -43,4 +43,9 @@ record Faded(Bsdf bsdf, double factor) implements Bsdf {
   public Rgb diffuseAlbedo() {
     return bsdf.diffuseAlbedo().times(factor);
   }
+
+  @Override
+  public Rgb albedo() {
+    return bsdf.albedo().times(factor);
+  }
 }

@@ -23,4 +23,9 @@ record FresnelMirror(Rgb specular, double ior) implements SpecularBsdf, Lobe {
   public double importance(double cosine) {
     return specular.max() * Fresnel.dielectric(Math.abs(cosine), ior);
   }
+
+  @Override
+  public Rgb albedo() {
+    return specular.times(Fresnel.dielectric(1, ior));
+  }
 }

@@ -7,9 +7,9 @@ import io.github.lumbre.math.Vec3;
  * A layer above another BSDF: f = layer + base · min(1 - E(o), 1 - E(i)), where E is the layer's
  * directional albedo. The minimum keeps the sum reciprocal and at most 1.
  *
- * @param albedo of the layer, by the cosine of a direction
+ * @param reflected fraction of the light that the layer reflects, by the cosine of a direction
  */
-record Layered(Lobe layer, Bsdf base, Albedo albedo) implements Bsdf {
+record Layered(Lobe layer, Bsdf base, Albedo reflected) implements Bsdf {
   /** The largest random number. */
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
@@ -21,12 +21,12 @@ record Layered(Lobe layer, Bsdf base, Albedo albedo) implements Bsdf {
   }
 
   private double passed(double woZ, double wiZ) {
-    return Math.max(0, 1 - Math.max(albedo.at(Math.abs(woZ)), albedo.at(Math.abs(wiZ))));
+    return Math.max(0, 1 - Math.max(reflected.at(Math.abs(woZ)), reflected.at(Math.abs(wiZ))));
   }
 
   /** Returns the probability of sampling the layer. */
   private double share(double woZ) {
-    return Math.min(.9, Math.max(.1, albedo.at(Math.abs(woZ))));
+    return Math.min(.9, Math.max(.1, reflected.at(Math.abs(woZ))));
   }
 
   @Override
@@ -73,5 +73,10 @@ record Layered(Lobe layer, Bsdf base, Albedo albedo) implements Bsdf {
     } else {
       result.weighBy(this, new Vec3(woX, woY, woZ));
     }
+  }
+
+  @Override
+  public Rgb albedo() {
+    return layer.albedo().plus(base.albedo()).clampedToOne();
   }
 }

@@ -70,4 +70,9 @@ record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution fac
   private static Vec3 up(Vec3 w) {
     return w.times(side(w));
   }
+
+  @Override
+  public Rgb albedo() {
+    return specular.times(Fresnel.dielectric(1, ior));
+  }
 }

@@ -57,4 +57,9 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   public Rgb diffuseAlbedo() {
     return first.diffuseAlbedo().plus(second.diffuseAlbedo());
   }
+
+  @Override
+  public Rgb albedo() {
+    return first.albedo().plus(second.albedo()).clampedToOne();
+  }
 }

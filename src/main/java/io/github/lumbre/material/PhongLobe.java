@@ -72,4 +72,9 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   public double importance(double cosine) {
     return specular.max();
   }
+
+  @Override
+  public Rgb albedo() {
+    return specular;
+  }
 }

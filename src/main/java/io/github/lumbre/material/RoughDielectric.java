@@ -154,4 +154,9 @@ public record RoughDielectric(
   private static Vec3 up(Vec3 w, Vec3 wo) {
     return new Vec3(w.x(), w.y(), wo.z() > 0 ? w.z() : -w.z());
   }
+
+  @Override
+  public Rgb albedo() {
+    return transmittance;
+  }
 }

@@ -70,4 +70,9 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets) implements Lobe {
   public double importance(double cosine) {
     return GgxAlbedo.of(f0.max(), f90, Math.abs(cosine), facets.alpha());
   }
+
+  @Override
+  public Rgb albedo() {
+    return f0;
+  }
 }

@@ -137,4 +137,9 @@ record Sheen(Rgb color, double roughness) implements Lobe {
   public double importance(double cosine) {
     return color.max() * albedo(Math.abs(cosine), roughness);
   }
+
+  @Override
+  public Rgb albedo() {
+    return color;
+  }
 }

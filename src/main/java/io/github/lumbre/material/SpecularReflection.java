@@ -19,4 +19,9 @@ record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   static Vec3 reflect(Vec3 wo) {
     return new Vec3(-wo.x(), -wo.y(), wo.z());
   }
+
+  @Override
+  public Rgb albedo() {
+    return reflectance;
+  }
 }

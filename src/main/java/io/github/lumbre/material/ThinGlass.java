@@ -74,4 +74,9 @@ record ThinGlass(Rgb tint, Rgb f0, double f90, Ggx facets) implements Bsdf {
     result.setDirection(i.x() * side, i.y() * side, (reflects ? side : -side) * i.z());
     result.weighBy(this, new Vec3(woX, woY, woZ));
   }
+
+  @Override
+  public Rgb albedo() {
+    return tint;
+  }
 }

@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.text.Spelling;
 import java.math.BigDecimal;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

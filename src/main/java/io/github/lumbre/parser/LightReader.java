@@ -75,7 +75,7 @@ final class LightReader {
   private boolean hasDome;
   private boolean warnedOfGlass;
   private final Family<Reader> family =
-      new Family<Reader>("lightType", ObjectTree.COMMON_KEYS)
+      new Family<Reader>("lightType", ObjectTree.EMITTER_KEYS)
           .with("Directional", this::directional, "intensity", "color")
           .with("Point", this::point, "falloff")
           .with("Spot", this::spot, "spotAngle", "penumbra", "falloff")

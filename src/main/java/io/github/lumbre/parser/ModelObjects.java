@@ -28,7 +28,7 @@ import java.util.function.Consumer;
 
 /** Reads objects that are model files: glTF, OBJ, PLY and STL. */
 final class ModelObjects {
-  private static final Set<String> KEYS = new HashSet<>(ObjectTree.COMMON_KEYS);
+  private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
   private static final Map<String, Up> UPS = new LinkedHashMap<>();
 
   static {

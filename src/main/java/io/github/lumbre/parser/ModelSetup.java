@@ -17,6 +17,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.text.Spelling;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.charset.StandardCharsets;

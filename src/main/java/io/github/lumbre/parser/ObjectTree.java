@@ -4,6 +4,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.scene.LightGroups;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -12,15 +13,24 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Traverses the tree of objects without recursion, and computes each world transform. */
 final class ObjectTree {
   /** The largest nesting depth of objects. */
   static final int MAX_DEPTH = 2000;
 
+  private static final String LIGHT_GROUP = "lightGroup";
+
   /** Keys that are valid for every object. */
   static final Set<String> COMMON_KEYS =
       Set.of("type", "name", "id", "children", "localPosition", "localRotation", "localScale");
+
+  /** Keys that are valid for every object that can emit light. */
+  static final Set<String> EMITTER_KEYS =
+      Stream.concat(COMMON_KEYS.stream(), Stream.of(LIGHT_GROUP))
+          .collect(Collectors.toUnmodifiableSet());
 
   private static final Vec3 ONE = new Vec3(1, 1, 1);
 
@@ -57,6 +67,16 @@ final class ObjectTree {
      */
     Frame axes() {
       return new Frame(rotation.vector(Vec3.X), rotation.vector(Vec3.Y), rotation.vector(Vec3.Z));
+    }
+
+    /** Returns the name of the light group of the object's light; empty for none. */
+    String lightGroup() {
+      String name = node.string(LIGHT_GROUP).orElse("");
+      if (!LightGroups.isName(name)) {
+        node.error(LIGHT_GROUP, "expected letters, digits and underscores, found another name");
+        return "";
+      }
+      return name;
     }
 
     /** Returns the object's origin in world space. */

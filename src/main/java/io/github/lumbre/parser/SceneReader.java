@@ -38,7 +38,8 @@ final class SceneReader {
   private int lightCount;
 
   /** An action that adds a part of the file to the scene. */
-  private record Addition(Origin origin, Origin material, Consumer<SceneBuilder> action) {}
+  private record Addition(
+      Origin origin, Origin material, String lightGroup, Consumer<SceneBuilder> action) {}
 
   /**
    * @param seed seed of the procedural textures
@@ -140,13 +141,15 @@ final class SceneReader {
                 new Addition(
                     Origin.of(object.node()),
                     materials.asset(object.node()).map(Origin::of).orElse(Origin.NONE),
+                    object.lightGroup(),
                     scene -> surface.add(made, scene))));
   }
 
   private void readModel(Placed object) {
     Interrupts.check();
     for (ModelObjects.Part part : models.read(object)) {
-      additions.add(new Addition(part.origin(), part.material(), part.action()));
+      additions.add(
+          new Addition(part.origin(), part.material(), object.lightGroup(), part.action()));
     }
   }
 
@@ -154,7 +157,10 @@ final class SceneReader {
     LightReader lights = new LightReader(textures, materials.hasGlass());
     for (Placed light : objects(ObjectTree.Type.LIGHT)) {
       Origin origin = Origin.of(light.node());
-      lights.read(light).ifPresent(made -> additions.add(new Addition(origin, Origin.NONE, made)));
+      lights
+          .read(light)
+          .ifPresent(
+              made -> additions.add(new Addition(origin, Origin.NONE, light.lightGroup(), made)));
     }
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
@@ -165,7 +171,10 @@ final class SceneReader {
           radiance ->
               additions.add(
                   new Addition(
-                      Origin.of(backgroundNode()), Origin.NONE, b -> b.addBackground(radiance))));
+                      Origin.of(backgroundNode()),
+                      Origin.NONE,
+                      "",
+                      b -> b.addBackground(radiance))));
     }
   }
 
@@ -177,8 +186,12 @@ final class SceneReader {
   Scene scene() {
     SceneBuilder scene = Scene.seenBy(camera.orElseThrow()).searchedBy(kernel);
     backplate.ifPresent(scene::backplate);
+    OriginNames objects = new OriginNames("object");
+    OriginNames materialNames = new OriginNames("default");
     for (Addition addition : additions) {
       Interrupts.check();
+      scene.lightGroup(addition.lightGroup);
+      scene.named(objects.of(addition.origin), materialNames.of(addition.material));
       addition.action.accept(scene);
       note(addition, scene);
     }

@@ -40,7 +40,7 @@ final class ShapeReader {
   private int count;
   private long triangles;
   private final Family<Reader> family =
-      new Family<Reader>("shapeType", ObjectTree.COMMON_KEYS)
+      new Family<Reader>("shapeType", ObjectTree.EMITTER_KEYS)
           .with("Sphere", this::sphere, "materialID", "radius")
           .with("Plane", this::plane, "finite", "width", "height", "twoSided")
           .with("Cube", this::cube, "width", "height", "depth")

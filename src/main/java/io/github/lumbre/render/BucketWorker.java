@@ -4,6 +4,7 @@ import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.RenderContext;
+import io.github.lumbre.integrator.SampleLayers;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -35,7 +36,8 @@ final class BucketWorker implements Runnable {
 
   private final Sampler sampler;
   private final CameraRay ray = new CameraRay();
-  private final RenderContext context = new RenderContext();
+  private final Optional<SampleLayers> layers;
+  private final RenderContext context;
   private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
 
   /** Increases with the samples; the {@link Watchdog} reads it. */
@@ -67,6 +69,11 @@ final class BucketWorker implements Runnable {
     limit = SampleLimit.of(settings);
     largestUnchanged = Math.min(settings.clamp(), Film.LARGEST);
     this.sampler = sampler;
+    layers =
+        film.layers().isEmpty()
+            ? Optional.empty()
+            : Optional.of(new SampleLayers(film.layers().stored(), scene));
+    context = layers.map(RenderContext::collecting).orElseGet(RenderContext::new);
   }
 
   @Override
@@ -131,12 +138,34 @@ final class BucketWorker implements Runnable {
   private void renderSample(int x, int y, int sample, int pixel) {
     context.startSample();
     samples++;
-    if (!CameraSamples.start(scene, settings, sampler, x, y, sample, ray)) {
+    boolean hasRay = CameraSamples.start(scene, settings, sampler, x, y, sample, ray);
+    if (layers.isPresent()) {
+      renderLayers(x, y, sample, pixel, hasRay, layers.get());
+      return;
+    }
+    if (!hasRay) {
       film.add(pixel, Rgb.BLACK, false);
       return;
     }
     Rgb radiance = accepted(integrator.radiance(ray, sampler, context), x, y, sample);
     film.add(pixel, radiance, context.hitSomething() || !settings.transparent());
+  }
+
+  /** Renders a sample with its layers. */
+  private void renderLayers(
+      int x, int y, int sample, int pixel, boolean hasRay, SampleLayers collected) {
+    if (!hasRay) {
+      collected.clear();
+      film.add(pixel, Rgb.BLACK, false, collected);
+      return;
+    }
+    collected.start(ray);
+    Rgb radiance = integrator.radiance(ray, sampler, context);
+    Rgb kept = accepted(radiance, x, y, sample);
+    if (kept != radiance) {
+      collected.scaleLight(kept.isBlack() ? 0 : kept.max() / radiance.max());
+    }
+    film.add(pixel, kept, context.hitSomething() || !settings.transparent(), collected);
   }
 
   /** Returns the value to add to the film, and counts rejected, saturated and clamped samples. */

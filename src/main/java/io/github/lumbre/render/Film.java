@@ -2,6 +2,9 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.SampleLayers;
+import io.github.lumbre.render.LayerSums.FirstMean;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.nio.BufferUnderflowException;
@@ -22,14 +25,18 @@ import java.util.Optional;
  * two below their number. {@link #halves} estimates the noise from it. This mean is rounded, and
  * does not affect the picture.
  *
- * <p>A film takes 60 bytes per pixel, 64 with alpha.
+ * <p>A film takes 60 bytes per pixel, 64 with alpha, and {@link FilmLayers#bytesPerPixel} more.
  */
 public final class Film {
   /** The maximum of one sample value; the sums can hold 2^30 such values. */
   static final double LARGEST = 0x1p32;
 
-  /** The maximum size of an encoded pixel, in bytes. */
-  public static final int MAX_PIXEL_BYTES = 2 * 5 + 3 * (9 + Long.BYTES) + Long.BYTES;
+  /** The maximum size of an encoded number, in bytes. */
+  static final int MAX_NUMBER_BYTES = 9;
+
+  /** The maximum size of an encoded pixel without layers, in bytes. */
+  public static final int MAX_PIXEL_BYTES =
+      2 * 5 + 3 * (MAX_NUMBER_BYTES + Long.BYTES) + Long.BYTES;
 
   private final Crop window;
   private final int firstSample;
@@ -51,15 +58,23 @@ public final class Film {
    */
   private final long[] firstMeans;
 
+  private final LayerSums layers;
+
+  /** Creates an empty film without layers; see {@link #Film(Crop, boolean, int, FilmLayers)}. */
+  public Film(Crop window, boolean hasAlpha, int firstSample) {
+    this(window, hasAlpha, firstSample, FilmLayers.NONE);
+  }
+
   /**
    * Creates an empty film.
    *
    * @param window the part of the full frame that the film holds
    * @param hasAlpha whether the film counts the samples that cover a pixel
    * @param firstSample the number of each pixel's first sample, at least 0
+   * @param layers what the film records besides the picture
    * @throws IllegalArgumentException if {@code firstSample} is negative
    */
-  public Film(Crop window, boolean hasAlpha, int firstSample) {
+  public Film(Crop window, boolean hasAlpha, int firstSample, FilmLayers layers) {
     this.window = Objects.requireNonNull(window, "window");
     if (firstSample < 0) {
       throw new IllegalArgumentException("firstSample: expected at least 0, found " + firstSample);
@@ -71,6 +86,7 @@ public final class Film {
     counts = new int[pixels];
     covered = new int[hasAlpha ? pixels : 0];
     firstMeans = new long[pixels];
+    this.layers = new LayerSums(layers, pixels);
   }
 
   /** Returns the part of the full frame that this film holds. */
@@ -81,6 +97,16 @@ public final class Film {
   /** Returns whether the film counts the samples that cover a pixel. */
   public boolean hasAlpha() {
     return covered.length != 0;
+  }
+
+  /** Returns what the film records besides the picture. */
+  public FilmLayers layers() {
+    return layers.layers();
+  }
+
+  /** Returns the sums of the layers. */
+  LayerSums layerSums() {
+    return layers;
   }
 
   /** Returns the number of each pixel's first sample. */
@@ -152,8 +178,8 @@ public final class Film {
    * samples.
    *
    * @param other a film whose window lies inside the window of this film; it has alpha exactly if
-   *     this film has
-   * @throws IllegalArgumentException if {@code other} has another window or alpha
+   *     this film has, and the same layers
+   * @throws IllegalArgumentException if {@code other} has another window, alpha or other layers
    * @throws ArithmeticException if the number of samples of a pixel overflows
    */
   public void addAll(Film other) {
@@ -167,10 +193,19 @@ public final class Film {
       throw new IllegalArgumentException(
           "other: expected a film inside " + window + ", found " + part);
     }
+    requireSameLayers(other);
     for (int from = 0; from < other.counts.length; from++) {
       int to = index(part.x() + from % part.width(), part.y() + from / part.width());
       if (other.counts[from] != 0) {
-        firstMeans[to] = firstMeanWith(other, from, to);
+        FirstMean mean = firstMeanWith(other, from, to);
+        firstMeans[to] =
+            switch (mean) {
+              case KEPT -> firstMeans[to];
+              case LOST -> PackedRgb.NONE;
+              case OF_OTHER -> other.firstMeans[from];
+              case OF_ALL -> mean(to);
+            };
+        layers.addAll(other.layers, from, to, mean, counts[to]);
       }
       counts[to] = Math.addExact(counts[to], other.counts[from]);
       for (int i = 0; i < 3; i++) {
@@ -182,20 +217,27 @@ public final class Film {
     }
   }
 
+  private void requireSameLayers(Film other) {
+    if (!other.layers().equals(layers())) {
+      throw new IllegalArgumentException(
+          "other: expected a film with " + layers() + ", found " + other.layers());
+    }
+  }
+
   /**
-   * Returns the mean of a pixel's samples up to the last power of two before their number, once
-   * those of another film are added; {@link PackedRgb#NONE} if the sums do not contain it.
+   * Returns where the mean of a pixel's samples up to the last power of two before their number is,
+   * once those of another film are added; lost if the sums do not contain it.
    */
-  private long firstMeanWith(Film other, int from, int to) {
+  private FirstMean firstMeanWith(Film other, int from, int to) {
     int count = counts[to];
     if (count == 0) {
-      return other.firstMeans[from];
+      return FirstMean.OF_OTHER;
     }
     int power = Integer.highestOneBit(count + other.counts[from] - 1);
     if (other.firstSample != firstSample + count || power > count) {
-      return PackedRgb.NONE;
+      return FirstMean.LOST;
     }
-    return power == count ? mean(to) : firstMeans[to];
+    return power == count ? FirstMean.OF_ALL : FirstMean.KEPT;
   }
 
   /** Returns the mean of all samples of a pixel that has some, packed. */
@@ -207,7 +249,7 @@ public final class Film {
 
   /** Returns an independent copy of this film. */
   public Film copy() {
-    Film copy = new Film(window, hasAlpha(), firstSample);
+    Film copy = new Film(window, hasAlpha(), firstSample, layers());
     copy.set(this);
     return copy;
   }
@@ -215,7 +257,7 @@ public final class Film {
   /**
    * Replaces the contents of this film with a copy of another film's.
    *
-   * @param other a film with the same window, alpha and first sample
+   * @param other a film with the same window, alpha, first sample and layers
    * @throws IllegalArgumentException if {@code other} differs in one of these
    */
   public void set(Film other) {
@@ -225,6 +267,8 @@ public final class Film {
       throw new IllegalArgumentException(
           "other: expected a film of " + window + ", found " + other.window);
     }
+    requireSameLayers(other);
+    layers.set(other.layers);
     System.arraycopy(other.whole, 0, whole, 0, whole.length);
     System.arraycopy(other.fraction, 0, fraction, 0, fraction.length);
     System.arraycopy(other.counts, 0, counts, 0, counts.length);
@@ -232,12 +276,27 @@ public final class Film {
     System.arraycopy(other.firstMeans, 0, firstMeans, 0, firstMeans.length);
   }
 
+  /** Returns the maximum number of bytes that {@link #encode} writes for all pixels. */
+  public long encodedBytes() {
+    long bytes = 0;
+    for (int pixel = 0; pixel < counts.length; pixel++) {
+      bytes += encodedBytes(pixel);
+    }
+    return bytes;
+  }
+
+  /** Returns the maximum number of bytes that {@link #encode} writes for a pixel. */
+  public int encodedBytes(int pixel) {
+    return MAX_PIXEL_BYTES + layers.encodedBytes(pixel);
+  }
+
   /**
-   * Writes a pixel in at most {@link #MAX_PIXEL_BYTES}. The first value is its sample count. If
-   * this is not 0, these values follow: with alpha, the number of samples that cover the pixel; for
-   * each channel, the whole part of the sum and its fraction in units of 2^-64; and the packed mean
-   * that {@link #halves} needs. Fractions and the mean take 8 bytes, little-endian. Other numbers
-   * take 7 bits per byte, lowest bits first; the eighth bit is set if more bytes follow.
+   * Writes a pixel in at most {@link #encodedBytes(int)} bytes. The first value is its sample
+   * count. If this is not 0, these values follow: with alpha, the number of samples that cover the
+   * pixel; for each channel, the whole part of the sum and its fraction in units of 2^-64; and the
+   * packed mean that {@link #halves} needs; and the layers. Fractions and the mean take 8 bytes,
+   * little-endian. Other numbers take 7 bits per byte, lowest bits first; the eighth bit is set if
+   * more bytes follow.
    *
    * @param pixel the pixel's index, row by row from the window's top left
    */
@@ -254,10 +313,12 @@ public final class Film {
       out.putLong(Long.reverseBytes(fraction[i]));
     }
     out.putLong(Long.reverseBytes(firstMeans[pixel]));
+    layers.encode(pixel, out);
   }
 
   /**
-   * Reads a pixel in the format of {@link #encode}. The pixel must have no samples yet.
+   * Reads a pixel in the format of {@link #encode}, and replaces its samples. If this throws an
+   * exception, the pixel has no meaning until it is read again.
    *
    * @param pixel the pixel's index, row by row from the window's top left
    * @throws IllegalArgumentException if the bytes are not a valid pixel
@@ -277,9 +338,10 @@ public final class Film {
       fraction[i] = Long.reverseBytes(in.getLong());
     }
     firstMeans[pixel] = Long.reverseBytes(in.getLong());
+    layers.decode(pixel, count, in);
   }
 
-  private static void putNumber(ByteBuffer out, long number) {
+  static void putNumber(ByteBuffer out, long number) {
     long rest = number;
     while (rest > 0x7f) {
       out.put((byte) (rest | 0x80));
@@ -288,7 +350,7 @@ public final class Film {
     out.put((byte) rest);
   }
 
-  private static long number(ByteBuffer in, long largest) {
+  static long number(ByteBuffer in, long largest) {
     long number = 0;
     for (int shift = 0; shift < Long.SIZE - 1; shift += 7) {
       byte bits = in.get();
@@ -326,6 +388,16 @@ public final class Film {
       firstMeans[pixel] = mean(pixel);
     }
     addSilently(pixel, value, covers);
+  }
+
+  /**
+   * Adds the next sample of a pixel with its layers.
+   *
+   * @param sample the sample's layers, of which the film stores all
+   */
+  void add(int pixel, Rgb value, boolean covers, SampleLayers sample) {
+    layers.add(pixel, sample, counts[pixel]);
+    add(pixel, value, covers);
   }
 
   /** Adds the next sample of a pixel without storing the mean for {@link #halves}. */
@@ -376,6 +448,66 @@ public final class Film {
   }
 
   /**
+   * Returns the values of a layer: those of its channels, pixel by pixel from the window's top
+   * left; see {@link Layer}. Light is not divided by alpha.
+   *
+   * @throws IllegalArgumentException if the film does not have the layer, or if the layer has no
+   *     channels of its own ({@link Layer#OBJECT}, {@link Layer#MATERIAL}, {@link Layer#LIGHTS})
+   */
+  public float[] develop(Layer layer) {
+    require(layer);
+    if (layer.grid() == Layer.Grid.COUNTS || layer == Layer.LIGHTS) {
+      throw new IllegalArgumentException(layer + ": expected a layer with channels of its own");
+    }
+    return new LayerDevelopment(this).of(layer);
+  }
+
+  /**
+   * Returns the light of a light group: R, G and B, pixel by pixel from the window's top left.
+   *
+   * @param group number of the group, 0 to {@link FilmLayers#lightGroups} - 1
+   * @throws IllegalArgumentException if the film does not have {@link Layer#LIGHTS}
+   * @throws IndexOutOfBoundsException if there is no such group
+   */
+  public float[] developLightGroup(int group) {
+    require(Layer.LIGHTS);
+    Objects.checkIndex(group, layers().lightGroups());
+    return new LayerDevelopment(this).lightGroup(group);
+  }
+
+  /**
+   * Returns the light that belongs to no group, as {@link #developLightGroup} does: the picture
+   * minus all groups.
+   *
+   * @throws IllegalArgumentException if the film does not have {@link Layer#LIGHTS}
+   */
+  public float[] developUngroupedLight() {
+    require(Layer.LIGHTS);
+    return new LayerDevelopment(this).ungroupedLight();
+  }
+
+  /**
+   * Returns the number of samples of each primitive, by the pixel's index from the window's top
+   * left.
+   *
+   * @throws IllegalArgumentException if the film has neither {@link Layer#OBJECT} nor {@link
+   *     Layer#MATERIAL}
+   */
+  public PrimitiveCounts primitives() {
+    if (!layers().countsPrimitives()) {
+      throw new IllegalArgumentException("expected a film with ids, found " + layers());
+    }
+    return layers.counts();
+  }
+
+  private void require(Layer layer) {
+    if (!layers().kinds().contains(layer)) {
+      throw new IllegalArgumentException(
+          layer + ": expected one of the film's layers " + layers().kinds());
+    }
+  }
+
+  /**
    * Returns the means of two parts of a pixel's samples. Empty with fewer than two samples, or if
    * the stored mean was lost when films were added.
    *
@@ -397,7 +529,22 @@ public final class Film {
   }
 
   private double sum(int i) {
-    double low = (fraction[i] >>> 1) * 0x1p-63 + (fraction[i] & 1) * 0x1p-64;
-    return whole[i] + low;
+    return sum(whole[i], fraction[i]);
+  }
+
+  /** Returns a sum of 128 bits: a whole part, and a fraction in units of 2^-64. */
+  static double sum(long whole, long fraction) {
+    double low = (fraction >>> 1) * 0x1p-63 + (fraction & 1) * 0x1p-64;
+    return whole + low;
+  }
+
+  /** Returns the whole part of the sum of a channel of a pixel. */
+  long whole(int channel, int pixel) {
+    return whole[3 * pixel + channel];
+  }
+
+  /** Returns the fraction of the sum of a channel of a pixel, in units of 2^-64. */
+  long fraction(int channel, int pixel) {
+    return fraction[3 * pixel + channel];
   }
 }

@@ -46,6 +46,7 @@ public final class FilmRenderer implements PassRenderer {
   private final LongFunction<Sampler> samplers;
   private final UnaryOperator<List<Bucket>> order;
   private final boolean hasAlpha;
+  private final FilmLayers layers;
 
   /**
    * Creates a renderer with the integrator of the settings.
@@ -83,6 +84,7 @@ public final class FilmRenderer implements PassRenderer {
     this.settings = Objects.requireNonNull(settings, "settings");
     this.scene = Objects.requireNonNull(scene, "scene");
     this.integrator = Objects.requireNonNull(integrator, "integrator");
+    layers = FilmLayers.of(settings, scene);
     hasAlpha = settings.transparent() || scene.camera().leavesBlanks();
   }
 
@@ -111,7 +113,7 @@ public final class FilmRenderer implements PassRenderer {
    * @param firstSample at least 0
    */
   public Film newFilm(int firstSample) {
-    return new Film(settings.window(), hasAlpha, firstSample);
+    return new Film(settings.window(), hasAlpha, firstSample, layers);
   }
 
   /** Returns the schedule of passes for a new film or a resumed one. */
@@ -144,10 +146,10 @@ public final class FilmRenderer implements PassRenderer {
    * samples of a pixel continue its sample numbers. After a cancelled pass, another pass with the
    * same target therefore adds the missing samples.
    *
-   * @param film a film with the settings' window, and with alpha exactly if {@link #hasAlpha}; no
-   *     other thread may use it during the pass
+   * @param film a film with the settings' window and layers, and with alpha exactly if {@link
+   *     #hasAlpha}; no other thread may use it during the pass
    * @param progress receives all events except {@link Progress#started}
-   * @throws IllegalArgumentException if the film has another window or alpha
+   * @throws IllegalArgumentException if the film has another window, alpha or other layers
    * @throws InterruptedException if the calling thread is interrupted; all workers have then ended,
    *     and the film holds their samples
    * @throws RenderException if a worker failed
@@ -179,6 +181,9 @@ public final class FilmRenderer implements PassRenderer {
               + " alpha, found "
               + film.window()
               + (film.hasAlpha() ? " with" : " without"));
+    }
+    if (!film.layers().equals(layers)) {
+      throw new IllegalArgumentException("film: expected " + layers + ", found " + film.layers());
     }
   }
 

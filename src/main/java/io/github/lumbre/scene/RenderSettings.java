@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -156,6 +157,11 @@ public final class RenderSettings {
   /** Returns {@link Setting#CLAMP}. */
   public double clamp() {
     return get(Setting.CLAMP);
+  }
+
+  /** Returns {@link Setting#LAYERS}. */
+  public Set<Layer> layers() {
+    return get(Setting.LAYERS);
   }
 
   /** Returns the part of the full frame to render; empty means the full frame. */

@@ -43,6 +43,8 @@ public final class Scene {
   private final Rgb ambient;
   private final Optional<Rgb> backplate;
   private final double radius;
+  private final LightGroups lightGroups;
+  private final SurfaceNames names;
 
   /** The index in {@code emitters} of each primitive; -1 if it is not sampled as a light. */
   private final int[] emitterOfPrimitive;
@@ -66,6 +68,8 @@ public final class Scene {
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
     bvh = Bvh.over(shapes(), built.kernel());
+    lightGroups = new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, primitives);
+    names = SurfaceNames.of(built.objectNames, built.materialNames);
     environments =
         emitters.stream()
             .filter(EnvironmentLight.class::isInstance)
@@ -94,6 +98,8 @@ public final class Scene {
     ambient = other.ambient;
     backplate = other.backplate;
     radius = other.radius;
+    lightGroups = other.lightGroups;
+    names = other.names;
     emitterOfPrimitive = other.emitterOfPrimitive;
     hasTransparency = other.hasTransparency;
     this.shortcuts = Set.copyOf(shortcuts);
@@ -211,6 +217,16 @@ public final class Scene {
    */
   public Rgb ambient() {
     return ambient;
+  }
+
+  /** Returns the light groups of the emitters and primitives. */
+  public LightGroups lightGroups() {
+    return lightGroups;
+  }
+
+  /** Returns the names of the objects and materials of the primitives. */
+  public SurfaceNames names() {
+    return names;
   }
 
   /** Returns what the camera sees instead of environment lights; empty if it sees these. */

@@ -24,18 +24,61 @@ public final class SceneBuilder {
   final List<Light> lights = new ArrayList<>();
   final List<Light> emitters = new ArrayList<>();
   final Map<Integer, Integer> emitterOfPrimitive = new HashMap<>();
+  final List<String> objectNames = new ArrayList<>();
+  final List<String> materialNames = new ArrayList<>();
+  final List<String> groupOfPrimitive = new ArrayList<>();
+  final List<String> groupOfEmitter = new ArrayList<>();
   Rgb ambient = Rgb.BLACK;
   Optional<Rgb> backplate = Optional.empty();
   private Optional<Kernel> kernel = Optional.empty();
+  private String objectName = "";
+  private String materialName = "";
+  private String lightGroup = "";
 
   SceneBuilder(Camera camera) {
     this.camera = Objects.requireNonNull(camera, "camera");
   }
 
+  /**
+   * Names the surfaces that are added next. Surfaces with the same name form one matte.
+   *
+   * @param object name of the object; empty for a name by the number of the surface
+   * @param material name of the material; empty for a name by the number of the surface
+   */
+  public SceneBuilder named(String object, String material) {
+    objectName = Objects.requireNonNull(object, "object");
+    materialName = Objects.requireNonNull(material, "material");
+    return this;
+  }
+
+  /**
+   * Puts the lights that are added next into a light group; see {@link Layer#LIGHTS}.
+   *
+   * @param name letters, digits and underscores; empty for no group
+   * @throws IllegalArgumentException if the name has other characters
+   */
+  public SceneBuilder lightGroup(String name) {
+    LightGroups.require(name);
+    lightGroup = name;
+    return this;
+  }
+
   /** Adds a surface that scatters light and does not emit any. */
   public SceneBuilder add(Shape shape, Material material) {
-    primitives.add(new Primitive(shape, material, Optional.empty()));
+    add(new Primitive(shape, material, Optional.empty()));
     return this;
+  }
+
+  private void add(Primitive primitive) {
+    primitives.add(primitive);
+    objectNames.add(objectName);
+    materialNames.add(materialName);
+    groupOfPrimitive.add(lightGroup);
+  }
+
+  private void addEmitter(Light light) {
+    emitters.add(light);
+    groupOfEmitter.add(lightGroup);
   }
 
   /**
@@ -45,7 +88,7 @@ public final class SceneBuilder {
   public SceneBuilder add(Light light) {
     if (!light.isBlack()) {
       lights.add(light);
-      emitters.add(light);
+      addEmitter(light);
     }
     return this;
   }
@@ -78,16 +121,16 @@ public final class SceneBuilder {
   public SceneBuilder add(Shape shape, Material material, Emission emission) {
     if (!emission.isBlack() && Double.isFinite(shape.area())) {
       emitterOfPrimitive.put(primitives.size(), emitters.size());
-      emitters.add(new AreaLight(shape, emission));
+      addEmitter(new AreaLight(shape, emission));
     }
-    primitives.add(new Primitive(shape, material, Optional.of(emission)));
+    add(new Primitive(shape, material, Optional.of(emission)));
     return this;
   }
 
   /** Adds a uniform environment light, which lights surfaces in path mode. */
   public SceneBuilder addBackground(Rgb radiance) {
     if (!radiance.isBlack()) {
-      emitters.add(EnvironmentLight.uniform(radiance));
+      addEmitter(EnvironmentLight.uniform(radiance));
     }
     return this;
   }

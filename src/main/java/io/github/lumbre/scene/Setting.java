@@ -7,11 +7,13 @@ import io.github.lumbre.scene.SettingType.ChoiceType;
 import io.github.lumbre.scene.SettingType.ExposureType;
 import io.github.lumbre.scene.SettingType.FlagType;
 import io.github.lumbre.scene.SettingType.IntegerType;
+import io.github.lumbre.scene.SettingType.LayersType;
 import io.github.lumbre.scene.SettingType.LimitType;
 import io.github.lumbre.scene.SettingType.LongType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 
 /**
  * A setting of a render, with its name, values, default and meaning. This class is the only
@@ -182,6 +184,19 @@ public final class Setting<T> {
               "Tone curve of a PNG: srgb, gamma22, reinhard, aces, neutral or agx.")
           .inScenes()
           .withFlag("--tonemap", "NAME");
+
+  /** What the render records besides the picture. */
+  public static final Setting<Set<Layer>> LAYERS =
+      new Setting<>(
+              "layers",
+              Group.OUTPUT,
+              new LayersType(),
+              Set.of(),
+              "Layers (AOVs) to record besides the picture, separated by commas; all, denoise, or"
+                  + " some of albedo, normal, geometricNormal, position, depth, uv, object,"
+                  + " material, samples, variance, direct, indirect, lights, denoisingAlbedo,"
+                  + " denoisingNormal. An .exr picture or a checkpoint holds them.")
+          .withFlag("--layers", "NAMES");
 
   /** Number of threads; 0 means one for each processor. */
   public static final Setting<Integer> THREADS =

@@ -1,10 +1,15 @@
 package io.github.lumbre.scene;
 
 import io.github.lumbre.image.Exposure;
+import io.github.lumbre.text.Spelling;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
@@ -155,6 +160,46 @@ public sealed interface SettingType<T> {
     @Override
     public String format(Exposure value) {
       return value.stops().isPresent() ? String.valueOf(value.stops().getAsDouble()) : AUTO;
+    }
+  }
+
+  /** Layers, separated by commas: their names, {@code all} or {@code denoise}. */
+  record LayersType() implements SettingType<Set<Layer>> {
+    @Override
+    public Set<Layer> parse(String text) {
+      EnumSet<Layer> layers = EnumSet.noneOf(Layer.class);
+      if (!text.isEmpty()) {
+        for (String name : text.split(",", -1)) {
+          layers.addAll(named(name.strip()));
+        }
+      }
+      return Collections.unmodifiableSet(layers);
+    }
+
+    private Set<Layer> named(String name) {
+      return switch (name) {
+        case Layer.ALL -> EnumSet.allOf(Layer.class);
+        case Layer.DENOISE -> Layer.GUIDES;
+        default -> Set.of(Layer.named(name).orElseThrow(() -> unknown(name)));
+      };
+    }
+
+    private IllegalArgumentException unknown(String name) {
+      List<String> known = Arrays.stream(Layer.values()).map(Layer::text).toList();
+      String message = unexpected(expected(), name).getMessage();
+      return new IllegalArgumentException(message + Spelling.suggestion(name, known));
+    }
+
+    @Override
+    public String expected() {
+      return Arrays.stream(Layer.values())
+          .map(Layer::text)
+          .collect(Collectors.joining(", ", "all, denoise, or some of ", ""));
+    }
+
+    @Override
+    public String format(Set<Layer> value) {
+      return value.stream().map(Layer::text).collect(Collectors.joining(","));
     }
   }
 

@@ -88,7 +88,13 @@ class CheckpointOverheadTest {
   private void save(CheckpointFile file, Film film) {
     long start = System.nanoTime();
     try {
-      file.save(FilmFile.of(FilmFixture.IDENTITY, film, FilmFixture.NOTES, RenderStatistics.ZERO));
+      file.save(
+          FilmFile.of(
+              FilmFixture.IDENTITY,
+              film,
+              RecordedLayers.NONE,
+              FilmFixture.NOTES,
+              RenderStatistics.ZERO));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -165,7 +165,7 @@ class FilmFileTest {
     assertRefusedFor(
         "the header does not end in an empty line", Arrays.copyOf(content, pixels - 1));
     assertRefusedFor(
-        "found 'LUMBRE-FILM 2'", ascii(text.replace("LUMBRE-FILM 1", "LUMBRE-FILM 2")));
+        "found 'LUMBRE-FILM 3'", ascii(text.replace("LUMBRE-FILM 1", "LUMBRE-FILM 3")));
     assertRefusedFor("found 'seed 0'", ascii(text.replace("seed: 0", "seed 0")));
     assertRefusedFor(
         "pixel: unknown layout 'x'", ascii(text.replace("samples covered sums first-mean", "x")));
@@ -227,16 +227,16 @@ class FilmFileTest {
   }
 
   @Test
-  void headersShorterThanAMebibyteAreRead() throws IOException {
+  void headersShorterThanSixteenMebibytesAreRead() throws IOException {
     String text = new String(content(), StandardCharsets.ISO_8859_1);
     int header = text.indexOf("\n\n");
-    int room = (1 << 20) - header - "\nnote x: ".length() - 2;
+    int room = (1 << 24) - header - "\nnote x: ".length() - 2;
     String longest = text.substring(0, header) + "\nnote x: " + "y".repeat(room);
     writeSealed(ascii(longest + text.substring(header)));
     assertThat(FilmFile.read(path).header().notes().get("x")).hasSize(room);
     assertRefusedFor(
         "the header does not end in an empty line", ascii(longest + "y" + text.substring(header)));
-    String endless = "LUMBRE-FILM 1\nnote x: " + "y".repeat(1 << 20);
+    String endless = "LUMBRE-FILM 1\nnote x: " + "y".repeat(1 << 24);
     assertRefusedFor("the header does not end in an empty line", ascii(endless));
   }
 
@@ -255,7 +255,9 @@ class FilmFileTest {
   void filmsWithoutAlphaAreReadAsTheyWereWritten() throws IOException {
     Film opaque = new Film(new Crop(0, 0, 2, 1), false, 0);
     opaque.decode(0, ByteBuffer.wrap(new byte[] {0}));
-    FilmFile file = FilmFile.of(FilmFixture.IDENTITY, opaque, Map.of(), RenderStatistics.ZERO);
+    FilmFile file =
+        FilmFile.of(
+            FilmFixture.IDENTITY, opaque, RecordedLayers.NONE, Map.of(), RenderStatistics.ZERO);
     write(file);
     FilmFile read = FilmFile.read(path);
     assertThat(read.header()).isEqualTo(file.header());

@@ -45,7 +45,7 @@ final class FilmFixture {
         }
       }
     }
-    return FilmFile.of(IDENTITY, film, NOTES, faults);
+    return FilmFile.of(IDENTITY, film, RecordedLayers.NONE, NOTES, faults);
   }
 
   /** Returns the faults of a sample: some are rejected, some saturated. */

@@ -93,6 +93,7 @@ class FilmMergeTest {
             FilmFile.of(
                 FilmHeader.identity("cd34", other),
                 file.film(),
+                RecordedLayers.NONE,
                 FilmFixture.NOTES,
                 file.header().faults()));
     assertThatThrownBy(() -> FilmMerge.of(List.of(a, b)))

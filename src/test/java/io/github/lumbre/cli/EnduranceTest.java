@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmKeeper;
@@ -65,7 +66,8 @@ class EnduranceTest {
     List<Memory> found = new ArrayList<>();
     long start = System.nanoTime();
     try (FilmKeeper keeper = keeper()) {
-      keeper.begin(Map.of(), Map.of(), RenderStatistics.ZERO, scene.settings());
+      keeper.begin(
+          Map.of(), RecordedLayers.NONE, Map.of(), RenderStatistics.ZERO, scene.settings());
       for (int pass = 1; pass <= LOOKS * PASSES_PER_LOOK; pass++) {
         PassResult result = renderer.addSamples(film, pass, keeper.pausing(Progress.NONE));
         keeper.saveIfDue(film, result.statistics());

@@ -131,7 +131,8 @@ class FilmCommandsTest {
     FilmFile film = FilmFile.read(directory.resolve("a.film"));
     try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
       FilmHeader header = film.header();
-      file.save(FilmFile.of(header.identity(), film.film(), header.notes(), faults));
+      file.save(
+          FilmFile.of(header.identity(), film.film(), header.layers(), header.notes(), faults));
     }
     Outcome outcome = Outcome.of("resume", path("a.film"), "-s", "5", "--json");
     JsonObject summary = JsonParser.parseString(outcome.out()).getAsJsonObject();
@@ -150,7 +151,13 @@ class FilmCommandsTest {
     Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
     identity.remove(FilmHeader.REVISION);
     try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
-      file.save(FilmFile.of(identity, film.film(), film.header().notes(), film.header().faults()));
+      file.save(
+          FilmFile.of(
+              identity,
+              film.film(),
+              film.header().layers(),
+              film.header().notes(),
+              film.header().faults()));
     }
     Outcome.of("resume", path("a.film"))
         .assertFailed(ExitCodes.SCENE, "revision: ", "a.film has nothing", "tiny.json has ");
@@ -165,7 +172,13 @@ class FilmCommandsTest {
     Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
     identity.put(Setting.SPLIT.name(), "0");
     try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
-      file.save(FilmFile.of(identity, film.film(), film.header().notes(), film.header().faults()));
+      file.save(
+          FilmFile.of(
+              identity,
+              film.film(),
+              film.header().layers(),
+              film.header().notes(),
+              film.header().faults()));
     }
     Outcome.of("resume", path("a.film"))
         .assertFailed(ExitCodes.SCENE, "split in its header: expected 1 to 256, found 0");

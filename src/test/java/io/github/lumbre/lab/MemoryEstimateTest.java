@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import org.junit.jupiter.api.Test;
 
@@ -15,7 +16,8 @@ class MemoryEstimateTest {
 
   @Test
   void picturesTooLargeForTheHeapAreRefusedWithAllFigures() {
-    MemoryEstimate estimate = new MemoryEstimate(LARGE, 100 * MEBIBYTE, 512 * MEBIBYTE);
+    MemoryEstimate estimate =
+        new MemoryEstimate(LARGE, FilmLayers.NONE, 100 * MEBIBYTE, 512 * MEBIBYTE);
     TaskException thrown = catchThrowableOfType(TaskException.class, () -> estimate.require());
     assertThat(thrown.kind()).isEqualTo(TaskException.Kind.LIMIT);
     assertThat(thrown)
@@ -28,17 +30,17 @@ class MemoryEstimateTest {
   void onlyTheCropCounts() {
     RenderSettings cropped =
         LARGE.toBuilder().crop(new RenderSettings.Crop(9, 9, 100, 100)).build();
-    assertThatCode(() -> new MemoryEstimate(cropped, 0, 64 * MEBIBYTE).require())
+    assertThatCode(() -> new MemoryEstimate(cropped, FilmLayers.NONE, 0, 64 * MEBIBYTE).require())
         .doesNotThrowAnyException();
   }
 
   @Test
   void sceneAndThreadsLeaveLessForTheFilm() {
-    MemoryEstimate estimate = new MemoryEstimate(LARGE, 0, 0);
+    MemoryEstimate estimate = new MemoryEstimate(LARGE, FilmLayers.NONE, 0, 0);
     long heap = estimate.neededBytes();
-    assertThat(new MemoryEstimate(LARGE, 0, heap).fits()).isTrue();
-    assertThat(new MemoryEstimate(LARGE, 1, heap).fits()).isFalse();
+    assertThat(new MemoryEstimate(LARGE, FilmLayers.NONE, 0, heap).fits()).isTrue();
+    assertThat(new MemoryEstimate(LARGE, FilmLayers.NONE, 1, heap).fits()).isFalse();
     RenderSettings crowded = LARGE.toBuilder().threads(17).build();
-    assertThat(new MemoryEstimate(crowded, 0, heap).fits()).isFalse();
+    assertThat(new MemoryEstimate(crowded, FilmLayers.NONE, 0, heap).fits()).isFalse();
   }
 }

@@ -132,6 +132,11 @@ class MixtureTest {
   void partThatScattersNothingTakesNoLightFromTheOther() {
     Lobe dark =
         new Lobe() {
+          @Override
+          public Rgb albedo() {
+            return Rgb.WHITE;
+          }
+
           private final Lambertian draws = new Lambertian(Rgb.WHITE);
 
           @Override

@@ -5,6 +5,7 @@ import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
@@ -25,25 +26,28 @@ record ExecutorPlan(
   /** Heap that Spark reserves for itself (Spark 4.2, "Memory Management Overview"). */
   private static final long SPARK_BYTES = 300L << 20;
 
-  /** Film and copies of the largest unit. */
-  private static final long UNIT_BYTES = 3L * Units.LARGEST * Units.LARGEST * Film.MAX_PIXEL_BYTES;
+  /** Pixels of the largest unit's film and its copies. */
+  private static final long UNIT_PIXELS = 3L * Units.LARGEST * Units.LARGEST;
 
   /**
    * Returns the plan of a scene that has just been read.
    *
+   * @param layers what the films record besides the picture
    * @param fileBytes size of the scene's files, which executors receive
    */
-  static ExecutorPlan of(JavaSparkContext spark, RenderSettings settings, long fileBytes) {
+  static ExecutorPlan of(
+      JavaSparkContext spark, RenderSettings settings, FilmLayers layers, long fileBytes) {
     SparkConf conf = spark.getConf();
-    MemoryEstimate driver = MemoryEstimate.measured(settings);
+    long unitBytes = UNIT_PIXELS * (Film.MAX_PIXEL_BYTES + layers.bytesPerPixel());
+    MemoryEstimate driver = MemoryEstimate.measured(settings, layers);
     if (spark.isLocal()) {
       int cores = spark.defaultParallelism();
-      long needed = driver.neededBytes() + 2 * fileBytes + cores * UNIT_BYTES;
+      long needed = driver.neededBytes() + 2 * fileBytes + cores * unitBytes;
       boolean hasVectors = Kernel.vectorObstacle().isEmpty();
       return new ExecutorPlan(spark.master(), cores, driver.maxHeapBytes(), needed, hasVectors);
     }
     int cores = conf.getInt("spark.executor.cores", 1);
-    long needed = SPARK_BYTES + driver.sceneBytes() + 2 * fileBytes + cores * UNIT_BYTES;
+    long needed = SPARK_BYTES + driver.sceneBytes() + 2 * fileBytes + cores * unitBytes;
     long heap = conf.getSizeAsBytes("spark.executor.memory", "1g");
     String options = conf.get("spark.executor.extraJavaOptions", "");
     return new ExecutorPlan(spark.master(), cores, heap, needed, options.contains(VECTOR_MODULE));

@@ -4,6 +4,7 @@ import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassRenderer;
 import java.io.IOException;
@@ -34,8 +35,9 @@ final class SparkEngine implements Engine {
   public PassRenderer over(Path path, SceneFile scene, FilmRenderer local, boolean isTimed)
       throws TaskException {
     try {
+      FilmLayers layers = FilmLayers.of(scene.settings(), scene.scene());
       SceneBundle files = SceneBundle.of(path, scene);
-      ExecutorPlan plan = ExecutorPlan.of(spark, scene.settings(), files.bytes());
+      ExecutorPlan plan = ExecutorPlan.of(spark, scene.settings(), layers, files.bytes());
       if (isReported.compareAndSet(false, true)) {
         messages.accept(plan.line());
       }

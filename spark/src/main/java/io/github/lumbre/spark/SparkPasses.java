@@ -130,7 +130,7 @@ final class SparkPasses implements PassRenderer {
     if (all.isEmpty()) {
       return new PassResult(true, RenderStatistics.ZERO);
     }
-    List<WorkUnit> now = firstJob(all);
+    List<WorkUnit> now = firstJob(all, Film.MAX_PIXEL_BYTES + film.layers().bytesPerPixel());
     int end = now.stream().mapToInt(unit -> unit.first() + unit.count()).max().getAsInt();
     spark
         .sc()
@@ -142,12 +142,12 @@ final class SparkPasses implements PassRenderer {
     return new PassResult(isComplete && now.size() == all.size(), job.statistics);
   }
 
-  private List<WorkUnit> firstJob(List<WorkUnit> all) {
+  private List<WorkUnit> firstJob(List<WorkUnit> all, int pixelBytes) {
     long bytes = 0;
     int count = 0;
     while (count < all.size() && count < UNITS_PER_CORE * cores()) {
       WorkUnit unit = all.get(count);
-      bytes += (long) unit.width() * unit.height() * Film.MAX_PIXEL_BYTES;
+      bytes += (long) unit.width() * unit.height() * pixelBytes;
       if (count > 0 && bytes > JOB_BYTES) {
         break;
       }
@@ -236,7 +236,7 @@ final class SparkPasses implements PassRenderer {
     }
 
     private void add(UnitResult result) {
-      film.addAll(result.decoded());
+      film.addAll(result.decoded(film.layers()));
       statistics = statistics.plus(result.statistics());
       progress.advanced(result.unit().samples());
     }

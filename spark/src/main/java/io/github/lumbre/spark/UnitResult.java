@@ -1,6 +1,7 @@
 package io.github.lumbre.spark;
 
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.RenderStatistics;
 import java.io.ByteArrayOutputStream;
 import java.io.Serializable;
@@ -12,19 +13,27 @@ import java.util.zip.Inflater;
 /**
  * The film of a finished unit, compressed.
  *
+ * @param filmBytes size of the film before compression
  * @param seconds that the unit took on one core
  */
 record UnitResult(
-    WorkUnit unit, boolean hasAlpha, byte[] film, RenderStatistics statistics, double seconds)
+    WorkUnit unit,
+    boolean hasAlpha,
+    byte[] film,
+    int filmBytes,
+    RenderStatistics statistics,
+    double seconds)
     implements Serializable {
   /** Returns the result of a unit whose samples are in a film. */
   static UnitResult of(WorkUnit unit, Film film, RenderStatistics statistics, double seconds) {
     int pixels = unit.width() * unit.height();
-    ByteBuffer bytes = ByteBuffer.allocate(pixels * Film.MAX_PIXEL_BYTES);
+    ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(film.encodedBytes()));
     for (int pixel = 0; pixel < pixels; pixel++) {
       film.encode(pixel, bytes);
     }
-    return new UnitResult(unit, film.hasAlpha(), deflated(bytes.flip()), statistics, seconds);
+    bytes.flip();
+    int size = bytes.limit();
+    return new UnitResult(unit, film.hasAlpha(), deflated(bytes), size, statistics, seconds);
   }
 
   private static byte[] deflated(ByteBuffer bytes) {
@@ -43,11 +52,15 @@ record UnitResult(
     }
   }
 
-  /** Returns the film of the unit's tile. */
-  Film decoded() {
-    Film decoded = new Film(unit.tile(), hasAlpha, unit.first());
+  /**
+   * Returns the film of the unit's tile.
+   *
+   * @param layers of the render's films
+   */
+  Film decoded(FilmLayers layers) {
+    Film decoded = new Film(unit.tile(), hasAlpha, unit.first(), layers);
     int pixels = unit.width() * unit.height();
-    ByteBuffer bytes = ByteBuffer.allocate(pixels * Film.MAX_PIXEL_BYTES);
+    ByteBuffer bytes = ByteBuffer.allocate(filmBytes);
     Inflater inflater = new Inflater();
     try {
       inflater.setInput(film);

@@ -77,7 +77,7 @@ class UnitsTest {
     FilmRenderer renderer = new FilmRenderer(settings, scene);
     Film film = renderer.newFilm(6);
     var statistics = renderer.addSamples(film, 3, Progress.NONE).statistics();
-    Film decoded = UnitResult.of(unit, film, statistics, 1).decoded();
+    Film decoded = UnitResult.of(unit, film, statistics, 1).decoded(film.layers());
     assertThat(decoded.develop().rgb()).isEqualTo(film.develop().rgb());
     assertThat(decoded.firstSample()).isEqualTo(6);
     assertThat(List.of(decoded.samples(2, 3), decoded.samples(6, 6))).containsOnly(3);

@@ -3,6 +3,7 @@ package io.github.lumbre.cli.run;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.Checkpoints;
 import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.file.OutputFile;
@@ -30,6 +31,7 @@ public final class FilmKeeper implements AutoCloseable {
   private Optional<Checkpoints> checkpoints = Optional.empty();
   private Map<String, String> identity = Map.of();
   private Map<String, String> notes = Map.of();
+  private RecordedLayers layers = RecordedLayers.NONE;
   private RenderStatistics statistics = RenderStatistics.ZERO;
   private Optional<Path> instead = Optional.empty();
   private Optional<String> failure = Optional.empty();
@@ -56,18 +58,24 @@ public final class FilmKeeper implements AutoCloseable {
    * memory.
    *
    * @param newIdentity scene and settings of the film
+   * @param newLayers what the film records besides the picture
    * @param faults faults of the film's existing samples
    */
   public void begin(
       Map<String, String> newIdentity,
+      RecordedLayers newLayers,
       Map<String, String> newNotes,
       RenderStatistics faults,
       RenderSettings settings) {
     statistics = faults;
     identity = newIdentity;
     notes = newNotes;
+    layers = newLayers;
     checkpoints =
-        file.map(f -> new Checkpoints(interval, MemoryEstimate.leavesRoomForCopy(settings)));
+        file.map(
+            f ->
+                new Checkpoints(
+                    interval, MemoryEstimate.leavesRoomForCopy(settings, newLayers.ofFilm())));
   }
 
   /** Returns a listener that pauses a pass when the film is due to be saved. */
@@ -98,7 +106,7 @@ public final class FilmKeeper implements AutoCloseable {
       return;
     }
     CheckpointFile wanted = file.orElseThrow();
-    FilmFile content = FilmFile.of(identity, film, notes, itsStatistics);
+    FilmFile content = FilmFile.of(identity, film, layers, notes, itsStatistics);
     try {
       wanted.save(content);
       failure = Optional.empty();

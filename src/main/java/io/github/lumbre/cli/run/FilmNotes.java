@@ -220,6 +220,7 @@ public final class FilmNotes {
                 builder.crop(header.window());
               }
               builder.samples(samples).exposure(exposure).toneCurve(toneCurve);
+              builder.set(Setting.LAYERS, header.layers().kinds());
               named.apply(builder);
               switch (mode) {
                 case PATH -> builder.maxTraceDepth(depths[0]);

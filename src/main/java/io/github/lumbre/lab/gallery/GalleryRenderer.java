@@ -9,6 +9,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Locale;
@@ -53,7 +54,7 @@ public final class GalleryRenderer {
     SceneParser parser =
         new SceneParser().overriding(inScene -> inScene.toBuilder().threads(threads).build());
     SceneFile file = host.read(scenes.file(scene), parser);
-    MemoryEstimate.require(file.settings());
+    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
     OptionalDouble rate = rate(file);
     return rate.isEmpty() ? Optional.empty() : render(scene, file, rate.getAsDouble());
   }

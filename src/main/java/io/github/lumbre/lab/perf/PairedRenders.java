@@ -10,6 +10,7 @@ import io.github.lumbre.lab.metrics.PictureNoise;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
@@ -82,7 +83,7 @@ public final class PairedRenders {
       throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser = new SceneParser().overriding(plan.plain()::over);
     SceneFile file = host.read(scene, parser);
-    MemoryEstimate.require(file.settings());
+    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
     Way plain = new Way(file.scene(), file.settings());
     RenderSettings settings =
         file.settings().toBuilder().adaptive(plan.adaptive()).split(plan.split()).build();

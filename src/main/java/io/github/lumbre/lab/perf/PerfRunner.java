@@ -11,6 +11,7 @@ import io.github.lumbre.lab.perf.PerfResult.Repetition;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -51,7 +52,7 @@ public final class PerfRunner {
     SceneParser parser = new SceneParser().overriding(plan::over);
     SceneFile file = plan.over(host.read(scene, parser));
     double loadSeconds = (System.nanoTime() - start) * 1e-9;
-    MemoryEstimate.require(file.settings());
+    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
     try {
       return Optional.of(run(SceneFolder.name(scene), file, loadSeconds));
     } catch (Stopped e) {

@@ -11,6 +11,7 @@ import io.github.lumbre.lab.perf.TimedRender;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
@@ -56,7 +57,7 @@ public final class BenchmarkRunner {
     SceneParser ofRow = parser.inMode(row.mode()).overriding(inScene -> settings(row, inScene));
     SceneFile file = host.read(scenes.file(row.scene()), ofRow);
     double loadSeconds = secondsSince(start);
-    MemoryEstimate.require(file.settings());
+    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
 
     RenderSettings single = file.settings().toBuilder().samples(1).build();
     for (int i = 0; i < plan.warmup(); i++) {

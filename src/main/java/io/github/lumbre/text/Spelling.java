@@ -1,15 +1,15 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.text;
 
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
 
 /** Suggests corrections for misspelled words. */
-final class Spelling {
+public final class Spelling {
   private Spelling() {}
 
   /** Returns {@code "; did you mean …?"}, or an empty text if no known word is similar. */
-  static String suggestion(String word, Collection<String> known) {
+  public static String suggestion(String word, Collection<String> known) {
     // Suggestions for very long words are not worth the search.
     if (word.length() > 40) {
       return "";

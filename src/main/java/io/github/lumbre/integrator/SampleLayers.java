@@ -1,0 +1,337 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.path.PathVertex.End;
+import io.github.lumbre.path.PathVertex.Source;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.LightGroups;
+import io.github.lumbre.scene.Scene;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Collects the {@linkplain Layer layers} of one sample while an {@link Integrator} traces its path.
+ * Mutable and confined to one thread.
+ */
+public final class SampleLayers implements PathListener {
+  private final LightGroups groups;
+
+  /** The values of each layer, by its ordinal; empty arrays for layers that are not collected. */
+  private final double[][] arrays = new double[Layer.values().length][0];
+
+  /** The arrays that are not empty. */
+  private final double[][] collected;
+
+  /** The arrays of single layers. */
+  private final double[] albedo, normal, geometricNormal, position, depth, uv;
+
+  private final double[] direct, lights, guideAlbedo, guideNormal;
+
+  /** Whether light is collected, so that all events of a path matter. */
+  private final boolean hasLight;
+
+  private Optional<RenderContext> context = Optional.empty();
+  private double originX, originY, originZ;
+
+  /** The primitive of the first surface, or -1. */
+  private int firstPrimitive;
+
+  /** The primitive that the last ray hit, or -1. */
+  private int primitive;
+
+  /** The number of surfaces that scattered the path before the last ray. */
+  private int scatterings;
+
+  /** The throughput of the last ray. */
+  private double red, green, blue;
+
+  /** The radiance of lights that the last ray hit. */
+  private double glowRed, glowGreen, glowBlue;
+
+  /** Whether the guides of denoisers are known. */
+  private boolean isGuided;
+
+  /**
+   * Creates a collector.
+   *
+   * @param layers the layers to collect, of those that a film stores
+   */
+  public SampleLayers(Set<Layer> layers, Scene scene) {
+    groups = scene.lightGroups();
+    for (Layer layer : layers) {
+      int count = layer == Layer.LIGHTS ? 3 * groups.names().size() : layer.channels().size();
+      arrays[layer.ordinal()] = new double[count];
+    }
+    collected = Arrays.stream(arrays).filter(a -> a.length != 0).toArray(double[][]::new);
+    albedo = of(Layer.ALBEDO);
+    normal = of(Layer.NORMAL);
+    geometricNormal = of(Layer.GEOMETRIC_NORMAL);
+    position = of(Layer.POSITION);
+    depth = of(Layer.DEPTH);
+    uv = of(Layer.UV);
+    direct = of(Layer.DIRECT);
+    lights = of(Layer.LIGHTS);
+    guideAlbedo = of(Layer.DENOISING_ALBEDO);
+    guideNormal = of(Layer.DENOISING_NORMAL);
+    hasLight = direct.length != 0 || lights.length != 0;
+  }
+
+  /**
+   * Returns the sample's values of a layer: the array that the next sample overwrites. It is empty
+   * if the layer is not collected. {@link Layer#LIGHTS} has three values for each light group.
+   */
+  public double[] of(Layer layer) {
+    return arrays[layer.ordinal()];
+  }
+
+  /** Returns the primitive of the first surface, or -1 if there is none. */
+  public int primitive() {
+    return firstPrimitive;
+  }
+
+  /** Sets the context whose events this collector receives. */
+  void listenTo(RenderContext newContext) {
+    context = Optional.of(newContext);
+  }
+
+  /** Ends the events of a sample whose remaining path changes no layer. */
+  private void endEvents() {
+    if (!hasLight && context.isPresent()) {
+      context.get().isRecorded = false;
+    }
+  }
+
+  /** Prepares for the sample of a camera ray. */
+  public void start(CameraRay ray) {
+    clear();
+    originX = ray.originX();
+    originY = ray.originY();
+    originZ = ray.originZ();
+  }
+
+  /** Sets all values to those of a sample without light and without a surface. */
+  public void clear() {
+    for (double[] array : collected) {
+      for (int i = 0; i < array.length; i++) {
+        array[i] = 0;
+      }
+    }
+    firstPrimitive = -1;
+    isGuided = guideAlbedo.length == 0 && guideNormal.length == 0;
+  }
+
+  /** Multiplies the light of the layers by a factor, as that of a sample that is limited. */
+  public void scaleLight(double factor) {
+    for (int i = 0; i < direct.length; i++) {
+      direct[i] *= factor;
+    }
+    for (int i = 0; i < lights.length; i++) {
+      lights[i] *= factor;
+    }
+  }
+
+  @Override
+  public void pathStarted() {
+    // The sample has been started with its camera ray.
+  }
+
+  @Override
+  public void rayTraced(NearestHit ray, int newScatterings, double r, double g, double b) {
+    scatterings = newScatterings;
+    red = r;
+    green = g;
+    blue = b;
+    glowRed = 0;
+    glowGreen = 0;
+    glowBlue = 0;
+    primitive = -1;
+  }
+
+  @Override
+  public void surfaceHit(int newPrimitive, SurfaceHit surface) {
+    primitive = newPrimitive;
+    if (isFirst()) {
+      setFirst(surface);
+    }
+    if (!isGuided) {
+      setNormal(guideNormal, surface, surface.shadingNormal());
+    }
+  }
+
+  @Override
+  public void vertexReached(int newPrimitive, SurfaceHit surface, Bsdf bsdf) {
+    primitive = newPrimitive;
+    if (isFirst()) {
+      setFirst(surface);
+      setColor(albedo, bsdf.albedo());
+    }
+    if (!isGuided && !bsdf.isSpecular()) {
+      isGuided = true;
+      setNormal(guideNormal, surface, surface.shadingNormal());
+      setColor(guideAlbedo, bsdf.albedo());
+    }
+    if (isGuided) {
+      endEvents();
+    }
+  }
+
+  private boolean isFirst() {
+    return scatterings == 0;
+  }
+
+  private void setFirst(SurfaceHit surface) {
+    firstPrimitive = primitive;
+    setNormal(normal, surface, surface.shadingNormal());
+    setNormal(geometricNormal, surface, surface.geometricNormal());
+    if (uv.length != 0) {
+      uv[0] = surface.u();
+      uv[1] = surface.v();
+    }
+    if (position.length != 0 || depth.length != 0) {
+      Vec3 at = surface.position();
+      set(position, at.x(), at.y(), at.z());
+      double x = at.x() - originX;
+      double y = at.y() - originY;
+      double z = at.z() - originZ;
+      if (depth.length != 0) {
+        depth[0] = Math.sqrt(x * x + y * y + z * z);
+      }
+    }
+  }
+
+  private static void set(double[] array, double x, double y, double z) {
+    if (array.length != 0) {
+      array[0] = x;
+      array[1] = y;
+      array[2] = z;
+    }
+  }
+
+  /** Sets a normal, on the side of the viewer. */
+  private static void setNormal(double[] array, SurfaceHit surface, Vec3 normal) {
+    if (array.length != 0) {
+      double side = normal.dot(surface.wo()) < 0 ? -1 : 1;
+      set(array, side * normal.x(), side * normal.y(), side * normal.z());
+    }
+  }
+
+  /** Sets the color of the surface that the last ray hit, tinted by what the path passed before. */
+  private void setColor(double[] array, Rgb color) {
+    if (array.length != 0) {
+      set(
+          array,
+          tinted(red, color.r() + glowRed),
+          tinted(green, color.g() + glowGreen),
+          tinted(blue, color.b() + glowBlue));
+    }
+  }
+
+  private static double tinted(double throughput, double color) {
+    return Math.min(1, throughput * Math.min(1, color));
+  }
+
+  @Override
+  public void lightSampled(
+      int emitter,
+      LightSample light,
+      BsdfValue value,
+      double lightPdf,
+      double misWeight,
+      boolean blocked) {
+    double r = value.r() * light.r();
+    double g = value.g() * light.g();
+    double b = value.b() * light.b();
+    if (blocked || r == 0 && g == 0 && b == 0) {
+      return;
+    }
+    double weight = misWeight / lightPdf;
+    int group = emitter < 0 ? -1 : groups.ofEmitter(emitter);
+    add(group, scatterings + 1, r * weight, g * weight, b * weight);
+  }
+
+  @Override
+  public void lightFound(
+      Source source,
+      int emitter,
+      double r,
+      double g,
+      double b,
+      double lightPdf,
+      double bsdfPdf,
+      double misWeight) {
+    boolean isAmbient = source == Source.AMBIENT;
+    if (!isAmbient) {
+      glowRed += r;
+      glowGreen += g;
+      glowBlue += b;
+    }
+    if (source == Source.EMISSION && isFirst()) {
+      setColor(albedo, Rgb.BLACK);
+    }
+    int group = emitter < 0 ? groupOfEmission(source) : groups.ofEmitter(emitter);
+    add(
+        group,
+        isAmbient ? scatterings + 1 : scatterings,
+        r * misWeight,
+        g * misWeight,
+        b * misWeight);
+  }
+
+  private int groupOfEmission(Source source) {
+    return source == Source.EMISSION ? groups.ofPrimitive(primitive) : -1;
+  }
+
+  /**
+   * Adds light.
+   *
+   * @param group of the light, or -1
+   * @param times how often the light was scattered
+   */
+  private void add(int group, int times, double r, double g, double b) {
+    if (times <= 1 && direct.length != 0) {
+      direct[0] += red * r;
+      direct[1] += green * g;
+      direct[2] += blue * b;
+    }
+    if (group >= 0 && lights.length != 0) {
+      lights[3 * group] += red * r;
+      lights[3 * group + 1] += green * g;
+      lights[3 * group + 2] += blue * b;
+    }
+  }
+
+  @Override
+  public void lightAdded(double r, double g, double b) {
+    // The single lights have been added.
+  }
+
+  @Override
+  public void scattered(BsdfSample sample, double survival, boolean survives) {
+    // Layers hold surfaces and light only.
+  }
+
+  @Override
+  public void branchStarted(int branch) {
+    // The next ray has the throughput of the branch.
+  }
+
+  @Override
+  public void pathEnded(End end) {
+    if (!isGuided) {
+      isGuided = true;
+      setColor(guideAlbedo, Rgb.BLACK);
+      if (end == End.ESCAPED) {
+        set(guideNormal, 0, 0, 0);
+      }
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package io.github.lumbre.render;
+
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.Layer.Grid;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Set;
+
+/**
+ * The layers of a film.
+ *
+ * @param kinds the layers that can be developed, in the order of their declaration
+ * @param lightGroups the number of light groups, 0 or more
+ */
+public record FilmLayers(Set<Layer> kinds, int lightGroups) {
+  /** No layers. */
+  public static final FilmLayers NONE = new FilmLayers(Set.of(), 0);
+
+  /** The layers that are means over the samples that hit a surface. */
+  private static final Set<Layer> OF_HITS = Layer.setOf(Layer.POSITION, Layer.DEPTH, Layer.UV);
+
+  public FilmLayers {
+    EnumSet<Layer> sorted = EnumSet.noneOf(Layer.class);
+    sorted.addAll(kinds);
+    kinds = Collections.unmodifiableSet(sorted);
+    if (lightGroups < 0) {
+      throw new IllegalArgumentException("lightGroups: expected at least 0, found " + lightGroups);
+    }
+  }
+
+  /** Returns the layers that a render with the given settings records. */
+  public static FilmLayers of(RenderSettings settings, Scene scene) {
+    boolean hasLights = settings.layers().contains(Layer.LIGHTS);
+    return new FilmLayers(settings.layers(), hasLights ? scene.lightGroups().names().size() : 0);
+  }
+
+  /** Returns whether there are no layers. */
+  public boolean isEmpty() {
+    return kinds.isEmpty();
+  }
+
+  /** Returns the layers whose values the film sums, in the order of their declaration. */
+  Set<Layer> stored() {
+    EnumSet<Layer> stored = EnumSet.noneOf(Layer.class);
+    for (Layer layer : kinds) {
+      if (layer == Layer.INDIRECT) {
+        stored.add(Layer.DIRECT);
+      } else if (layer.grid() != Grid.NONE && layer.grid() != Grid.COUNTS) {
+        stored.add(layer);
+      }
+    }
+    return stored;
+  }
+
+  /** Returns the number of sums of a stored layer. */
+  int channels(Layer layer) {
+    return layer == Layer.LIGHTS ? 3 * lightGroups : layer.channels().size();
+  }
+
+  /** Returns whether a film counts the samples of each primitive. */
+  public boolean countsPrimitives() {
+    return kinds.contains(Layer.OBJECT) || kinds.contains(Layer.MATERIAL);
+  }
+
+  /** Returns whether a film counts the samples that hit a surface. */
+  boolean countsHits() {
+    return !Collections.disjoint(kinds, OF_HITS);
+  }
+
+  /** Returns whether a layer is a mean over the samples that hit a surface. */
+  static boolean isOfHits(Layer layer) {
+    return OF_HITS.contains(layer);
+  }
+
+  /**
+   * Returns the bytes that the layers take per pixel. Pixels with more than one primitive take
+   * about 16 bytes more for each.
+   */
+  public int bytesPerPixel() {
+    int bytes = countsHits() ? Integer.BYTES : 0;
+    bytes += countsPrimitives() ? PrimitiveCounts.BYTES_PER_PIXEL : 0;
+    for (Layer layer : stored()) {
+      bytes += layer.grid().bytes() * channels(layer);
+      bytes += layer.grid() == Grid.GUIDE ? Long.BYTES : 0;
+    }
+    return bytes;
+  }
+}

@@ -1,0 +1,296 @@
+package io.github.lumbre.render;
+
+import io.github.lumbre.integrator.SampleLayers;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.Layer.Grid;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The exact sums of the layers of a film's pixels; see {@link Grid}. Mutable; different threads may
+ * write different pixels.
+ */
+final class LayerSums {
+  private static final double UNIT = 0x1p-32;
+
+  /** The largest magnitude of a value in sums of 128 bits. */
+  private static final double LARGEST = 0x1p31;
+
+  /** Bits of one packed component of the mean of a first half. */
+  private static final int MEAN_BITS = 21;
+
+  private static final long MEAN_MASK = (1L << MEAN_BITS) - 1;
+  private static final long NO_MEAN = 0;
+
+  /** How the mean of the first half of a pixel's samples changes when films are added. */
+  enum FirstMean {
+    KEPT,
+    LOST,
+    OF_OTHER,
+    OF_ALL
+  }
+
+  private final FilmLayers layers;
+
+  /** The layers with sums of 64 bits, with sums of 128 bits, and with means of first halves. */
+  private final Layer[] narrow, wide;
+
+  private final List<Layer> guides;
+
+  private final int narrowCount, wideCount;
+  private final long[] narrowSums;
+  private final long[] whole;
+  private final long[] fraction;
+  private final long[] means;
+
+  /** The number of each pixel's samples that hit a surface. */
+  private final int[] hits;
+
+  private final PrimitiveCounts counts;
+
+  LayerSums(FilmLayers layers, int pixels) {
+    this.layers = layers;
+    narrow = with(Grid.UNIT, Grid.GUIDE).toArray(Layer[]::new);
+    wide = with(Grid.WIDE).toArray(Layer[]::new);
+    guides = with(Grid.GUIDE);
+    narrowCount = Arrays.stream(narrow).mapToInt(layers::channels).sum();
+    wideCount = Arrays.stream(wide).mapToInt(layers::channels).sum();
+    narrowSums = new long[Math.multiplyExact(pixels, narrowCount)];
+    whole = new long[Math.multiplyExact(pixels, wideCount)];
+    fraction = new long[whole.length];
+    means = new long[Math.multiplyExact(pixels, guides.size())];
+    hits = new int[layers.countsHits() ? pixels : 0];
+    counts = new PrimitiveCounts(layers.countsPrimitives() ? pixels : 0);
+  }
+
+  private List<Layer> with(Grid... grids) {
+    List<Layer> with = new ArrayList<>();
+    for (Layer layer : layers.stored()) {
+      if (Arrays.asList(grids).contains(layer.grid())) {
+        with.add(layer);
+      }
+    }
+    return with;
+  }
+
+  FilmLayers layers() {
+    return layers;
+  }
+
+  PrimitiveCounts counts() {
+    return counts;
+  }
+
+  int hits(int pixel) {
+    return hits[pixel];
+  }
+
+  /**
+   * Adds the next sample of a pixel.
+   *
+   * @param before number of the pixel's samples so far
+   */
+  void add(int pixel, SampleLayers sample, int before) {
+    if ((before & before - 1) == 0 && before != 0) {
+      setMeans(pixel, before);
+    }
+    int at = pixel * narrowCount;
+    for (Layer layer : narrow) {
+      for (double value : sample.of(layer)) {
+        narrowSums[at++] += (long) Math.rint(Math.max(-1, Math.min(1, orZero(value))) / UNIT);
+      }
+    }
+    at = pixel * wideCount;
+    for (Layer layer : wide) {
+      for (double value : sample.of(layer)) {
+        addWide(at++, orZero(value));
+      }
+    }
+    int primitive = sample.primitive();
+    if (primitive >= 0) {
+      if (hits.length != 0) {
+        hits[pixel]++;
+      }
+      counts.add(pixel, primitive, 1);
+    }
+  }
+
+  private static double orZero(double value) {
+    return Double.isNaN(value) ? 0 : value;
+  }
+
+  private void addWide(int i, double value) {
+    double cut = Math.max(-LARGEST, Math.min(LARGEST, value));
+    double floor = Math.floor(cut);
+    // The fraction times 2^64; rounding can make it 2^64.
+    double rest = Math.rint((cut - floor) * 0x1p64);
+    long units = (long) floor;
+    if (rest == 0x1p64) {
+      units++;
+      rest = 0;
+    }
+    long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
+    addWide(i, units, bits);
+  }
+
+  private void addWide(int i, long units, long bits) {
+    long sum = fraction[i] + bits;
+    whole[i] += units + (Long.compareUnsigned(sum, bits) < 0 ? 1 : 0);
+    fraction[i] = sum;
+  }
+
+  /**
+   * Adds the sums of a pixel of other layers of the same kind.
+   *
+   * @param count number of this pixel's samples
+   */
+  void addAll(LayerSums other, int from, int to, FirstMean mean, int count) {
+    switch (mean) {
+      case KEPT -> {}
+      case LOST -> Arrays.fill(means, to * guides.size(), (to + 1) * guides.size(), NO_MEAN);
+      case OF_OTHER ->
+          System.arraycopy(
+              other.means, from * guides.size(), means, to * guides.size(), guides.size());
+      case OF_ALL -> setMeans(to, count);
+    }
+    for (int i = 0; i < narrowCount; i++) {
+      narrowSums[to * narrowCount + i] += other.narrowSums[from * narrowCount + i];
+    }
+    for (int i = 0; i < wideCount; i++) {
+      int at = from * wideCount + i;
+      addWide(to * wideCount + i, other.whole[at], other.fraction[at]);
+    }
+    if (hits.length != 0) {
+      hits[to] += other.hits[from];
+    }
+    counts.addAll(other.counts, from, to);
+  }
+
+  /** Stores the means of all samples of a pixel so far. */
+  private void setMeans(int pixel, int count) {
+    for (int guide = 0; guide < guides.size(); guide++) {
+      int first = pixel * narrowCount + offset(guides.get(guide), narrow);
+      long packed = 1;
+      for (int i = 0; i < 3; i++) {
+        double mean = narrowSums[first + i] * UNIT / count;
+        packed = packed << MEAN_BITS | Math.round((mean + 1) / 2 * MEAN_MASK);
+      }
+      means[pixel * guides.size() + guide] = packed;
+    }
+  }
+
+  /** Returns the number of sums before those of a layer. */
+  private int offset(Layer layer, Layer[] among) {
+    int offset = 0;
+    for (int i = 0; among[i] != layer; i++) {
+      offset += layers.channels(among[i]);
+    }
+    return offset;
+  }
+
+  /** Copies all values of other layers of the same kind and size. */
+  void set(LayerSums other) {
+    System.arraycopy(other.narrowSums, 0, narrowSums, 0, narrowSums.length);
+    System.arraycopy(other.whole, 0, whole, 0, whole.length);
+    System.arraycopy(other.fraction, 0, fraction, 0, fraction.length);
+    System.arraycopy(other.means, 0, means, 0, means.length);
+    System.arraycopy(other.hits, 0, hits, 0, hits.length);
+    counts.set(other.counts);
+  }
+
+  /**
+   * Returns the sum of a layer's channel over a pixel's samples.
+   *
+   * @param layer with sums of 64 or 128 bits
+   */
+  double sum(Layer layer, int channel, int pixel) {
+    if (layer.grid() == Grid.WIDE) {
+      int i = pixel * wideCount + offset(layer, wide) + channel;
+      return Film.sum(whole[i], fraction[i]);
+    }
+    return narrowSums[pixel * narrowCount + offset(layer, narrow) + channel] * UNIT;
+  }
+
+  /** Returns the whole part of a sum of 128 bits. */
+  long whole(Layer layer, int channel, int pixel) {
+    return whole[pixel * wideCount + offset(layer, wide) + channel];
+  }
+
+  /** Returns the fraction of a sum of 128 bits, in units of 2^-64. */
+  long fraction(Layer layer, int channel, int pixel) {
+    return fraction[pixel * wideCount + offset(layer, wide) + channel];
+  }
+
+  /** Returns whether the mean of the first half of a pixel's samples is known. */
+  boolean hasFirstMean(Layer layer, int pixel) {
+    return means[pixel * guides.size() + guides.indexOf(layer)] != NO_MEAN;
+  }
+
+  /** Returns a component of the mean of the first half of a pixel's samples, to 2^-20. */
+  double firstMean(Layer layer, int channel, int pixel) {
+    long packed = means[pixel * guides.size() + guides.indexOf(layer)];
+    long bits = packed >>> MEAN_BITS * (2 - channel) & MEAN_MASK;
+    return 2.0 * bits / MEAN_MASK - 1;
+  }
+
+  /** Returns the largest number of bytes of a pixel that hits some primitives. */
+  int encodedBytes(int pixel) {
+    return Long.BYTES * (narrowCount + guides.size())
+        + wideCount * (Film.MAX_NUMBER_BYTES + Long.BYTES)
+        + Film.MAX_NUMBER_BYTES
+        + counts.encodedBytes(pixel);
+  }
+
+  /**
+   * Writes a pixel that has samples: sums of 64 bits, means of first halves, sums of 128 bits, the
+   * number of samples that hit a surface, and the primitives.
+   */
+  void encode(int pixel, ByteBuffer out) {
+    for (int i = 0; i < narrowCount; i++) {
+      out.putLong(Long.reverseBytes(narrowSums[pixel * narrowCount + i]));
+    }
+    for (int i = 0; i < guides.size(); i++) {
+      out.putLong(Long.reverseBytes(means[pixel * guides.size() + i]));
+    }
+    for (int i = pixel * wideCount; i < (pixel + 1) * wideCount; i++) {
+      // The sign moves to the lowest bit, so that small numbers stay short.
+      Film.putNumber(out, whole[i] << 1 ^ whole[i] >> Long.SIZE - 1);
+      out.putLong(Long.reverseBytes(fraction[i]));
+    }
+    if (hits.length != 0) {
+      Film.putNumber(out, hits[pixel]);
+    }
+    counts.encode(pixel, out);
+  }
+
+  /**
+   * Reads a pixel in the format of {@link #encode}.
+   *
+   * @param count number of the pixel's samples
+   * @throws IllegalArgumentException if the bytes are not a valid pixel
+   */
+  void decode(int pixel, int count, ByteBuffer in) {
+    for (int i = 0; i < narrowCount; i++) {
+      long sum = Long.reverseBytes(in.getLong());
+      if (Math.abs(sum * UNIT) > count) {
+        throw new IllegalArgumentException("expected a layer up to " + count + ", found more");
+      }
+      narrowSums[pixel * narrowCount + i] = sum;
+    }
+    for (int i = 0; i < guides.size(); i++) {
+      means[pixel * guides.size() + i] = Long.reverseBytes(in.getLong());
+    }
+    long largest = 2 * (long) LARGEST * count + 1;
+    for (int i = pixel * wideCount; i < (pixel + 1) * wideCount; i++) {
+      long zigzag = Film.number(in, largest);
+      whole[i] = zigzag >>> 1 ^ -(zigzag & 1);
+      fraction[i] = Long.reverseBytes(in.getLong());
+    }
+    if (hits.length != 0) {
+      hits[pixel] = (int) Film.number(in, count);
+    }
+    counts.decode(pixel, count, in);
+  }
+}

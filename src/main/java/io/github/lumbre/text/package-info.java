@@ -1,0 +1,2 @@
+/** Texts for people: corrections of misspelled words. */
+package io.github.lumbre.text;
