@@ -90,6 +90,7 @@ class LayersTest {
   private static final Map<String, List<String>> LIBRARIES =
       Map.of(
           "geometry", List.of("jdk.incubator.vector.."),
+          "image", List.of("com.google.gson.."),
           "model", List.of("com.google.gson.."),
           "parser", List.of("com.google.gson.."),
           "lab.perf", List.of("com.google.gson..", "com.sun.management.."),

@@ -234,6 +234,10 @@ final class RenderCommand implements Callable<Integer> {
     new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
     requireStreams();
     Path target = target();
+    require(
+        !flags.hasLayers() || checkpoint.isPresent() || holdsLayers(target),
+        "--layers: expected an .exr picture (-o) or --checkpoint, which hold layers, found "
+            + target);
     checkOutputs(target);
     Messages messages = run.errors();
     try (PictureOutput picture = picture(target);
@@ -312,6 +316,12 @@ final class RenderCommand implements Callable<Integer> {
         isStandardOutput() || ImageFormat.of(target).isPresent(),
         target + ": expected a name that ends in one of " + ImageFormat.endings());
     return target;
+  }
+
+  /** Returns whether the format of the picture holds layers. */
+  private boolean holdsLayers(Path target) {
+    Optional<ImageFormat> chosen = isStandardOutput() ? format : ImageFormat.of(target);
+    return chosen.equals(Optional.of(ImageFormat.EXR));
   }
 
   private boolean isStandardOutput() {

@@ -22,6 +22,11 @@ record ExrChannel(String name, Type type, int use) {
   private static final int COLOR = RED | GREEN | BLUE;
   private static final int MAX_CHANNELS = 1024;
 
+  /** The bits of the floats 65504 and 2^-14. */
+  private static final int LARGEST_HALF = 0x477fe000;
+
+  private static final int SMALLEST_NORMAL_HALF = 0x38800000;
+
   /** The number types, in the order of their codes. */
   enum Type {
     UINT,
@@ -55,7 +60,7 @@ record ExrChannel(String name, Type type, int use) {
     return Float.intBitsToFloat(sign << 16 | wide << 23 | mantissa << 13);
   }
 
-  /** Returns the channels of a list attribute, with their uses. */
+  /** Returns the channels of a list attribute, without their uses. */
   static List<ExrChannel> read(ByteBuffer list) throws ImageFormatException {
     List<ExrChannel> channels = new ArrayList<>();
     Set<String> names = new TreeSet<>();
@@ -73,8 +78,45 @@ record ExrChannel(String name, Type type, int use) {
       }
       channels.add(new ExrChannel(name, Type.values()[type], 0));
     }
+    return channels;
+  }
+
+  /** Returns channels with their uses in the only picture that they have. */
+  static List<ExrChannel> used(List<ExrChannel> channels) throws ImageFormatException {
+    Set<String> names = new TreeSet<>();
+    channels.forEach(channel -> names.add(channel.name));
     String layer = layer(names);
     return channels.stream().map(channel -> channel.usedIn(layer, names)).toList();
+  }
+
+  /** Returns the name of the channel's layer; empty if it has none. */
+  String layer() {
+    return name.substring(0, Math.max(0, name.lastIndexOf('.')));
+  }
+
+  /** Returns the name without that of the layer. */
+  String component() {
+    return name.substring(name.lastIndexOf('.') + 1);
+  }
+
+  /**
+   * Returns the half nearest to a number, even on ties; finite for all finite numbers.
+   *
+   * @param value not NaN
+   */
+  static short toHalf(float value) {
+    int bits = Float.floatToRawIntBits(value);
+    int sign = bits >>> 16 & 0x8000;
+    int magnitude = bits & 0x7fffffff;
+    if (magnitude >= LARGEST_HALF) {
+      return (short) (sign | 0x7bff);
+    }
+    if (magnitude < SMALLEST_NORMAL_HALF) {
+      return (short) (sign | (int) Math.rint(Float.intBitsToFloat(magnitude) * 0x1p24));
+    }
+    // Rounds to 10 bits of mantissa; a carry increases the exponent, as it should.
+    int rounded = magnitude + 0xfff + (magnitude >>> 13 & 1);
+    return (short) (sign | rounded - (127 - 15 << 23) >>> 13);
   }
 
   /** Returns the prefix of the color channels: empty, or the only layer's name and a dot. */

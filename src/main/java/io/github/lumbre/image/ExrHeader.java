@@ -9,12 +9,14 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 
 /**
  * The header of a part of an OpenEXR file.
  *
  * @param left the column of the first pixel
  * @param top the row of the first pixel
+ * @param texts the text attributes by name
  * @param tiles the sizes of tiles; empty for scan lines
  */
 record ExrHeader(
@@ -24,6 +26,7 @@ record ExrHeader(
     int height,
     ExrCompression compression,
     List<ExrChannel> channels,
+    Map<String, String> texts,
     Optional<Tiles> tiles) {
 
   /**
@@ -39,9 +42,11 @@ record ExrHeader(
    *
    * @param isTiled whether the version field states tiles; parts of multi-part files state it
    *     themselves
+   * @param isPicture whether the channels must have one picture
    */
-  static ExrHeader read(ByteBuffer in, boolean isTiled) throws ImageFormatException {
-    Map<String, ByteBuffer> attributes = attributes(in);
+  static ExrHeader read(ByteBuffer in, boolean isTiled, boolean isPicture)
+      throws ImageFormatException {
+    Map<String, Attribute> attributes = attributes(in);
     ByteBuffer window = attribute(attributes, "dataWindow");
     int width = side(window.getInt(0), window.getInt(8));
     int height = side(window.getInt(4), window.getInt(12));
@@ -53,37 +58,63 @@ record ExrHeader(
         width,
         height,
         ExrCompression.of(attribute(attributes, "compression").get(0)),
-        ExrChannel.read(attribute(attributes, "channels")),
+        channels(attribute(attributes, "channels"), isPicture),
+        texts(attributes),
         hasTiles ? Optional.of(tiles(attribute(attributes, "tiles"))) : Optional.empty());
   }
 
-  /** Returns the values of a header's attributes; none if there is no further header. */
-  static Map<String, ByteBuffer> attributes(ByteBuffer in) throws ImageFormatException {
-    Map<String, ByteBuffer> attributes = new HashMap<>();
+  private static List<ExrChannel> channels(ByteBuffer list, boolean isPicture)
+      throws ImageFormatException {
+    List<ExrChannel> channels = ExrChannel.read(list);
+    return isPicture ? ExrChannel.used(channels) : channels;
+  }
+
+  private static Map<String, String> texts(Map<String, Attribute> attributes) {
+    Map<String, String> texts = new TreeMap<>();
+    attributes.forEach(
+        (name, attribute) -> {
+          if (attribute.type.equals("string")) {
+            ByteBuffer bytes = attribute.value.duplicate();
+            texts.put(name, StandardCharsets.UTF_8.decode(bytes).toString());
+          }
+        });
+    return texts;
+  }
+
+  /** A value of a header with the name of its type. */
+  record Attribute(String type, ByteBuffer value) {}
+
+  /** Returns a header's attributes; none if there is no further header. */
+  static Map<String, Attribute> attributes(ByteBuffer in) throws ImageFormatException {
+    Map<String, Attribute> attributes = new HashMap<>();
     for (String name = text(in); !name.isEmpty(); name = text(in)) {
-      text(in);
+      String type = text(in);
       int length = in.getInt();
       if (length < 0 || length > in.remaining()) {
         throw malformed("OpenEXR ends too early");
       }
-      attributes.put(name, in.slice(in.position(), length).order(ByteOrder.LITTLE_ENDIAN));
+      ByteBuffer value = in.slice(in.position(), length).order(ByteOrder.LITTLE_ENDIAN);
+      attributes.put(name, new Attribute(type, value));
       in.position(in.position() + length);
     }
     return attributes;
   }
 
-  private static ByteBuffer attribute(Map<String, ByteBuffer> attributes, String name)
+  private static ByteBuffer attribute(Map<String, Attribute> attributes, String name)
       throws ImageFormatException {
-    ByteBuffer value = attributes.get(name);
-    if (value == null) {
+    Attribute attribute = attributes.get(name);
+    if (attribute == null) {
       throw malformed("OpenEXR has no attribute " + name);
     }
-    return value;
+    return attribute.value;
   }
 
-  private static String type(Map<String, ByteBuffer> attributes) throws ImageFormatException {
-    ByteBuffer value = attributes.get("type");
-    String type = value == null ? "" : StandardCharsets.US_ASCII.decode(value).toString();
+  private static String type(Map<String, Attribute> attributes) throws ImageFormatException {
+    Attribute attribute = attributes.get("type");
+    String type =
+        attribute == null
+            ? ""
+            : StandardCharsets.US_ASCII.decode(attribute.value.duplicate()).toString();
     if (type.startsWith("deep")) {
       throw malformed("OpenEXR: deep pictures are not supported");
     }

@@ -5,8 +5,13 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.zip.DataFormatException;
 
@@ -32,11 +37,20 @@ final class ExrReader {
   private final ByteBuffer in;
   private final ExrHeader header;
   private final boolean hasParts;
-  private final float[] rgb;
-  private final float[] alpha;
   private final BitSet found = new BitSet();
 
-  private ExrReader(byte[] file) throws ImageFormatException {
+  /** Receives the values of a channel in a part of a row. */
+  @FunctionalInterface
+  private interface Rows {
+    /**
+     * @param raw holds the values next; the receiver consumes them
+     * @param channel index in the header's list
+     * @param first index of the first pixel
+     */
+    void put(ByteBuffer raw, int channel, int first, int count);
+  }
+
+  private ExrReader(byte[] file, boolean isPicture) throws ImageFormatException {
     in = little(file);
     in.getInt();
     int version = in.getInt();
@@ -44,7 +58,7 @@ final class ExrReader {
       throw malformed("OpenEXR: expected version 2 without deep data");
     }
     hasParts = (version & PARTS) != 0;
-    header = ExrHeader.read(in, (version & TILES) != 0);
+    header = ExrHeader.read(in, (version & TILES) != 0, isPicture);
     while (hasParts && !ExrHeader.attributes(in).isEmpty()) {
       // The other parts are not read.
     }
@@ -54,19 +68,31 @@ final class ExrReader {
       throw malformed("OpenEXR ends too early");
     }
     checkBlockSize();
-    rgb = LinearReader.raster(header.width(), header.height(), 3);
-    alpha =
-        header.hasAlpha() ? LinearReader.raster(header.width(), header.height(), 1) : new float[0];
   }
 
   static boolean startsIn(byte[] file) {
     return file.length >= Long.BYTES && little(file).getInt() == MAGIC;
   }
 
-  /** Reads a file that {@link #startsIn} recognizes. */
+  /** Reads the picture of a file that {@link #startsIn} recognizes. */
   static Image read(byte[] file) throws ImageFormatException {
+    return intact(() -> new ExrReader(file, true).readPicture());
+  }
+
+  /** Reads all channels of a file that {@link #startsIn} recognizes. */
+  static LayeredImage readLayers(byte[] file) throws ImageFormatException {
+    return intact(() -> new ExrReader(file, false).readAll());
+  }
+
+  /** Reads a file, of which any part may be damaged. */
+  @FunctionalInterface
+  private interface Reading<T> {
+    T read() throws ImageFormatException, DataFormatException;
+  }
+
+  private static <T> T intact(Reading<T> reading) throws ImageFormatException {
     try {
-      return new ExrReader(file).readPixels();
+      return reading.read();
     } catch (BufferUnderflowException
         | IndexOutOfBoundsException
         | IllegalArgumentException
@@ -86,7 +112,92 @@ final class ExrReader {
     }
   }
 
-  private Image readPixels() throws ImageFormatException, DataFormatException {
+  private Image readPicture() throws ImageFormatException, DataFormatException {
+    float[] rgb = LinearReader.raster(header.width(), header.height(), 3);
+    float[] alpha =
+        header.hasAlpha() ? LinearReader.raster(header.width(), header.height(), 1) : new float[0];
+    readBlocks(
+        (raw, channel, first, count) -> {
+          ExrChannel read = header.channels().get(channel);
+          if (read.use() == 0) {
+            return;
+          }
+          for (int i = first; i < first + count; i++) {
+            float value = read.type().next(raw);
+            if (read.use() == ExrChannel.ALPHA) {
+              alpha[i] = value;
+              continue;
+            }
+            for (int component = 0; component < 3; component++) {
+              if ((read.use() >> component & 1) != 0) {
+                rgb[3 * i + component] = value;
+              }
+            }
+          }
+        });
+    divide(rgb, alpha);
+    return new Image(header.width(), header.height(), rgb, alpha);
+  }
+
+  private LayeredImage readAll() throws ImageFormatException, DataFormatException {
+    int pixels = Math.multiplyExact(header.width(), header.height());
+    List<ExrChannel> channels = header.channels();
+    if ((long) channels.size() * pixels > LayeredImage.MAX_VALUES) {
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE,
+          "OpenEXR: expected at most %d values in all channels, found %d channels of %d pixels"
+              .formatted(LayeredImage.MAX_VALUES, channels.size(), pixels));
+    }
+    ImageReader.checkMemory(
+        header.width(),
+        header.height(),
+        channels.size() * Float.BYTES,
+        Runtime.getRuntime().maxMemory());
+    Map<String, List<ExrChannel>> byLayer = new TreeMap<>();
+    for (ExrChannel channel : channels) {
+      byLayer.computeIfAbsent(channel.layer(), name -> new ArrayList<>()).add(channel);
+    }
+    float[][] rasters = new float[channels.size()][];
+    int[] strides = new int[channels.size()];
+    int[] offsets = new int[channels.size()];
+    List<ImageLayer> layers = new ArrayList<>();
+    for (Map.Entry<String, List<ExrChannel>> layer : byLayer.entrySet()) {
+      List<ExrChannel> members = layer.getValue();
+      members.sort(Comparator.comparingInt(ExrReader::rank));
+      float[] raster = LinearReader.raster(header.width(), header.height(), members.size());
+      for (ExrChannel member : members) {
+        int index = channels.indexOf(member);
+        rasters[index] = raster;
+        strides[index] = members.size();
+        offsets[index] = members.indexOf(member);
+      }
+      boolean isHalf = members.stream().allMatch(c -> c.type() == ExrChannel.Type.HALF);
+      layers.add(
+          new ImageLayer(
+              layer.getKey(),
+              members.stream().map(ExrChannel::component).toList(),
+              isHalf ? ImageLayer.Precision.HALF : ImageLayer.Precision.FLOAT,
+              header.width(),
+              header.height(),
+              raster));
+    }
+    readBlocks(
+        (raw, channel, first, count) -> {
+          ExrChannel.Type type = channels.get(channel).type();
+          for (int i = first; i < first + count; i++) {
+            rasters[channel][i * strides[channel] + offsets[channel]] = type.next(raw);
+          }
+        });
+    return new LayeredImage(header.width(), header.height(), layers, header.texts());
+  }
+
+  /** Returns the place of a channel in its layer: R G B A, or by name. */
+  private static int rank(ExrChannel channel) {
+    int place = "RGBA".indexOf(channel.component());
+    return place < 0 ? 4 : place;
+  }
+
+  private void readBlocks(Rows rows) throws ImageFormatException, DataFormatException {
     // In files of one part, blocks follow each other and name their places. Offsets are needed only
     // if blocks of other parts may lie between them.
     int table = in.position();
@@ -103,29 +214,27 @@ final class ExrReader {
         throw new CancellationException("decoding was interrupted");
       }
       if (header.tiles().isPresent()) {
-        readTile();
+        readTile(rows);
       } else {
-        readLines();
+        readLines(rows);
       }
     }
     if (found.cardinality() != header.blocks()) {
       throw malformed("OpenEXR is damaged: blocks are missing");
     }
-    divide();
-    return new Image(header.width(), header.height(), rgb, alpha);
   }
 
-  private void readLines() throws ImageFormatException, DataFormatException {
+  private void readLines(Rows rows) throws ImageFormatException, DataFormatException {
     int lines = header.blockHeight();
     int first = Objects.checkIndex(in.getInt() - header.top(), header.height());
     if (first % lines != 0 || found.get(first / lines)) {
       throw malformed("OpenEXR is damaged: expected one block for every " + lines + " lines");
     }
     found.set(first / lines);
-    readBlock(0, first);
+    readBlock(0, first, rows);
   }
 
-  private void readTile() throws ImageFormatException, DataFormatException {
+  private void readTile(Rows rows) throws ImageFormatException, DataFormatException {
     int column = in.getInt();
     int row = in.getInt();
     int levelX = in.getInt();
@@ -142,43 +251,28 @@ final class ExrReader {
       throw malformed("OpenEXR is damaged: a tile occurs twice");
     }
     found.set(row * across + column);
-    readBlock(column * header.blockWidth(), row * header.blockHeight());
+    readBlock(column * header.blockWidth(), row * header.blockHeight(), rows);
   }
 
   /** Reads the data of a block whose upper left pixel is given. */
-  private void readBlock(int left, int top) throws ImageFormatException, DataFormatException {
+  private void readBlock(int left, int top, Rows rows)
+      throws ImageFormatException, DataFormatException {
     int width = Math.min(header.blockWidth(), header.width() - left);
     int height = Math.min(header.blockHeight(), header.height() - top);
     byte[] data = new byte[Math.max(0, Math.min(in.getInt(), in.remaining()))];
     in.get(data);
     ByteBuffer raw = little(header.compression().unpacked(data, header, width, height));
     for (int y = top; y < top + height; y++) {
-      for (ExrChannel channel : header.channels()) {
-        put(raw, channel, y * header.width() + left, width);
+      int first = y * header.width() + left;
+      for (int channel = 0; channel < header.channels().size(); channel++) {
+        int end = raw.position() + width * header.channels().get(channel).type().bytes();
+        rows.put(raw, channel, first, width);
+        raw.position(end);
       }
     }
   }
 
-  private void put(ByteBuffer raw, ExrChannel channel, int first, int count) {
-    if (channel.use() == 0) {
-      raw.position(raw.position() + count * channel.type().bytes());
-      return;
-    }
-    for (int i = first; i < first + count; i++) {
-      float value = channel.type().next(raw);
-      if (channel.use() == ExrChannel.ALPHA) {
-        alpha[i] = value;
-        continue;
-      }
-      for (int component = 0; component < 3; component++) {
-        if ((channel.use() >> component & 1) != 0) {
-          rgb[3 * i + component] = value;
-        }
-      }
-    }
-  }
-
-  private void divide() throws ImageFormatException {
+  private static void divide(float[] rgb, float[] alpha) throws ImageFormatException {
     for (int i = 0; i < 3 * alpha.length; i++) {
       float opacity = alpha[i / 3];
       if (!(opacity >= 0 && opacity <= 1)) {

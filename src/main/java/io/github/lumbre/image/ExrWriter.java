@@ -6,14 +6,18 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import java.util.zip.Deflater;
 
 /**
- * Writes OpenEXR files: one part, scan lines, float channels, ZIP compression in blocks of 16 lines
- * ("OpenEXR File Layout" and "Technical Introduction to OpenEXR", openexr.com).
+ * Writes OpenEXR files: one part, scan lines, float and half channels, ZIP compression in blocks of
+ * 16 lines ("OpenEXR File Layout" and "Technical Introduction to OpenEXR", openexr.com).
  */
 final class ExrWriter {
   /**
@@ -39,7 +43,6 @@ final class ExrWriter {
   private static final int VERSION = 2;
   private static final int LONG_NAMES = 0x400;
   private static final int SHORT_NAME = 31;
-  private static final int FLOAT = 2;
   private static final int ZIP = 3;
   private static final int BLOCK_LINES = 16;
 
@@ -47,22 +50,77 @@ final class ExrWriter {
   private static final int DEFLATE_LEVEL = 4;
 
   private final Image image;
-  private final SeekableByteChannel channel;
-  private final int channels;
+  private final SeekableByteChannel file;
+  private final List<Channel> channels;
 
-  private ExrWriter(Image image, SeekableByteChannel channel) {
+  /** The values of a channel. */
+  @FunctionalInterface
+  private interface Values {
+    float at(int x, int y);
+  }
+
+  /** A channel with its full name. */
+  private record Channel(String name, ExrChannel.Type type, Values values) {}
+
+  private ExrWriter(Image image, List<ImageLayer> layers, SeekableByteChannel file) {
     this.image = image;
-    this.channel = channel;
-    this.channels = image.hasAlpha() ? 4 : 3;
+    this.file = file;
+    channels = new ArrayList<>();
+    addPicture();
+    layers.forEach(this::add);
+    channels.sort(Comparator.comparing(Channel::name));
+    for (int i = 1; i < channels.size(); i++) {
+      if (channels.get(i).name.equals(channels.get(i - 1).name)) {
+        throw new IllegalArgumentException(
+            "layers: expected different channels, found " + channels.get(i).name + " twice");
+      }
+    }
+  }
+
+  private void addPicture() {
+    List<String> names = List.of("R", "G", "B");
+    for (int component = 0; component < 3; component++) {
+      int offset = component;
+      Values values =
+          (x, y) -> {
+            float value = ImageWriter.finite(image.rgb()[3 * (y * image.width() + x) + offset]);
+            return value * image.alpha(x, y);
+          };
+      channels.add(new Channel(names.get(component), ExrChannel.Type.FLOAT, values));
+    }
+    if (image.hasAlpha()) {
+      channels.add(new Channel("A", ExrChannel.Type.FLOAT, image::alpha));
+    }
+  }
+
+  private void add(ImageLayer layer) {
+    if (layer.width() != image.width() || layer.height() != image.height()) {
+      throw new IllegalArgumentException(
+          "layers: expected %dx%d pixels, found %dx%d in %s"
+              .formatted(
+                  image.width(), image.height(), layer.width(), layer.height(), layer.name()));
+    }
+    boolean isHalf = layer.precision() == ImageLayer.Precision.HALF;
+    for (int i = 0; i < layer.channels().size(); i++) {
+      String prefix = layer.name().isEmpty() ? "" : layer.name() + ".";
+      int offset = i;
+      int stride = layer.channels().size();
+      channels.add(
+          new Channel(
+              prefix + layer.channels().get(i),
+              isHalf ? ExrChannel.Type.HALF : ExrChannel.Type.FLOAT,
+              (x, y) -> layer.values()[(y * layer.width() + x) * stride + offset]));
+    }
   }
 
   /**
-   * Writes a picture to an empty channel. Colors are multiplied by alpha; metadata become string
-   * attributes in UTF-8.
+   * Writes a picture and its layers to an empty channel. Colors of the picture are multiplied by
+   * alpha; metadata become string attributes in UTF-8.
    */
-  static void write(Image image, Map<String, String> metadata, SeekableByteChannel channel)
+  static void write(
+      Image image, List<ImageLayer> layers, Map<String, String> metadata, SeekableByteChannel file)
       throws IOException {
-    new ExrWriter(image, channel).write(metadata);
+    new ExrWriter(image, layers, file).write(metadata);
   }
 
   private void write(Map<String, String> metadata) throws IOException {
@@ -86,13 +144,15 @@ final class ExrWriter {
       deflater.end();
     }
     // Fill in the offset table, now that the block sizes are known.
-    channel.position(header.length);
+    file.position(header.length);
     writeFully(offsets.flip());
   }
 
   private byte[] header(Map<String, String> metadata) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    boolean longNames = metadata.keySet().stream().anyMatch(k -> k.length() > SHORT_NAME);
+    boolean longNames =
+        Stream.concat(metadata.keySet().stream(), channels.stream().map(Channel::name))
+            .anyMatch(name -> name.length() > SHORT_NAME);
     out.writeBytes(ints(MAGIC, VERSION | (longNames ? LONG_NAMES : 0)));
     byte[] window = ints(0, 0, image.width() - 1, image.height() - 1);
     attribute(out, "channels", "chlist", channelList());
@@ -112,10 +172,10 @@ final class ExrWriter {
 
   private byte[] channelList() {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    for (String name : (channels == 4 ? "A B G R" : "B G R").split(" ")) {
-      text(out, name);
+    for (Channel channel : channels) {
+      text(out, channel.name);
       // Pixel type, not perceptually linear, no subsampling.
-      out.writeBytes(ints(FLOAT, 0, 1, 1));
+      out.writeBytes(ints(channel.type.ordinal(), 0, 1, 1));
     }
     out.write(0);
     return out.toByteArray();
@@ -144,17 +204,17 @@ final class ExrWriter {
   /** Returns the bytes of up to 16 lines. Each line holds one channel after the other. */
   private byte[] lines(int first) {
     int last = Math.min(first + BLOCK_LINES, image.height());
-    ByteBuffer raw = littleEndian(4 * channels * image.width() * (last - first));
+    int pixelBytes = channels.stream().mapToInt(channel -> channel.type.bytes()).sum();
+    ByteBuffer raw = littleEndian(Math.multiplyExact(pixelBytes, image.width() * (last - first)));
     for (int y = first; y < last; y++) {
-      if (channels == 4) {
+      for (Channel channel : channels) {
         for (int x = 0; x < image.width(); x++) {
-          raw.putFloat(ImageWriter.finite(image.alpha(x, y)));
-        }
-      }
-      for (int component = 2; component >= 0; component--) {
-        for (int x = 0; x < image.width(); x++) {
-          float value = ImageWriter.finite(image.rgb()[3 * (y * image.width() + x) + component]);
-          raw.putFloat(ImageWriter.finite(value * image.alpha(x, y)));
+          float value = ImageWriter.finite(channel.values.at(x, y));
+          if (channel.type == ExrChannel.Type.HALF) {
+            raw.putShort(ExrChannel.toHalf(value));
+          } else {
+            raw.putFloat(value);
+          }
         }
       }
     }
@@ -193,7 +253,7 @@ final class ExrWriter {
 
   private void writeFully(ByteBuffer buffer) throws IOException {
     while (buffer.hasRemaining()) {
-      channel.write(buffer);
+      file.write(buffer);
     }
   }
 }

@@ -1,5 +1,8 @@
 package io.github.lumbre.image;
 
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.Objects;
 
 /**
@@ -77,6 +80,22 @@ public final class Image {
   /** Returns the raster itself, not a copy: three values per pixel, row by row. */
   public float[] rgb() {
     return rgb;
+  }
+
+  /** Returns the bytes of a PNG file with {@link ImageWriter.Options#DEFAULT}. */
+  public byte[] toPng() {
+    return toPng(ImageWriter.Options.DEFAULT);
+  }
+
+  /** Returns the bytes of a PNG file: those that {@link ImageWriter} writes with these options. */
+  public byte[] toPng(ImageWriter.Options options) {
+    try {
+      ByteArrayOutputStream out = new ByteArrayOutputStream();
+      PngWriter.write(this, options, out);
+      return out.toByteArray();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private int index(int x, int y) {

@@ -9,6 +9,7 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 
@@ -120,14 +121,57 @@ public final class ImageWriter {
    */
   @SuppressWarnings("exports") // internal
   public static void write(Image image, OutputFile output, Options options) throws IOException {
+    write(image, List.of(), output, options);
+  }
+
+  /**
+   * Writes a picture with layers to a reserved OpenEXR file and commits it. Layers are not
+   * multiplied by alpha.
+   *
+   * @param layers of the picture's size, with different names; none for other formats
+   * @throws IllegalArgumentException if the file name extension is unknown, if a format without
+   *     layers has some, or if a layer has another size or a name that occurs twice
+   * @throws IOException if the file cannot be written; it then stays reserved, and the caller may
+   *     try again
+   */
+  @SuppressWarnings("exports") // internal
+  public static void write(Image image, List<ImageLayer> layers, OutputFile output, Options options)
+      throws IOException {
     ImageFormat format = requireFormat(output.target());
-    encode(image, format, options, output.restart());
+    encode(image, layers, format, options, output.restart());
     output.commit();
+  }
+
+  /**
+   * Writes a picture with layers to an OpenEXR file, which is replaced if it exists; see {@link
+   * #write(Image, Path, Options)}.
+   *
+   * @param layers of the picture's size, with different names
+   */
+  public static void write(Image image, List<ImageLayer> layers, Path file, Options options)
+      throws IOException {
+    requireFormat(file);
+    try (OutputFile output = OutputFile.open(file)) {
+      write(image, layers, output, options);
+    }
   }
 
   /** Writes a picture to a channel at position 0 and leaves the channel open. */
   static void encode(Image image, ImageFormat format, Options options, SeekableByteChannel channel)
       throws IOException {
+    encode(image, List.of(), format, options, channel);
+  }
+
+  private static void encode(
+      Image image,
+      List<ImageLayer> layers,
+      ImageFormat format,
+      Options options,
+      SeekableByteChannel channel)
+      throws IOException {
+    if (!layers.isEmpty() && format != ImageFormat.EXR) {
+      throw new IllegalArgumentException("layers: expected an .exr file, found " + format.ending());
+    }
     Objects.requireNonNull(image, "image");
     Objects.requireNonNull(options, "options");
     OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
@@ -135,7 +179,7 @@ public final class ImageWriter {
       case PNG -> PngWriter.write(image, options, out);
       case JPG -> JpegWriter.write(image, options, out);
       case PFM -> PfmWriter.write(image, out);
-      case EXR -> ExrWriter.write(image, options.metadata(), channel);
+      case EXR -> ExrWriter.write(image, layers, options.metadata(), channel);
     }
     out.flush();
   }

@@ -1,17 +1,21 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -62,8 +66,34 @@ public final class DevelopFlags {
    */
   public void develop(Path name, Source source, Path output) throws TaskException {
     try (PictureOutput picture = PictureOutput.reserve(output)) {
+      requireLayers(picture);
       develop(name, source.film(), picture);
     }
+  }
+
+  private void requireLayers(PictureOutput picture) {
+    if (settings.isGiven(Setting.LAYERS) && !picture.hasLayers()) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--layers: expected an .exr picture, found "
+              + picture.target()
+              + ", which has no layers");
+    }
+  }
+
+  /** Returns the layers to develop: those given, or all. */
+  private Set<Layer> layers(Path name, FilmFile film) throws TaskException {
+    Set<Layer> recorded = film.header().layers().kinds();
+    Set<Layer> wanted = settings.valueOr(Setting.LAYERS, recorded);
+    for (Layer layer : wanted) {
+      if (!recorded.contains(layer)) {
+        throw new TaskException(
+            Kind.SCENE,
+            "%s: has no layer %s, only %s; render it with --layers %s"
+                .formatted(name, layer, recorded, layer));
+      }
+    }
+    return wanted;
   }
 
   private void develop(Path name, FilmFile film, PictureOutput picture) throws TaskException {
@@ -72,7 +102,17 @@ public final class DevelopFlags {
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = bits.isPresent() ? bits.get() : notes.bits();
     Map<String, String> metadata = notes.metadata();
+    if (!picture.hasLayers()) {
+      picture.write(
+          film.film().develop(),
+          new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
+      return;
+    }
+    FilmPicture developed = FilmPicture.of(film.film(), film.header().layers(), layers(name, film));
+    metadata.putAll(developed.metadata());
     picture.write(
-        film.film().develop(), new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
+        developed.image(),
+        developed.layers(),
+        new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
   }
 }

@@ -9,6 +9,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -118,6 +119,12 @@ public final class RenderFlags {
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> require("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
+  }
+
+  /** Returns whether layers are recorded. */
+  public boolean hasLayers() {
+    return settings.isGiven(Setting.LAYERS)
+        && !settings.valueOr(Setting.LAYERS, Set.of()).isEmpty();
   }
 
   /** Returns whether bright samples are clamped. */

@@ -106,10 +106,9 @@ public final class SettingFlags {
     if (!unlessGiven.isEmpty()) {
       return setting.meaning() + " Default: " + unlessGiven + ".";
     }
-    String missing =
-        setting.missing().equals(Double.POSITIVE_INFINITY)
-            ? "none"
-            : setting.type().format(setting.missing());
+    String text = setting.type().format(setting.missing());
+    boolean isNone = text.isEmpty() || setting.missing().equals(Double.POSITIVE_INFINITY);
+    String missing = isNone ? "none" : text;
     String from = setting.isInScenes() ? "scene or " + missing : missing;
     return setting.meaning() + " Default: " + from + ".";
   }

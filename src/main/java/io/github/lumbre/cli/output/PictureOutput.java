@@ -3,6 +3,7 @@ package io.github.lumbre.cli.output;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -12,6 +13,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /** The picture file: reserved before the render starts, written when it ends. Mutable. */
@@ -145,17 +147,28 @@ public final class PictureOutput implements AutoCloseable {
     return target.equals(STANDARD);
   }
 
+  /** Returns whether the picture's format has layers. */
+  public boolean hasLayers() {
+    return ImageFormat.of(file.target()).equals(Optional.of(ImageFormat.EXR));
+  }
+
+  /** Writes a picture without layers; see {@link #write(Image, List, ImageWriter.Options)}. */
+  public void write(Image image, ImageWriter.Options options) throws TaskException {
+    write(image, List.of(), options);
+  }
+
   /**
-   * Writes the picture; if that fails, writes it to the fallback directory instead.
+   * Writes the picture with layers; if that fails, writes it to the fallback directory instead.
    *
    * @throws TaskException if that failed; it names the path of the rescued picture
    */
-  public void write(Image image, ImageWriter.Options options) throws TaskException {
+  public void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
+      throws TaskException {
     try {
-      ImageWriter.write(image, file, options);
+      ImageWriter.write(image, layers, file, options);
     } catch (IOException e) {
       String failure = file.target() + ": cannot be written: " + e.getMessage();
-      String rescue = isStandardOutput() ? "" : "; " + rescue(image, options);
+      String rescue = isStandardOutput() ? "" : "; " + rescue(image, layers, options);
       throw new TaskException(Kind.OUTPUT, failure + rescue, e);
     }
     if (isStandardOutput()) {
@@ -179,11 +192,11 @@ public final class PictureOutput implements AutoCloseable {
     }
   }
 
-  private String rescue(Image image, ImageWriter.Options options) {
+  private String rescue(Image image, List<ImageLayer> layers, ImageWriter.Options options) {
     try {
       Path other = fallback.newFile(target());
       try {
-        ImageWriter.write(image, other, options);
+        ImageWriter.write(image, layers, other, options);
       } finally {
         Fallback.deleteIfEmpty(other);
       }

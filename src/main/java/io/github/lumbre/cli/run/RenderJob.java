@@ -1,6 +1,8 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.ForecastReport;
 import io.github.lumbre.cli.output.JsonSummary;
@@ -10,6 +12,7 @@ import io.github.lumbre.cli.output.NoiseReport;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.Summary;
+import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -26,6 +29,7 @@ import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -236,8 +240,15 @@ public record RenderJob(
     }
     noise.putInto(metadata);
     light.putInto(metadata);
+    List<ImageLayer> layers = List.of();
+    if (picture.hasLayers() && !settings.layers().isEmpty()) {
+      FilmPicture developed = FilmPicture.of(film, RecordedLayers.of(settings, file.scene()));
+      layers = developed.layers();
+      metadata.putAll(developed.metadata());
+    }
     picture.write(
         result.image(),
+        layers,
         new ImageWriter.Options(
             settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata));
     tell(summary, noise, light);
