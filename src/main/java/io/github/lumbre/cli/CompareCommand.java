@@ -8,6 +8,7 @@ import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.run.LayerInput;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
@@ -95,6 +96,13 @@ final class CompareCommand implements Callable<Integer> {
   private Map<String, Double> tolerance = new LinkedHashMap<>();
 
   @Option(
+      names = "--layer",
+      paramLabel = "NAME",
+      description =
+          "Compare this layer of two OpenEXR or checkpoint files, such as depth or lights.key.")
+  private Optional<String> layer = Optional.empty();
+
+  @Option(
       names = "--error-map",
       paramLabel = "OUT.png",
       description =
@@ -119,8 +127,8 @@ final class CompareCommand implements Callable<Integer> {
         overwrite.guard().reads(picture, "the picture").reads(reference, "the reference");
     errorMap.ifPresent(map -> guard.writes("--error-map", map, OutputContent.PICTURE));
     guard.check();
-    Image a = read(picture);
-    Image b = read(reference);
+    Image a = layer.isPresent() ? readLayer(picture, layer.get()) : read(picture);
+    Image b = layer.isPresent() ? readLayer(reference, layer.get()) : read(reference);
     if (a.width() != b.width() || a.height() != b.height()) {
       throw new TaskException(
           Kind.USAGE,
@@ -167,19 +175,27 @@ final class CompareCommand implements Callable<Integer> {
     }
   }
 
+  private Image readLayer(Path file, String name) throws TaskException {
+    Messages errors = new Messages(spec.commandLine().getErr());
+    return finite(LayerInput.layer(LayerInput.read(file, errors), name, file).toImage(), file);
+  }
+
+  private static Image finite(Image image, Path file) throws TaskException {
+    for (float value : image.rgb()) {
+      if (!Float.isFinite(value)) {
+        throw new TaskException(
+            Kind.ASSET, file + ": has NaN or infinite values, so no metric can be computed");
+      }
+    }
+    return image;
+  }
+
   private static Image read(Path file) throws TaskException {
     if (!Files.exists(file)) {
       throw new TaskException(Kind.USAGE, file + ": does not exist");
     }
     try {
-      Image image = LinearReader.read(file);
-      for (float value : image.rgb()) {
-        if (!Float.isFinite(value)) {
-          throw new TaskException(
-              Kind.ASSET, file + ": has NaN or infinite values, so no metric can be computed");
-        }
-      }
-      return image;
+      return finite(LinearReader.read(file), file);
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(tooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);

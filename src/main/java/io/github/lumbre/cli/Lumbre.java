@@ -47,6 +47,7 @@ import picocli.CommandLine.Spec;
       ResumeCommand.class,
       MergeCommand.class,
       DevelopCommand.class,
+      LayersCommand.class,
       ImportCommand.class,
       CheckCommand.class,
       AuditCommand.class,

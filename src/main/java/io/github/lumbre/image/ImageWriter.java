@@ -156,6 +156,37 @@ public final class ImageWriter {
     }
   }
 
+  /**
+   * Writes a layer as PNG without a tone curve: values from {@code low} to {@code high} become 0 to
+   * 2^bits - 1. One channel is gray; two or three are red, green and blue.
+   *
+   * @param low value that becomes 0, as all smaller ones and NaN do
+   * @param high more than {@code low}
+   * @param bits bits per channel, 8 or 16
+   * @param texts metadata by keyword; see {@link Options#metadata}
+   * @throws IOException if the file cannot be written
+   */
+  @SuppressWarnings("exports") // internal
+  public static void writeLinear(
+      ImageLayer layer,
+      double low,
+      double high,
+      int bits,
+      Map<String, String> texts,
+      OutputFile output)
+      throws IOException {
+    if (layer.channels().size() > 3 || !(high > low) || bits != 8 && bits != 16) {
+      throw new IllegalArgumentException(
+          "expected at most 3 channels, low < high, and 8 or 16 bits, found %d, %s, %s, %d"
+              .formatted(layer.channels().size(), low, high, bits));
+    }
+    OutputStream out =
+        new BufferedOutputStream(Channels.newOutputStream(output.restart()), BUFFER_BYTES);
+    PngWriter.writeLinear(layer, low, high, bits, texts, out);
+    out.flush();
+    output.commit();
+  }
+
   /** Writes a picture to a channel at position 0 and leaves the channel open. */
   static void encode(Image image, ImageFormat format, Options options, SeekableByteChannel channel)
       throws IOException {

@@ -32,11 +32,17 @@ final class PngWriter {
 
   static void write(Image image, ImageWriter.Options options, OutputStream out) throws IOException {
     BufferedImage picture = quantised(image, options, options.pngBits(), image.hasAlpha());
+    write(picture, chunks(options), out);
+  }
+
+  /** Writes a picture with the chunks of a metadata tree. */
+  private static void write(BufferedImage picture, IIOMetadataNode chunks, OutputStream out)
+      throws IOException {
     javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
     try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);
       IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
-      metadata.mergeTree(METADATA, chunks(options));
+      metadata.mergeTree(METADATA, chunks);
       writer.write(new IIOImage(picture, null, metadata));
     } catch (IIOException e) {
       // The exception's own message is empty; that of its cause is "No space left on device".
@@ -44,6 +50,46 @@ final class PngWriter {
     } finally {
       writer.dispose();
     }
+  }
+
+  /**
+   * Writes a layer without a tone curve: gray for one channel, RGB for two or three.
+   *
+   * @param low value that becomes 0, as all smaller ones do
+   * @param high value that becomes the largest number, as all larger ones do; more than {@code low}
+   * @param bits bits per channel, 8 or 16
+   * @param texts metadata by keyword
+   */
+  static void writeLinear(
+      ImageLayer layer,
+      double low,
+      double high,
+      int bits,
+      Map<String, String> texts,
+      OutputStream out)
+      throws IOException {
+    int count = layer.channels().size();
+    int bands = count == 1 ? 1 : 3;
+    int type = bits == 8 ? DataBuffer.TYPE_BYTE : DataBuffer.TYPE_USHORT;
+    WritableRaster raster =
+        Raster.createInterleavedRaster(type, layer.width(), layer.height(), bands, null);
+    int[] row = new int[bands * layer.width()];
+    int max = (1 << bits) - 1;
+    for (int y = 0; y < layer.height(); y++) {
+      for (int i = 0; i < row.length; i++) {
+        double value = i % bands < count ? layer.value(i / bands, y, i % bands) : low;
+        // NaN becomes 0.
+        row[i] = (int) Math.round(max * Srgb.clamp((value - low) / (high - low)));
+      }
+      raster.setPixels(0, y, layer.width(), 1, row);
+    }
+    int space = bands == 1 ? ColorSpace.CS_GRAY : ColorSpace.CS_sRGB;
+    ColorModel model =
+        new ComponentColorModel(
+            ColorSpace.getInstance(space), false, false, Transparency.OPAQUE, type);
+    IIOMetadataNode root = new IIOMetadataNode(METADATA);
+    addTexts(root, texts);
+    write(new BufferedImage(model, raster, false, null), root, out);
   }
 
   /**
@@ -108,21 +154,23 @@ final class PngWriter {
     } else {
       root.appendChild(node("gAMA", Map.of("value", "45455")));
     }
+    addTexts(root, options.metadata());
+    return root;
+  }
+
+  private static void addTexts(IIOMetadataNode root, Map<String, String> texts) {
     IIOMetadataNode latin = new IIOMetadataNode("tEXt");
     IIOMetadataNode international = new IIOMetadataNode("iTXt");
-    options
-        .metadata()
-        .forEach(
-            (keyword, text) -> {
-              if (isLatin(text)) {
-                latin.appendChild(node("tEXtEntry", Map.of("keyword", keyword, "value", text)));
-              } else {
-                international.appendChild(internationalEntry(keyword, text));
-              }
-            });
+    texts.forEach(
+        (keyword, text) -> {
+          if (isLatin(text)) {
+            latin.appendChild(node("tEXtEntry", Map.of("keyword", keyword, "value", text)));
+          } else {
+            international.appendChild(internationalEntry(keyword, text));
+          }
+        });
     root.appendChild(latin);
     root.appendChild(international);
-    return root;
   }
 
   private static IIOMetadataNode internationalEntry(String keyword, String text) {

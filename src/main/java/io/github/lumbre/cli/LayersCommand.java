@@ -1,0 +1,247 @@
+package io.github.lumbre.cli;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.LayerFiles;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.run.LayerInput;
+import io.github.lumbre.image.Cryptomatte;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre layers}: lists the layers of a file, and writes them as PNG. */
+@Command(
+    name = "layers",
+    header = "List the layers of an OpenEXR or checkpoint file, or write them as PNG.",
+    description =
+        "Layers are recorded with 'lumbre render --layers'. Mattes of objects and materials are"
+            + " listed with the share of the picture that each covers.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {
+      "",
+      "PNG files: normals as n/2 + 1/2, colors with the sRGB curve, masks of objects with 255 for"
+          + " a",
+      "covered pixel; other layers with 16 bits, whose range the metadata state as Low and High.",
+      "",
+      "Examples:",
+      "  lumbre layers picture.exr",
+      "  lumbre layers picture.exr --layer depth --png folder"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "2:The command line is invalid, or the file does not exist or has no such layer",
+      "3:The checkpoint file is damaged",
+      "4:The OpenEXR file cannot be decoded",
+      "5:The file exceeds a limit or the available memory",
+      "6:A PNG file cannot be written",
+      "7:Internal error"
+    })
+final class LayersCommand implements Callable<Integer> {
+  private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
+
+  @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
+  private Path file;
+
+  @Option(
+      names = "--layer",
+      paramLabel = "NAME",
+      description = "Only this layer, such as depth or CryptoObject. May be repeated.")
+  private List<String> names = new ArrayList<>();
+
+  @Option(
+      names = "--png",
+      paramLabel = "FOLDER",
+      description = "Write each layer as PNG files in this folder.")
+  private Optional<Path> folder = Optional.empty();
+
+  @Option(names = "--json", description = "Print the layers as a JSON object.")
+  private boolean json;
+
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
+  private boolean debug;
+
+  @Mixin private OverwriteFlag overwrite;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws TaskException {
+    Messages errors = new Messages(spec.commandLine().getErr());
+    LayeredImage image = LayerInput.read(file, errors);
+    List<Cryptomatte> mattes = wanted(mattes(image));
+    List<ImageLayer> layers = wanted(image, mattes);
+    if (folder.isPresent()) {
+      write(layers, mattes, folder.get());
+    } else if (json) {
+      spec.commandLine().getOut().println(GSON.toJson(values(image, layers, mattes)));
+      spec.commandLine().getOut().flush();
+    } else {
+      print(layers, mattes, new Messages(spec.commandLine().getOut()));
+    }
+    return ExitCodes.OK;
+  }
+
+  private List<Cryptomatte> mattes(LayeredImage image) throws TaskException {
+    try {
+      return Cryptomatte.in(image);
+    } catch (ImageFormatException e) {
+      throw new TaskException(Kind.ASSET, file + ": " + e.getMessage(), e);
+    }
+  }
+
+  private List<Cryptomatte> wanted(List<Cryptomatte> mattes) {
+    return mattes.stream()
+        .filter(matte -> names.isEmpty() || names.contains(matte.type()))
+        .toList();
+  }
+
+  /** Returns the wanted layers that are not part of a matte. */
+  private List<ImageLayer> wanted(LayeredImage image, List<Cryptomatte> mattes)
+      throws TaskException {
+    if (names.isEmpty()) {
+      return image.layers().stream()
+          .filter(layer -> mattes.stream().noneMatch(matte -> matte.layers().contains(layer)))
+          .toList();
+    }
+    List<ImageLayer> layers = new ArrayList<>();
+    for (String name : names) {
+      if (mattes.stream().noneMatch(matte -> matte.type().equals(name))) {
+        layers.add(LayerInput.layer(image, name, file));
+      }
+    }
+    return layers;
+  }
+
+  private void write(List<ImageLayer> layers, List<Cryptomatte> mattes, Path target)
+      throws TaskException {
+    LayerFiles files = new LayerFiles(target);
+    layers.forEach(files::add);
+    mattes.forEach(files::add);
+    OutputGuard guard = overwrite.guard().reads(file, "the file");
+    files.paths().forEach(path -> guard.writes("--png", path, OutputContent.PICTURE));
+    guard.check();
+    files.write();
+    Messages out = new Messages(spec.commandLine().getOut());
+    files.paths().forEach(path -> out.line(path.toString()));
+  }
+
+  private static void print(List<ImageLayer> layers, List<Cryptomatte> mattes, Messages out) {
+    for (ImageLayer layer : layers) {
+      Range range = Range.of(layer);
+      out.line(
+          String.format(
+                  Locale.ROOT,
+                  "%-18s %-8s %-6s %s",
+                  shown(layer),
+                  Messages.printable(String.join(" ", layer.channels())),
+                  layer.precision().name().toLowerCase(Locale.ROOT),
+                  range.text())
+              .stripTrailing());
+    }
+    for (Cryptomatte matte : mattes) {
+      out.line(
+          Messages.printable(matte.type()) + ": " + matte.ids().size() + " names, with coverage");
+      shares(matte)
+          .forEach(
+              (name, share) ->
+                  out.line(
+                      String.format(
+                          Locale.ROOT, "  %6.2f %%  %s", 100 * share, Messages.printable(name))));
+    }
+  }
+
+  private static String shown(ImageLayer layer) {
+    return layer.name().isEmpty() ? "(picture)" : Messages.printable(layer.name());
+  }
+
+  /** Returns the share of the picture that each item covers. */
+  private static Map<String, Double> shares(Cryptomatte matte) {
+    Map<String, Double> shares = new LinkedHashMap<>();
+    for (String name : matte.ids().keySet()) {
+      double sum = 0;
+      float[] mask = matte.mask(name);
+      for (float share : mask) {
+        sum += share;
+      }
+      shares.put(name, sum / Math.max(1, mask.length));
+    }
+    return shares;
+  }
+
+  private static Map<String, Object> values(
+      LayeredImage image, List<ImageLayer> layers, List<Cryptomatte> mattes) {
+    List<Map<String, Object>> listed = new ArrayList<>();
+    for (ImageLayer layer : layers) {
+      Range range = Range.of(layer);
+      Map<String, Object> values = new LinkedHashMap<>();
+      values.put("name", layer.name());
+      values.put("channels", layer.channels());
+      values.put("precision", layer.precision().name().toLowerCase(Locale.ROOT));
+      values.put("min", range.low());
+      values.put("max", range.high());
+      values.put("not_finite", range.notFinite());
+      listed.add(values);
+    }
+    Map<String, Object> mattesByType = new LinkedHashMap<>();
+    mattes.forEach(matte -> mattesByType.put(matte.type(), shares(matte)));
+    Map<String, Object> all = new LinkedHashMap<>();
+    all.put("width", image.width());
+    all.put("height", image.height());
+    all.put("layers", listed);
+    all.put("mattes", mattesByType);
+    return all;
+  }
+
+  /**
+   * The range of a layer's finite values; both 0 if it has none.
+   *
+   * @param notFinite number of NaN and infinite values
+   */
+  private record Range(double low, double high, int notFinite) {
+    static Range of(ImageLayer layer) {
+      double low = Double.POSITIVE_INFINITY;
+      double high = Double.NEGATIVE_INFINITY;
+      int notFinite = 0;
+      for (float value : layer.values()) {
+        if (Float.isFinite(value)) {
+          low = Math.min(low, value);
+          high = Math.max(high, value);
+        } else {
+          notFinite++;
+        }
+      }
+      return low <= high ? new Range(low, high, notFinite) : new Range(0, 0, notFinite);
+    }
+
+    String text() {
+      String values = String.format(Locale.ROOT, "%.6g to %.6g", low, high);
+      return notFinite == 0 ? values : values + ", " + notFinite + " not finite";
+    }
+  }
+}

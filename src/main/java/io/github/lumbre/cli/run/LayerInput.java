@@ -1,0 +1,95 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.text.Spelling;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Reads the layers of OpenEXR files and checkpoint files for commands. */
+public final class LayerInput {
+  private static final int START_BYTES = 16;
+
+  private LayerInput() {}
+
+  /**
+   * Reads all layers of an OpenEXR file, or develops those of a checkpoint file.
+   *
+   * @param messages receives a warning if a checkpoint file is damaged
+   * @throws TaskException if the file cannot be read
+   */
+  public static LayeredImage read(Path file, Messages messages) throws TaskException {
+    try {
+      if (isFilm(file)) {
+        return developed(FilmInput.read(file, messages));
+      }
+      return LayeredImage.read(file);
+    } catch (NoSuchFileException e) {
+      throw new TaskException(Kind.USAGE, file + ": does not exist", e);
+    } catch (ImageFormatException e) {
+      boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
+      throw new TaskException(
+          isTooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new TaskException(Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  /** Returns whether a file is a checkpoint file. */
+  public static boolean isFilm(Path file) throws IOException {
+    try (InputStream in = Files.newInputStream(file)) {
+      return FilmFile.startsIn(in.readNBytes(START_BYTES));
+    }
+  }
+
+  private static LayeredImage developed(FilmFile file) {
+    FilmPicture picture = FilmPicture.of(file.film(), file.header().layers());
+    int width = picture.image().width();
+    int height = picture.image().height();
+    List<ImageLayer> layers = new ArrayList<>();
+    layers.add(
+        new ImageLayer(
+            "",
+            List.of("R", "G", "B"),
+            ImageLayer.Precision.FLOAT,
+            width,
+            height,
+            picture.image().rgb()));
+    layers.addAll(picture.layers());
+    return new LayeredImage(width, height, layers, picture.metadata());
+  }
+
+  /**
+   * Returns a layer of a file.
+   *
+   * @param path of the file, for messages
+   * @throws TaskException if it has no such layer
+   */
+  public static ImageLayer layer(LayeredImage file, String name, Path path) throws TaskException {
+    List<String> names =
+        file.layers().stream().map(ImageLayer::name).filter(n -> !n.isEmpty()).toList();
+    return file.layer(name)
+        .orElseThrow(
+            () ->
+                new TaskException(
+                    Kind.USAGE,
+                    "%s: has no layer '%s', only %s%s"
+                        .formatted(
+                            path,
+                            name,
+                            names.isEmpty() ? "the picture" : String.join(", ", names),
+                            Spelling.suggestion(name, names))));
+  }
+}
