@@ -30,7 +30,7 @@ final class HelpLayout {
 
   static {
     COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop", "import"));
-    COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel"));
+    COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel", "layers"));
     COMMANDS.put("Measure", List.of("compare", "trade", "perf", "selftest"));
     COMMANDS.put("The 2016 report", List.of("benchmark", "gallery"));
     COMMANDS.put(REST, List.of("completion", "help"));
@@ -76,6 +76,9 @@ final class HelpLayout {
             "--tonemap",
             "--bits",
             "--jpeg-quality",
+            "--layers",
+            "--denoise",
+            "--oidn",
             "--overwrite",
             "--fallback-dir"));
     FLAGS.put("Checkpoints", List.of("--checkpoint", "--checkpoint-interval"));
