@@ -500,6 +500,31 @@ public final class Film {
     return layers.counts();
   }
 
+  /**
+   * Returns an estimate of the noise of each pixel's light, with its sign: R, G and B, pixel by
+   * pixel from the window's top left. If the samples had two equal halves, their means would be the
+   * pixel's light plus and minus this value; its square estimates the variance ({@link
+   * Layer#VARIANCE}). NaN where {@link #halves} are not known. Light is not divided by alpha.
+   */
+  public float[] developNoise() {
+    return new LayerDevelopment(this).noise();
+  }
+
+  /**
+   * Returns an estimate of the noise of a layer for denoisers, as {@link #developNoise()} does for
+   * light.
+   *
+   * @throws IllegalArgumentException if the film does not have the layer, or if it is none of
+   *     {@link Layer#DENOISING_ALBEDO} and {@link Layer#DENOISING_NORMAL}
+   */
+  public float[] developNoise(Layer layer) {
+    require(layer);
+    if (layer.grid() != Layer.Grid.GUIDE) {
+      throw new IllegalArgumentException(layer + ": expected a layer for denoisers");
+    }
+    return new LayerDevelopment(this).noise(layer);
+  }
+
   private void require(Layer layer) {
     if (!layers().kinds().contains(layer)) {
       throw new IllegalArgumentException(

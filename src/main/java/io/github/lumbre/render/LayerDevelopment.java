@@ -53,22 +53,59 @@ final class LayerDevelopment {
    * negative if they are not known. See {@link PixelHalves#relativeSquaredError}.
    */
   private double variance(int channel, int pixel) {
+    double noise = noise(channel, pixel);
+    return Double.isNaN(noise) ? -1 : noise * noise;
+  }
+
+  /** Returns the noise of the light, three values for each pixel. */
+  float[] noise() {
+    float[] values = new float[Math.multiplyExact(3, pixels)];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = (float) noise(i % 3, i / 3);
+    }
+    return values;
+  }
+
+  private double noise(int channel, int pixel) {
     Crop window = film.window();
     Optional<PixelHalves> halves =
         film.halves(window.x() + pixel % window.width(), window.y() + pixel / window.width());
-    return halves.map(both -> variance(both, channel)).orElse(-1.0);
+    return halves.map(both -> noise(both, channel)).orElse(Double.NaN);
   }
 
-  private static double variance(PixelHalves halves, int channel) {
-    double all = (double) halves.firstCount() + halves.secondCount();
-    double factor = halves.firstCount() / all * (halves.secondCount() / all);
+  private static double noise(PixelHalves halves, int channel) {
     double difference =
         switch (channel) {
           case 0 -> halves.first().r() - halves.second().r();
           case 1 -> halves.first().g() - halves.second().g();
           default -> halves.first().b() - halves.second().b();
         };
-    return factor * difference * difference;
+    return difference * weight(halves.firstCount(), halves.secondCount());
+  }
+
+  /** Returns by how much the difference of two means tells of the error of the mean of both. */
+  private static double weight(double firstCount, double secondCount) {
+    return Math.sqrt(firstCount * secondCount) / (firstCount + secondCount);
+  }
+
+  /** Returns the noise of a layer for denoisers, three values for each pixel. */
+  float[] noise(Layer layer) {
+    float[] values = new float[Math.multiplyExact(3, pixels)];
+    for (int i = 0; i < values.length; i++) {
+      int samples = film.samples(i / 3);
+      boolean isKnown = samples > 1 && sums.hasFirstMean(layer, i / 3);
+      values[i] = isKnown ? (float) noise(layer, i % 3, i / 3, samples) : Float.NaN;
+    }
+    return values;
+  }
+
+  private double noise(Layer layer, int channel, int pixel, int samples) {
+    int firstCount = Integer.highestOneBit(samples - 1);
+    double first = sums.firstMean(layer, channel, pixel);
+    double mean = sums.sum(layer, channel, pixel) / samples;
+    // The mean of all is firstCount/samples of the way from the second mean to the first.
+    double difference = (first - mean) * samples / (samples - firstCount);
+    return difference * weight(firstCount, samples - firstCount);
   }
 
   /** Returns the light of a group, three values for each pixel. */

@@ -81,7 +81,8 @@ public enum Layer {
   public static final String DENOISE = "denoise";
 
   /** The layers that denoisers use. */
-  public static final Set<Layer> GUIDES = setOf(DENOISING_ALBEDO, DENOISING_NORMAL);
+  public static final Set<Layer> FOR_DENOISING =
+      setOf(VARIANCE, DENOISING_ALBEDO, DENOISING_NORMAL);
 
   private final String text;
   private final List<String> channels;

@@ -179,7 +179,7 @@ public sealed interface SettingType<T> {
     private Set<Layer> named(String name) {
       return switch (name) {
         case Layer.ALL -> EnumSet.allOf(Layer.class);
-        case Layer.DENOISE -> Layer.GUIDES;
+        case Layer.DENOISE -> Layer.FOR_DENOISING;
         default -> Set.of(Layer.named(name).orElseThrow(() -> unknown(name)));
       };
     }

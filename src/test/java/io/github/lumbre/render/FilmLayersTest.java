@@ -126,7 +126,7 @@ class FilmLayersTest {
   void layersDoNotChangeThePicture(Mode mode) throws InterruptedException {
     RenderSettings without = settings(Set.of()).mode(mode).build();
     Image expected = film(without, mixed()).develop();
-    for (Set<Layer> layers : Set.of(ALL, Layer.GUIDES, Set.of(Layer.OBJECT))) {
+    for (Set<Layer> layers : Set.of(ALL, Layer.FOR_DENOISING, Set.of(Layer.OBJECT))) {
       Film film = film(settings(layers).mode(mode).build(), mixed());
       assertThat(film.develop().rgb()).isEqualTo(expected.rgb());
     }
@@ -438,7 +438,7 @@ class FilmLayersTest {
   @Test
   void theBytesPerPixelAreStated() {
     assertThat(FilmLayers.NONE.bytesPerPixel()).isZero();
-    assertThat(new FilmLayers(Layer.GUIDES, 0).bytesPerPixel()).isEqualTo(2 * (3 * 8 + 8));
+    assertThat(new FilmLayers(Layer.FOR_DENOISING, 0).bytesPerPixel()).isEqualTo(2 * (3 * 8 + 8));
     assertThat(new FilmLayers(Set.of(Layer.DEPTH), 0).bytesPerPixel()).isEqualTo(16 + 4);
     assertThat(new FilmLayers(Set.of(Layer.INDIRECT), 0).bytesPerPixel()).isEqualTo(48);
     assertThat(new FilmLayers(Set.of(Layer.LIGHTS), 2).bytesPerPixel()).isEqualTo(96);

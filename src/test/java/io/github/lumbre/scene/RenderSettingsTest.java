@@ -34,7 +34,7 @@ class RenderSettingsTest {
           b -> b.seed(-42),
           b -> b.exposure(Exposure.AUTO),
           b -> b.toneCurve(ToneCurve.ACES),
-          b -> b.set(Setting.LAYERS, Layer.GUIDES),
+          b -> b.set(Setting.LAYERS, Layer.FOR_DENOISING),
           b -> b.threads(4),
           b -> b.bucketSize(16),
           b -> b.crop(new Crop(1, 2, 3, 4)));
@@ -54,7 +54,7 @@ class RenderSettingsTest {
         .seed(-42)
         .exposure(Exposure.AUTO)
         .toneCurve(ToneCurve.ACES)
-        .set(Setting.LAYERS, Layer.GUIDES)
+        .set(Setting.LAYERS, Layer.FOR_DENOISING)
         .threads(4)
         .bucketSize(16)
         .crop(new Crop(1, 2, 3, 4))
@@ -79,7 +79,7 @@ class RenderSettingsTest {
     assertThat(settings.seed()).isEqualTo(-42);
     assertThat(settings.exposure()).isEqualTo(Exposure.AUTO);
     assertThat(settings.toneCurve()).isEqualTo(ToneCurve.ACES);
-    assertThat(settings.layers()).isEqualTo(Layer.GUIDES);
+    assertThat(settings.layers()).isEqualTo(Layer.FOR_DENOISING);
     assertThat(settings.threads()).isEqualTo(4);
     assertThat(settings.bucketSize()).isEqualTo(16);
     assertThat(settings.crop()).contains(new Crop(1, 2, 3, 4));

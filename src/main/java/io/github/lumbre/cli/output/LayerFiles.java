@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -24,6 +25,10 @@ import java.util.Set;
  */
 public final class LayerFiles {
   private static final int MAX_NAME = 80;
+
+  /** One of this many values may be far from all others, at either end. */
+  private static final int OUTER = 100;
+
   private static final List<String> NORMAL = List.of("X", "Y", "Z");
   private static final List<String> COLOR = List.of("R", "G", "B");
 
@@ -61,19 +66,33 @@ public final class LayerFiles {
     }
   }
 
-  /** Returns the smallest and the largest finite value; two different numbers. */
+  /**
+   * Returns the smallest and the largest finite value; two different numbers. Few values far from
+   * all others, such as the distant parts of an infinite plane, are left out: the range then ends
+   * one width of the middle 98 % beyond it.
+   */
   private static double[] range(ImageLayer layer) {
-    double low = Double.POSITIVE_INFINITY;
-    double high = Double.NEGATIVE_INFINITY;
-    for (float value : layer.values()) {
+    float[] finite = finite(layer.values());
+    if (finite.length == 0) {
+      return new double[] {0, 1};
+    }
+    Arrays.sort(finite);
+    int outer = finite.length / OUTER;
+    double width = (double) finite[finite.length - 1 - outer] - finite[outer];
+    double low = Math.max(finite[0], finite[outer] - width);
+    double high = Math.min(finite[finite.length - 1], finite[finite.length - 1 - outer] + width);
+    return low < high ? new double[] {low, high} : new double[] {low, low + 1};
+  }
+
+  private static float[] finite(float[] values) {
+    float[] finite = new float[values.length];
+    int count = 0;
+    for (float value : values) {
       if (Float.isFinite(value)) {
-        low = Math.min(low, value);
-        high = Math.max(high, value);
+        finite[count++] = value;
       }
     }
-    return low < high
-        ? new double[] {low, high}
-        : new double[] {Math.min(0, low), Math.min(0, low) + 1};
+    return Arrays.copyOf(finite, count);
   }
 
   /** Adds an 8-bit mask for each item of a matte: 255 where the item covers the whole pixel. */
