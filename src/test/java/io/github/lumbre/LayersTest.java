@@ -43,7 +43,7 @@ class LayersTest {
   private static final String LIBRARY =
       BASIC
           + " file text path material camera light scene model integrator render parser checkpoint"
-          + " stopping audit";
+          + " denoise stopping audit";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -65,6 +65,7 @@ class LayersTest {
           Map.entry("model", BASIC + " material camera light scene"),
           Map.entry("parser", BASIC + " file text material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
+          Map.entry("denoise", "image scene render"),
           Map.entry("stopping", "math image scene render"),
           Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),
           Map.entry("lab", "file image scene render parser"),

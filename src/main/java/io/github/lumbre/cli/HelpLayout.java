@@ -29,7 +29,8 @@ final class HelpLayout {
   private static final String OWN = "This command";
 
   static {
-    COMMANDS.put("Make pictures", List.of("render", "resume", "merge", "develop", "import"));
+    COMMANDS.put(
+        "Make pictures", List.of("render", "resume", "merge", "develop", "denoise", "import"));
     COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel", "layers"));
     COMMANDS.put("Measure", List.of("compare", "trade", "perf", "selftest"));
     COMMANDS.put("The 2016 report", List.of("benchmark", "gallery"));
@@ -78,7 +79,9 @@ final class HelpLayout {
             "--jpeg-quality",
             "--layers",
             "--denoise",
+            "--denoiser",
             "--oidn",
+            "--denoise-timeout",
             "--overwrite",
             "--fallback-dir"));
     FLAGS.put("Checkpoints", List.of("--checkpoint", "--checkpoint-interval"));

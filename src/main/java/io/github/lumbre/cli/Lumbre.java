@@ -48,6 +48,7 @@ import picocli.CommandLine.Spec;
       MergeCommand.class,
       DevelopCommand.class,
       LayersCommand.class,
+      DenoiseCommand.class,
       ImportCommand.class,
       CheckCommand.class,
       AuditCommand.class,

@@ -87,9 +87,13 @@ final class MergeCommand implements Callable<Integer> {
     boolean isPicture = ImageFormat.of(output).isPresent();
     OutputGuard guard = overwrite.guard();
     films.forEach(film -> guard.readsFilm(film));
-    guard.writes("-o", output, isPicture ? OutputContent.PICTURE : OutputContent.FILM);
-    if (!isPicture) {
-      guard.updates("-o", OutputFile.previous(output), OutputContent.FILM);
+    if (isPicture) {
+      flags.guarding(guard, output);
+    } else {
+      flags.requireNoDenoising(output);
+      guard
+          .writes("-o", output, OutputContent.FILM)
+          .updates("-o", OutputFile.previous(output), OutputContent.FILM);
     }
     guard.check();
     if (isPicture) {

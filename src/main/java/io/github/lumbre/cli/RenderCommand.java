@@ -4,6 +4,7 @@ import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
+import io.github.lumbre.cli.option.DenoiserFlags;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
@@ -22,6 +23,8 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.StandardOutput;
 import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.DenoisedPicture;
+import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
@@ -141,6 +144,14 @@ final class RenderCommand implements Callable<Integer> {
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
   private int jpegQuality;
 
+  @Option(
+      names = "--denoise",
+      description =
+          "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
+  private boolean denoise;
+
+  @Mixin private DenoiserFlags denoiser;
+
   @Mixin private RunFlags run;
 
   @Option(
@@ -238,9 +249,13 @@ final class RenderCommand implements Callable<Integer> {
         !flags.hasLayers() || checkpoint.isPresent() || holdsLayers(target),
         "--layers: expected an .exr picture (-o) or --checkpoint, which hold layers, found "
             + target);
+    requireDenoising(target);
     checkOutputs(target);
+    Optional<Denoising> denoising = denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
     Messages messages = run.errors();
     try (PictureOutput picture = picture(target);
+        DenoisedPicture denoised =
+            DenoisedPicture.reserve(denoising, target, checkpoints.fallback());
         FilmKeeper keeper = keeper(messages);
         Interruption interruption = Interruption.listen();
         RenderMonitor monitor = run.monitor(interruption, deadline)) {
@@ -250,12 +265,29 @@ final class RenderCommand implements Callable<Integer> {
       }
       MemoryEstimate.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
       picture.requireFits(file.settings());
+      requireNoise(denoising, file);
       RunBudget budget =
           budgets.since(start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
-      RenderJob job = job(file, picture, keeper, monitor, budget, report);
+      RenderJob job = job(file, picture, keeper, monitor, budget, report).denoising(denoised);
       interruption.requireRender();
       return job.run(flags.firstSample());
     }
+  }
+
+  private void requireDenoising(Path target) {
+    if (denoise) {
+      require(
+          !isStandardOutput(),
+          "--denoise: expected a file (-o), found " + target + "; the noisy picture is kept too");
+      flags.recordForDenoising();
+    }
+  }
+
+  private void requireNoise(Optional<Denoising> denoising, SceneFile file) {
+    boolean hasHalves = file.settings().samples() > 1;
+    require(
+        hasHalves || denoising.filter(Denoising::needsNoise).isEmpty(),
+        "--denoise: the built-in denoiser expects at least 2 samples per pixel (-s), found 1");
   }
 
   private SceneParser parser() {
@@ -351,6 +383,9 @@ final class RenderCommand implements Callable<Integer> {
     OutputGuard guard = options.guardedBy(overwrite.guard());
     if (!isStandardOutput()) {
       guard.writes("-o", target, OutputContent.PICTURE);
+    }
+    if (denoise) {
+      guard.writes("-o", Denoising.beside(target), OutputContent.PICTURE);
     }
     // An existing checkpoint file is rejected later, with the advice to resume it.
     checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));

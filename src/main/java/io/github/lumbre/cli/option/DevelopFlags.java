@@ -2,8 +2,16 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.cli.output.Fallback;
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.run.DenoisedPicture;
+import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
@@ -42,6 +50,14 @@ public final class DevelopFlags {
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
   private int jpegQuality;
 
+  @Option(
+      names = "--denoise",
+      description =
+          "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
+  private boolean denoise;
+
+  @Mixin private DenoiserFlags denoiser;
+
   @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
@@ -65,10 +81,33 @@ public final class DevelopFlags {
    * @param name of the film, for messages
    */
   public void develop(Path name, Source source, Path output) throws TaskException {
-    try (PictureOutput picture = PictureOutput.reserve(output)) {
+    Optional<Denoising> denoising = denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
+    try (PictureOutput picture = PictureOutput.reserve(output);
+        DenoisedPicture denoised = DenoisedPicture.reserve(denoising, output, Fallback.TEMPORARY)) {
       requireLayers(picture);
-      develop(name, source.film(), picture);
+      FilmFile film = source.film();
+      ImageWriter.Options options = develop(name, film, picture);
+      if (denoise) {
+        denoised.write(
+            NoisyPicture.of(film.film()),
+            options,
+            output.toString(),
+            new Messages(spec.commandLine().getErr()),
+            new JsonSummary("develop", name));
+      }
     }
+  }
+
+  /** Rejects {@code --denoise} if the output is not a picture. */
+  public void requireNoDenoising(Path output) {
+    new FlagChecks(spec)
+        .require(!denoise, "--denoise: expected a picture (-o), found the checkpoint " + output);
+  }
+
+  /** Adds the files that {@link #develop} writes. */
+  public OutputGuard guarding(OutputGuard guard, Path output) {
+    guard.writes("-o", output, OutputContent.PICTURE);
+    return denoise ? guard.writes("-o", Denoising.beside(output), OutputContent.PICTURE) : guard;
   }
 
   private void requireLayers(PictureOutput picture) {
@@ -96,17 +135,18 @@ public final class DevelopFlags {
     return wanted;
   }
 
-  private void develop(Path name, FilmFile film, PictureOutput picture) throws TaskException {
+  private ImageWriter.Options develop(Path name, FilmFile film, PictureOutput picture)
+      throws TaskException {
     FilmNotes notes = new FilmNotes(name, film.header());
     Exposure stops = settings.valueOr(Setting.EXPOSURE, notes.exposure());
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = bits.isPresent() ? bits.get() : notes.bits();
     Map<String, String> metadata = notes.metadata();
+    ImageWriter.Options options =
+        new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata);
     if (!picture.hasLayers()) {
-      picture.write(
-          film.film().develop(),
-          new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
-      return;
+      picture.write(film.film().develop(), options);
+      return options;
     }
     FilmPicture developed = FilmPicture.of(film.film(), film.header().layers(), layers(name, film));
     metadata.putAll(developed.metadata());
@@ -114,5 +154,6 @@ public final class DevelopFlags {
         developed.image(),
         developed.layers(),
         new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
+    return options;
   }
 }

@@ -111,6 +111,18 @@ public final class FlagConverters {
     }
   }
 
+  /** {@code builtin} or {@code oidn}. */
+  static final class OfDenoiser implements ITypeConverter<DenoiserFlags.Engine> {
+    @Override
+    public DenoiserFlags.Engine convert(String text) {
+      return switch (text) {
+        case "builtin" -> DenoiserFlags.Engine.BUILTIN;
+        case "oidn" -> DenoiserFlags.Engine.OIDN;
+        default -> throw unexpected("builtin or oidn", text);
+      };
+    }
+  }
+
   /** {@code 2%}: a share above 0. */
   public static final class OfShare implements ITypeConverter<Double> {
     private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)%");

@@ -1,12 +1,14 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
+import java.util.EnumSet;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -55,6 +57,9 @@ public final class RenderFlags {
           "Render share I (from 0) of N of the samples, for 'lumbre merge'; auto: the share of this"
               + " process in a job array. Needs --checkpoint.")
   private Optional<String> share;
+
+  /** Whether the layers for denoising are recorded besides those that are asked for. */
+  private boolean isForDenoising;
 
   /** The index of the first sample of the share, once the scene's number of samples is known. */
   private int firstOfShare;
@@ -121,7 +126,12 @@ public final class RenderFlags {
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
   }
 
-  /** Returns whether layers are recorded. */
+  /** Records the layers for denoising besides those that are asked for. */
+  public void recordForDenoising() {
+    isForDenoising = true;
+  }
+
+  /** Returns whether layers are asked for. */
   public boolean hasLayers() {
     return settings.isGiven(Setting.LAYERS)
         && !settings.valueOr(Setting.LAYERS, Set.of()).isEmpty();
@@ -228,7 +238,16 @@ public final class RenderFlags {
       requireCropIn(inScene.width(), inScene.height());
     }
     crop.ifPresent(builder::crop);
+    if (isForDenoising) {
+      builder.set(Setting.LAYERS, withDenoising(builder.build().layers()));
+    }
     return builder.build();
+  }
+
+  private static Set<Layer> withDenoising(Set<Layer> layers) {
+    Set<Layer> all = EnumSet.copyOf(Layer.FOR_DENOISING);
+    all.addAll(layers);
+    return Layer.setOf(all.toArray(Layer[]::new));
   }
 
   private void requirePathsFor(Setting<?> setting, Mode mode) {

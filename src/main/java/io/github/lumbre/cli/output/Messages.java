@@ -2,6 +2,7 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.parser.Problem;
 import java.io.PrintWriter;
+import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
 
@@ -10,6 +11,9 @@ import java.util.Locale;
  * another line are escaped, as in {@code \\u001b}.
  */
 public final class Messages {
+  /** Prints nothing. */
+  public static final Messages NONE = new Messages(new PrintWriter(Writer.nullWriter()));
+
   private final PrintWriter out;
 
   public Messages(PrintWriter out) {

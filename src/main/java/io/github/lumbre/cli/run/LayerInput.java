@@ -47,10 +47,12 @@ public final class LayerInput {
     }
   }
 
-  /** Returns whether a file is a checkpoint file. */
-  public static boolean isFilm(Path file) throws IOException {
+  /** Returns whether a file is a checkpoint file; false if it cannot be read. */
+  public static boolean isFilm(Path file) {
     try (InputStream in = Files.newInputStream(file)) {
       return FilmFile.startsIn(in.readNBytes(START_BYTES));
+    } catch (IOException e) {
+      return false;
     }
   }
 

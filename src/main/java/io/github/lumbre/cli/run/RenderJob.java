@@ -12,6 +12,7 @@ import io.github.lumbre.cli.output.NoiseReport;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.Summary;
+import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.TaskException;
@@ -59,11 +60,34 @@ public record RenderJob(
    * @param bits bits per channel of a PNG
    * @param jpegQuality quality of a JPEG, 1 to 100
    * @param strict whether rejected samples and invalid texture coordinates are errors
+   * @param denoised where to write a denoised picture; empty for none
    */
-  public record How(int bits, int jpegQuality, boolean quiet, boolean stats, boolean strict) {
-    public How withJpegQuality(int quality) {
-      return new How(bits, quality, quiet, stats, strict);
+  public record How(
+      int bits,
+      int jpegQuality,
+      boolean quiet,
+      boolean stats,
+      boolean strict,
+      Optional<DenoisedPicture> denoised) {
+    /** Creates options without a denoised picture. */
+    public How(int bits, int jpegQuality, boolean quiet, boolean stats, boolean strict) {
+      this(bits, jpegQuality, quiet, stats, strict, Optional.empty());
     }
+
+    public How withJpegQuality(int quality) {
+      return new How(bits, quality, quiet, stats, strict, denoised);
+    }
+
+    public How withDenoised(Optional<DenoisedPicture> output) {
+      return new How(bits, jpegQuality, quiet, stats, strict, output);
+    }
+  }
+
+  /** Returns this job with a denoised picture besides. */
+  public RenderJob denoising(DenoisedPicture denoised) {
+    How more = how.withDenoised(Optional.of(denoised).filter(DenoisedPicture::isWanted));
+    return new RenderJob(
+        scene, file, picture, keeper, monitor, messages, report, budget, more, engine);
   }
 
   /** Renders a new film. */
@@ -246,11 +270,10 @@ public record RenderJob(
       layers = developed.layers();
       metadata.putAll(developed.metadata());
     }
-    picture.write(
-        result.image(),
-        layers,
+    ImageWriter.Options options =
         new ImageWriter.Options(
-            settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata));
+            settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata);
+    picture.write(result.image(), layers, options);
     tell(summary, noise, light);
     warn(coverage(film));
     warn(evenness(film));
@@ -262,9 +285,23 @@ public record RenderJob(
       report.put("ended_by", stoppedBy());
     }
     light.putInto(report);
+    if (how.denoised().isPresent()) {
+      denoise(film, how.denoised().get(), options);
+    }
     if (keeper.failure().isPresent()) {
       throw new TaskException(Kind.OUTPUT, keeper.failure().get());
     }
+  }
+
+  private void denoise(Film film, DenoisedPicture denoised, ImageWriter.Options options)
+      throws TaskException {
+    if (monitor.isCancelled() && !monitor.isOutOfTime()) {
+      messages.line("not denoised, because the render was stopped");
+      return;
+    }
+    NoisyPicture noisy = NoisyPicture.of(film);
+    String name = picture.target().toString();
+    denoised.write(noisy, options, name, how.quiet() ? Messages.NONE : messages, report);
   }
 
   /** Returns the warning that pixels have no sample, or only one because --time was short. */

@@ -1,0 +1,143 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.cli.option.DenoiserFlags;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.cli.run.FilmInput;
+import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.cli.run.LayerInput;
+import io.github.lumbre.denoise.NoisyPicture;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre denoise}: removes noise from a rendered picture. */
+@Command(
+    name = "denoise",
+    header = "Remove noise from an OpenEXR or checkpoint file with layers.",
+    description =
+        "The file needs the layers of 'lumbre render --denoise' or '--layers denoise'. The result"
+            + " is an estimate: error bounds of the render do not hold for it.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre denoise night.film -o night.denoised.png",
+      "  lumbre denoise picture.exr -o clean.exr --oidn folder/bin"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Done",
+      "2:The command line is invalid, the file does not exist, or oidnDenoise is not found",
+      "3:The checkpoint file is damaged, or the file has not the needed layers",
+      "4:The OpenEXR file cannot be decoded",
+      "5:The file exceeds a limit or the available memory",
+      "6:The denoiser failed, or the picture cannot be written",
+      "7:Internal error"
+    })
+final class DenoiseCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
+  private Path file;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "OUT",
+      required = true,
+      description = "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light.")
+  private Path output;
+
+  @Mixin private DenoiserFlags denoiser;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Threads; 0 means one for each processor (${DEFAULT-VALUE}).")
+  private int threads;
+
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
+  private boolean debug;
+
+  @Mixin private OverwriteFlag overwrite;
+
+  @Spec private CommandSpec spec;
+
+  /** A picture to denoise, and how to write it. */
+  private record Input(NoisyPicture noisy, ImageWriter.Options options) {}
+
+  @Override
+  public Integer call() throws TaskException {
+    if (ImageFormat.of(output).isEmpty()) {
+      throw new ParameterException(
+          spec.commandLine(),
+          output + ": expected a name that ends in one of " + ImageFormat.endings());
+    }
+    if (threads < 0) {
+      throw new ParameterException(
+          spec.commandLine(), "--threads: expected at least 0, found " + threads);
+    }
+    Denoising denoising = denoiser.denoising(threads);
+    overwrite.guard().readsFilm(file).writes("-o", output, OutputContent.PICTURE).check();
+    Messages errors = new Messages(spec.commandLine().getErr());
+    Input input = read(errors);
+    denoising.require(input.noisy, file.toString());
+    if (input.noisy.replaced() != 0) {
+      errors.line(
+          "warning: %s: %d pixels are NaN or infinite; they got the light of their neighbors"
+              .formatted(file, input.noisy.replaced()));
+    }
+    try (PictureOutput picture = PictureOutput.reserve(output)) {
+      denoising.write(
+          input.noisy,
+          picture,
+          input.options,
+          file.toString(),
+          errors,
+          new JsonSummary("denoise", file));
+    }
+    return ExitCodes.OK;
+  }
+
+  private Input read(Messages errors) throws TaskException {
+    if (LayerInput.isFilm(file)) {
+      FilmFile film = FilmInput.read(file, errors);
+      FilmNotes notes = new FilmNotes(file, film.header());
+      return new Input(
+          NoisyPicture.of(film.film()),
+          new ImageWriter.Options(
+              notes.exposure(), notes.toneCurve(), notes.bits(), 90, notes.metadata()));
+    }
+    LayeredImage image = LayerInput.read(file, errors);
+    try {
+      return new Input(
+          NoisyPicture.of(image),
+          new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, 90, Map.of()));
+    } catch (IllegalArgumentException e) {
+      throw new TaskException(Kind.ASSET, file + ": " + e.getMessage(), e);
+    }
+  }
+}

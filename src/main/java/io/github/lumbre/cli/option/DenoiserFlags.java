@@ -1,0 +1,62 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.denoise.DenoiseException;
+import io.github.lumbre.denoise.OpenImageDenoise;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** The flags that choose a denoiser. */
+public final class DenoiserFlags {
+  /** The denoisers. */
+  enum Engine {
+    BUILTIN,
+    OIDN
+  }
+
+  @Option(
+      names = "--denoiser",
+      paramLabel = "NAME",
+      converter = FlagConverters.OfDenoiser.class,
+      description =
+          "Denoiser: builtin, with the same bits on every machine, or oidn (builtin, or oidn with"
+              + " --oidn).")
+  private Optional<Engine> engine;
+
+  @Option(
+      names = "--oidn",
+      paramLabel = "PATH",
+      description =
+          "The program oidnDenoise of Open Image Denoise, or its folder (LUMBRE_OIDN, or sought on"
+              + " the PATH).")
+  private Optional<Path> oidn;
+
+  @Option(
+      names = "--denoise-timeout",
+      paramLabel = "DURATION",
+      converter = FlagConverters.OfDuration.class,
+      description = "Time after which oidnDenoise is ended: 90s, 5m, 2h (10m).")
+  private Optional<Duration> limit;
+
+  /**
+   * Returns the chosen denoiser.
+   *
+   * @param threads number of threads; 0 means one for each processor
+   * @throws TaskException if the program is not found
+   */
+  public Denoising denoising(int threads) throws TaskException {
+    if (engine.orElse(oidn.isPresent() ? Engine.OIDN : Engine.BUILTIN) == Engine.BUILTIN) {
+      return new Denoising(Optional.empty(), threads);
+    }
+    try {
+      OpenImageDenoise program = OpenImageDenoise.find(oidn, System.getenv()).withThreads(threads);
+      return new Denoising(Optional.of(limit.map(program::within).orElse(program)), threads);
+    } catch (DenoiseException e) {
+      throw new TaskException(Kind.USAGE, e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,126 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.denoise.BuiltInDenoiser;
+import io.github.lumbre.denoise.DenoiseException;
+import io.github.lumbre.denoise.Denoised;
+import io.github.lumbre.denoise.NoisyPicture;
+import io.github.lumbre.denoise.OpenImageDenoise;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Denoises pictures with a chosen denoiser and writes them.
+ *
+ * @param program the installed program; empty for the built-in denoiser
+ * @param threads number of threads; 0 means one for each processor
+ */
+public record Denoising(Optional<OpenImageDenoise> program, int threads) {
+  private static final String HOW_TO_RECORD =
+      "; render it with --denoise, or with --layers denoise into an .exr picture or a checkpoint";
+
+  /** Returns the path of the denoised picture beside a noisy one: x.denoised.png for x.png. */
+  public static Path beside(Path noisy) {
+    String name = noisy.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    return noisy.resolveSibling(name.substring(0, dot) + ".denoised" + name.substring(dot));
+  }
+
+  /** Returns whether a picture needs at least two samples in each pixel. */
+  public boolean needsNoise() {
+    return program.isEmpty();
+  }
+
+  /**
+   * Checks that a picture has what the denoiser needs.
+   *
+   * @param name of the picture's file, for messages
+   * @throws TaskException that says how to get what is missing
+   */
+  public void require(NoisyPicture noisy, String name) throws TaskException {
+    if (!needsNoise()) {
+      return;
+    }
+    if (noisy.albedo().isEmpty() || noisy.normal().isEmpty()) {
+      throw new TaskException(
+          Kind.SCENE, name + ": has no layers denoisingAlbedo and denoisingNormal" + HOW_TO_RECORD);
+    }
+    if (!noisy.light().isNoiseKnown()) {
+      throw new TaskException(
+          Kind.SCENE,
+          name
+              + ": the noise is not known, for which every pixel needs 2 samples and an .exr file"
+              + " the layer variance"
+              + HOW_TO_RECORD);
+    }
+  }
+
+  /**
+   * Denoises a picture and writes it.
+   *
+   * @param options how to write it; the metadata of the denoiser are added
+   * @param kept where the noisy picture is, for messages
+   * @throws TaskException if the denoiser fails or the picture cannot be written
+   */
+  public void write(
+      NoisyPicture noisy,
+      PictureOutput output,
+      ImageWriter.Options options,
+      String kept,
+      Messages messages,
+      JsonSummary report)
+      throws TaskException {
+    Denoised denoised = denoised(noisy, kept);
+    Map<String, String> metadata = new LinkedHashMap<>(options.metadata());
+    metadata.put("Denoiser", denoised.engine());
+    metadata.put("DenoiserChange", percent(denoised.change()));
+    denoised
+        .relativeError()
+        .ifPresent(error -> metadata.put("DenoiserErrorEstimate", percent(error)));
+    output.write(
+        denoised.image(),
+        List.of(),
+        new ImageWriter.Options(
+            options.exposure(),
+            options.curve(),
+            options.pngBits(),
+            options.jpegQuality(),
+            metadata));
+    String error =
+        denoised.relativeError().isPresent()
+            ? ", " + percent(denoised.relativeError().getAsDouble()) + " noise left (an estimate)"
+            : "";
+    messages.line(
+        "%s: denoised (%s): %s changed%s"
+            .formatted(output.target(), denoised.engine(), percent(denoised.change()), error));
+    report.put("denoised", output.target().toString());
+    report.put("denoiser", denoised.engine());
+  }
+
+  private Denoised denoised(NoisyPicture noisy, String kept) throws TaskException {
+    int all = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
+    try {
+      return program.isPresent()
+          ? program.get().denoise(noisy)
+          : BuiltInDenoiser.denoise(noisy, all);
+    } catch (DenoiseException e) {
+      throw new TaskException(Kind.OUTPUT, e.getMessage() + "; the noisy picture is " + kept, e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new TaskException(Kind.STOPPED, "stopped; the noisy picture is " + kept, e);
+    }
+  }
+
+  private static String percent(double share) {
+    return String.format(Locale.ROOT, "%.2f %%", 100 * share);
+  }
+}

@@ -1,0 +1,29 @@
+package io.github.lumbre.denoise;
+
+import io.github.lumbre.image.Image;
+import java.util.OptionalDouble;
+
+/**
+ * A picture after denoising.
+ *
+ * @param image the picture
+ * @param engine name of the denoiser, such as "built-in"
+ * @param change how much the denoiser changed the picture: root of the mean of (denoised -
+ *     noisy)²/(denoised² + 0.01) over pixels and channels
+ * @param relativeError the denoiser's own estimate of the relative RMSE that is left: root of the
+ *     mean of squared errors divided by squared light + 0.01; empty if it makes none. It is an
+ *     estimate, not a bound.
+ */
+public record Denoised(Image image, String engine, double change, OptionalDouble relativeError) {
+  /** Keeps dark pixels from dominating; in units of squared light. */
+  static final double FLOOR = .01;
+
+  static Denoised of(NoisyPicture noisy, float[] light, String engine, OptionalDouble error) {
+    double sum = 0;
+    for (int i = 0; i < light.length; i++) {
+      double difference = light[i] - noisy.light().mean()[i];
+      sum += difference * difference / ((double) light[i] * light[i] + FLOOR);
+    }
+    return new Denoised(noisy.withLight(light), engine, Math.sqrt(sum / light.length), error);
+  }
+}

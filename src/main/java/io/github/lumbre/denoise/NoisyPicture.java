@@ -1,0 +1,204 @@
+package io.github.lumbre.denoise;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.scene.Layer;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a denoiser knows of a picture: its light, and guides that tell where surfaces differ. All
+ * arrays have three values for each pixel, row by row from the top left, and are not copied.
+ *
+ * @param width in pixels, at least 1
+ * @param height in pixels, at least 1
+ * @param light mean light of the samples, at least 0, not divided by alpha, and its noise
+ * @param albedo {@link Layer#DENOISING_ALBEDO}; empty if it is not known
+ * @param normal {@link Layer#DENOISING_NORMAL}; empty if it is not known
+ * @param alpha one value in [0,1] for each pixel, or none for an opaque picture
+ * @param replaced number of pixels whose light was not finite and was replaced by that of their
+ *     neighbors
+ */
+public record NoisyPicture(
+    int width,
+    int height,
+    Halves light,
+    Optional<Halves> albedo,
+    Optional<Halves> normal,
+    float[] alpha,
+    int replaced) {
+  private static final int CHANNELS = 3;
+
+  /**
+   * Means of a pixel's samples, and an estimate of their noise: if the samples had two equal
+   * halves, the means of these would be mean + noise and mean - noise.
+   *
+   * @param mean finite values
+   * @param noise finite values, or none if the noise is not known
+   */
+  public record Halves(float[] mean, float[] noise) {
+    /** Returns whether the noise is known. */
+    public boolean isNoiseKnown() {
+      return noise.length != 0;
+    }
+  }
+
+  /**
+   * @throws IllegalArgumentException if an array does not have the picture's size
+   */
+  public NoisyPicture {
+    require("light", light.mean, CHANNELS * width * height);
+    require("noise", light.noise, light.noise.length == 0 ? 0 : CHANNELS * width * height);
+    require("alpha", alpha, alpha.length == 0 ? 0 : width * height);
+    for (Halves guide : List.of(albedo.orElse(light), normal.orElse(light))) {
+      require("guide", guide.mean, CHANNELS * width * height);
+      require("noise", guide.noise, guide.noise.length == 0 ? 0 : CHANNELS * width * height);
+    }
+  }
+
+  private static void require(String name, float[] values, int expected) {
+    if (values.length != expected) {
+      throw new IllegalArgumentException(
+          name + ": expected " + expected + " values, found " + values.length);
+    }
+  }
+
+  /**
+   * Returns the picture of a film. Its noise is known if {@link Film#halves} are known for all
+   * pixels: with at least 2 samples in each.
+   */
+  public static NoisyPicture of(Film film) {
+    Image image = film.develop();
+    int width = image.width();
+    int height = image.height();
+    float[] light = image.rgb().clone();
+    float[] alpha = new float[film.hasAlpha() ? width * height : 0];
+    for (int i = 0; i < alpha.length; i++) {
+      alpha[i] = image.alpha(i % width, i / width);
+      for (int c = 0; c < CHANNELS; c++) {
+        light[CHANNELS * i + c] *= alpha[i];
+      }
+    }
+    return new NoisyPicture(
+        width,
+        height,
+        new Halves(light, known(film.developNoise())),
+        guide(film, Layer.DENOISING_ALBEDO),
+        guide(film, Layer.DENOISING_NORMAL),
+        alpha,
+        0);
+  }
+
+  private static Optional<Halves> guide(Film film, Layer layer) {
+    return film.layers().kinds().contains(layer)
+        ? Optional.of(new Halves(film.develop(layer), known(film.developNoise(layer))))
+        : Optional.empty();
+  }
+
+  /** Returns noise; none if that of a pixel is not known. */
+  private static float[] known(float[] noise) {
+    for (float value : noise) {
+      if (!Float.isFinite(value)) {
+        return new float[0];
+      }
+    }
+    return noise;
+  }
+
+  /**
+   * Returns the picture of an OpenEXR file with the layers {@code variance}, {@code
+   * denoisingAlbedo} and {@code denoisingNormal}; {@code albedo} and {@code normal} stand in for
+   * the latter.
+   *
+   * <p>A file has the variance but not the sign of the noise. Both signs are equally likely, so
+   * that any choice makes two independent pictures of the same scene.
+   *
+   * @throws IllegalArgumentException if the file has no picture, or one without any finite pixel
+   */
+  public static NoisyPicture of(LayeredImage file) {
+    ImageLayer picture =
+        file.layer("")
+            .filter(layer -> layer.channels().containsAll(List.of("R", "G", "B")))
+            .orElseThrow(() -> new IllegalArgumentException("expected channels R, G and B"));
+    int pixels = file.width() * file.height();
+    float[] light = values(picture, List.of("R", "G", "B"));
+    int replaced = Repair.replaceNonFinite(light, file.width(), file.height());
+    float[] noise =
+        file.layer("variance")
+            .filter(layer -> layer.channels().containsAll(List.of("R", "G", "B")))
+            .map(layer -> known(noise(values(layer, List.of("R", "G", "B")))))
+            .orElse(new float[0]);
+    float[] alpha = new float[0];
+    if (picture.channels().contains("A")) {
+      alpha = values(picture, List.of("A"));
+      for (int i = 0; i < pixels; i++) {
+        alpha[i] = alpha[i] >= 0 ? Math.min(1, alpha[i]) : 0;
+      }
+    }
+    return new NoisyPicture(
+        file.width(),
+        file.height(),
+        new Halves(light, noise),
+        guide(file, List.of("R", "G", "B"), "denoisingAlbedo", "albedo"),
+        guide(file, List.of("X", "Y", "Z"), "denoisingNormal", "normal"),
+        alpha,
+        replaced);
+  }
+
+  private static float[] noise(float[] variance) {
+    float[] noise = new float[variance.length];
+    for (int i = 0; i < noise.length; i++) {
+      // A checkerboard of signs, so that the noise has no mean over neighbors.
+      double root = Math.sqrt(variance[i]);
+      noise[i] = (float) (i / CHANNELS % 2 == 0 ? root : -root);
+    }
+    return noise;
+  }
+
+  private static Optional<Halves> guide(
+      LayeredImage file, List<String> channels, String name, String otherName) {
+    return file.layer(name)
+        .or(() -> file.layer(otherName))
+        .filter(layer -> layer.channels().containsAll(channels))
+        .map(layer -> new Halves(zeroIfNotFinite(values(layer, channels)), new float[0]));
+  }
+
+  private static float[] zeroIfNotFinite(float[] values) {
+    for (int i = 0; i < values.length; i++) {
+      if (!Float.isFinite(values[i])) {
+        values[i] = 0;
+      }
+    }
+    return values;
+  }
+
+  /** Returns a copy of some channels of a layer. */
+  private static float[] values(ImageLayer layer, List<String> channels) {
+    int count = layer.channels().size();
+    int pixels = layer.width() * layer.height();
+    float[] values = new float[Math.multiplyExact(pixels, channels.size())];
+    for (int c = 0; c < channels.size(); c++) {
+      int from = layer.channels().indexOf(channels.get(c));
+      for (int i = 0; i < pixels; i++) {
+        values[i * channels.size() + c] = layer.values()[i * count + from];
+      }
+    }
+    return values;
+  }
+
+  /**
+   * Returns a picture with other light and the same alpha, by which the light is divided.
+   *
+   * @param light three values for each pixel
+   */
+  Image withLight(float[] light) {
+    float[] rgb = new float[light.length];
+    for (int i = 0; i < rgb.length; i++) {
+      float coverage = alpha.length == 0 ? 1 : alpha[i / CHANNELS];
+      rgb[i] = coverage == 0 ? 0 : Math.max(0, light[i]) / coverage;
+    }
+    return new Image(width, height, rgb, alpha);
+  }
+}

@@ -1,0 +1,8 @@
+/**
+ * Removes noise from pictures: {@link io.github.lumbre.denoise.BuiltInDenoiser} in Java, and {@link
+ * io.github.lumbre.denoise.OpenImageDenoise} by an installed program.
+ *
+ * <p>A denoised picture is an estimate: it is biased, and error bounds of the render do not hold
+ * for it.
+ */
+package io.github.lumbre.denoise;

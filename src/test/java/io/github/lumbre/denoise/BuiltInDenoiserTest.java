@@ -1,0 +1,173 @@
+package io.github.lumbre.denoise;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Tests the built-in denoiser on synthetic pictures, whose truth is known. */
+class BuiltInDenoiserTest {
+  private static final int WIDTH = 64;
+  private static final int HEIGHT = 48;
+
+  /** A value of the true picture at a pixel. */
+  private interface Truth {
+    double at(int x, int y);
+  }
+
+  private static float[] sampled(Truth truth) {
+    float[] values = new float[3 * WIDTH * HEIGHT];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = (float) truth.at(i / 3 % WIDTH, i / 3 / WIDTH);
+    }
+    return values;
+  }
+
+  /** Returns a picture with independent normal noise of a standard deviation in each half. */
+  private static NoisyPicture noisy(Truth truth, Truth albedo, double deviation, long seed) {
+    Random random = new Random(seed);
+    float[] mean = sampled(truth);
+    float[] noise = new float[mean.length];
+    for (int i = 0; i < mean.length; i++) {
+      double a = deviation * random.nextGaussian();
+      double b = deviation * random.nextGaussian();
+      mean[i] += (float) ((a + b) / 2);
+      noise[i] = (float) ((a - b) / 2);
+    }
+    return new NoisyPicture(
+        WIDTH,
+        HEIGHT,
+        new NoisyPicture.Halves(mean, noise),
+        Optional.of(new NoisyPicture.Halves(sampled(albedo), new float[0])),
+        Optional.of(new NoisyPicture.Halves(sampled((x, y) -> .5), new float[0])),
+        new float[0],
+        0);
+  }
+
+  private static double squaredError(float[] values, Truth truth) {
+    float[] expected = sampled(truth);
+    double sum = 0;
+    for (int i = 0; i < values.length; i++) {
+      sum += (values[i] - expected[i]) * (values[i] - expected[i]);
+    }
+    return sum / values.length;
+  }
+
+  @Test
+  void smoothLightLosesMostOfItsNoise() throws InterruptedException {
+    Truth truth = (x, y) -> .5 + .3 * Math.sin(x * .05) + .004 * y;
+    NoisyPicture noisy = noisy(truth, (x, y) -> .7, .1, 1);
+    Denoised denoised = BuiltInDenoiser.denoise(noisy, 2);
+    double before = squaredError(noisy.light().mean(), truth);
+    double after = squaredError(denoised.image().rgb(), truth);
+    assertThat(before).isCloseTo(.005, within(.0005));
+    assertThat(after).isLessThan(before / 25);
+  }
+
+  @Test
+  void edgesAndTexturesOfTheAlbedoStaySharp() throws InterruptedException {
+    Truth albedo = (x, y) -> (x / 4 + y / 4) % 2 == 0 ? .2 : .8;
+    Truth truth = (x, y) -> albedo.at(x, y) * (.5 + .01 * x);
+    NoisyPicture noisy = noisy(truth, albedo, .1, 2);
+    float[] clean = BuiltInDenoiser.denoise(noisy, 2).image().rgb();
+    assertThat(squaredError(clean, truth))
+        .isLessThan(squaredError(noisy.light().mean(), truth) / 5);
+  }
+
+  @Test
+  void edgesOfLightThatNoGuideKnowsStay() throws InterruptedException {
+    Truth truth = (x, y) -> x + y / 2 < 40 ? .1 : .9;
+    NoisyPicture noisy = noisy(truth, (x, y) -> .5, .05, 3);
+    float[] clean = BuiltInDenoiser.denoise(noisy, 2).image().rgb();
+    assertThat(squaredError(clean, truth))
+        .isLessThan(squaredError(noisy.light().mean(), truth) / 4);
+  }
+
+  @Test
+  void errorEstimateIsNearTheError() throws InterruptedException {
+    Truth truth = (x, y) -> .5 + .3 * Math.sin(x * .05) + .004 * y;
+    Denoised denoised = BuiltInDenoiser.denoise(noisy(truth, (x, y) -> .7, .2, 4), 2);
+    float[] expected = sampled(truth);
+    double sum = 0;
+    for (int i = 0; i < expected.length; i++) {
+      double error = denoised.image().rgb()[i] - expected[i];
+      sum += error * error / (expected[i] * expected[i] + Denoised.FLOOR);
+    }
+    double actual = Math.sqrt(sum / expected.length);
+    assertThat(denoised.relativeError().getAsDouble()).isBetween(actual / 2, 2 * actual);
+  }
+
+  @Test
+  void aPictureWithoutNoiseHardlyChanges() throws InterruptedException {
+    Truth truth = (x, y) -> .5 + .3 * Math.sin(x * .2) * Math.cos(y * .3);
+    Denoised denoised = BuiltInDenoiser.denoise(noisy(truth, (x, y) -> .7, 0, 5), 2);
+    assertThat(denoised.change()).isLessThan(.01);
+  }
+
+  @Test
+  void anyNumberOfThreadsGivesTheSameBits() throws InterruptedException {
+    NoisyPicture noisy = noisy((x, y) -> .2 + .01 * x, (x, y) -> .01 * y, .3, 6);
+    float[] one = BuiltInDenoiser.denoise(noisy, 1).image().rgb();
+    assertThat(BuiltInDenoiser.denoise(noisy, 3).image().rgb()).isEqualTo(one);
+  }
+
+  @Test
+  void aSpikeIsRemoved() throws InterruptedException {
+    NoisyPicture noisy = noisy((x, y) -> .5, (x, y) -> .7, .05, 7);
+    int spike = 3 * (20 * WIDTH + 30);
+    for (int c = 0; c < 3; c++) {
+      noisy.light().mean()[spike + c] = 100;
+      noisy.light().noise()[spike + c] = 99.5f;
+    }
+    float[] clean = BuiltInDenoiser.denoise(noisy, 2).image().rgb();
+    assertThat(squaredError(clean, (x, y) -> .5)).isLessThan(.001);
+  }
+
+  @Test
+  void lightIsDividedByAlpha() throws InterruptedException {
+    NoisyPicture opaque = noisy((x, y) -> .5, (x, y) -> .7, .05, 8);
+    float[] alpha = new float[WIDTH * HEIGHT];
+    Arrays.fill(alpha, .5f);
+    alpha[0] = 0;
+    NoisyPicture half =
+        new NoisyPicture(WIDTH, HEIGHT, opaque.light(), opaque.albedo(), opaque.normal(), alpha, 0);
+    float[] clean = BuiltInDenoiser.denoise(half, 2).image().rgb();
+    assertThat(clean[3]).isCloseTo(1, within(.1f));
+    assertThat(clean[0]).isZero();
+  }
+
+  @Test
+  void smallPicturesAndMissingGuidesAreFine() throws InterruptedException {
+    NoisyPicture pixel =
+        new NoisyPicture(
+            1,
+            1,
+            new NoisyPicture.Halves(new float[] {1, 2, 3}, new float[] {.1f, .1f, .1f}),
+            Optional.empty(),
+            Optional.empty(),
+            new float[0],
+            0);
+    assertThat(BuiltInDenoiser.denoise(pixel, 1).image().rgb()[1]).isCloseTo(2, within(.01f));
+  }
+
+  @Test
+  void unknownNoiseIsAnError() {
+    NoisyPicture noisy = noisy((x, y) -> .5, (x, y) -> .7, .05, 9);
+    NoisyPicture without =
+        new NoisyPicture(
+            WIDTH,
+            HEIGHT,
+            new NoisyPicture.Halves(noisy.light().mean(), new float[0]),
+            noisy.albedo(),
+            noisy.normal(),
+            new float[0],
+            0);
+    assertThatThrownBy(() -> BuiltInDenoiser.denoise(without, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("at least 2 samples");
+  }
+}
