@@ -23,6 +23,12 @@ public final class BuiltInDenoiser {
   private static final double FIRST_FEATURE = .6;
   private static final double SECOND_FEATURE = 1.5;
 
+  /** The result stays within this many standard deviations of the noisy picture. */
+  private static final double FARTHEST = 4;
+
+  private static final NoisyPicture.Halves NO_GUIDE =
+      new NoisyPicture.Halves(new float[0], new float[0]);
+
   private final ExecutorService threads;
 
   private BuiltInDenoiser(ExecutorService threads) {
@@ -68,15 +74,9 @@ public final class BuiltInDenoiser {
     Estimates calm = Spikes.limited(light);
     Estimates result = filtered(calm, guides, 1);
     double relative = Math.sqrt(result.relativeError());
-    float[] values = result.mean().values();
-    for (int i = 0; i < values.length; i++) {
-      values[i] = Math.max(0, values[i]);
-    }
+    float[] values = within(result.mean(), light).values();
     return Denoised.of(noisy, values, "built-in", OptionalDouble.of(relative));
   }
-
-  private static final NoisyPicture.Halves NO_GUIDE =
-      new NoisyPicture.Halves(new float[0], new float[0]);
 
   /** Returns the two halves of some values; the same ones if their noise is not known. */
   private static Estimates halves(NoisyPicture noisy, NoisyPicture.Halves values) {
@@ -123,6 +123,23 @@ public final class BuiltInDenoiser {
     return new Estimates(
         new LocalRegression(bySecond, radius, isFirstOrder).of(first, threads),
         new LocalRegression(byFirst, radius, isFirstOrder).of(second, threads));
+  }
+
+  /**
+   * Limits how far a result is from the noisy picture; where there is no noise, nothing changes.
+   */
+  private static Raster within(Raster result, Estimates light) {
+    Raster noisy = light.mean();
+    // The noise of a spike is its own, not that of its surroundings.
+    Raster variance = variance(light, 2).with(light.noise().squared(), Math::max);
+    Raster limited = new Raster(result.width(), result.height(), result.channels());
+    for (int i = 0; i < result.values().length; i++) {
+      double most = FARTHEST * Math.sqrt(Math.max(0, variance.values()[i]));
+      double change = result.values()[i] - noisy.values()[i];
+      double value = noisy.values()[i] + Math.max(-most, Math.min(most, change));
+      limited.values()[i] = (float) Math.max(0, value);
+    }
+    return limited;
   }
 
   private Estimates filtered(Estimates light, Estimates guides, int level)

@@ -57,8 +57,11 @@ record ExternalProgram(Path program, Duration limit) {
   }
 
   private static void end(Process process) {
-    process.descendants().forEach(ProcessHandle::destroyForcibly);
-    process.destroyForcibly();
+    // Destroying an ended process would close what it said before it is read.
+    if (process.isAlive()) {
+      process.descendants().forEach(ProcessHandle::destroyForcibly);
+      process.destroyForcibly();
+    }
   }
 
   /** Reads all, so that the program does not wait, and keeps the start. */
