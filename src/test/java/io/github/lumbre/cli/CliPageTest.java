@@ -33,7 +33,7 @@ class CliPageTest {
 Every command, its flags by group, and its exit codes. `lumbre help COMMAND` prints the same.
 
 ```sh
-./lumbre render scenes/cornell-box.json -o renders/local/box.png
+./lumbre render scenes/cornell-box.json -o box.png
 ./lumbre help render
 ```
 
