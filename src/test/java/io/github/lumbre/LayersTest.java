@@ -65,7 +65,7 @@ class LayersTest {
           Map.entry("model", BASIC + " material camera light scene"),
           Map.entry("parser", BASIC + " file text material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
-          Map.entry("denoise", "image scene render"),
+          Map.entry("denoise", "image sampling scene render"),
           Map.entry("stopping", "math image scene render"),
           Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),
           Map.entry("lab", "file image scene render parser"),

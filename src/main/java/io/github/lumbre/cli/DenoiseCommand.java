@@ -53,7 +53,7 @@ import picocli.CommandLine.Spec;
     exitCodeList = {
       "0:Done",
       "2:The command line is invalid, the file does not exist, or oidnDenoise is not found",
-      "3:The checkpoint file is damaged, or the file has not the needed layers",
+      "3:The checkpoint file is damaged, or the file lacks the needed layers",
       "4:The OpenEXR file cannot be decoded",
       "5:The file exceeds a limit or the available memory",
       "6:The denoiser failed, or the picture cannot be written",
@@ -107,7 +107,7 @@ final class DenoiseCommand implements Callable<Integer> {
     denoising.require(input.noisy, file.toString());
     if (input.noisy.replaced() != 0) {
       errors.line(
-          "warning: %s: %d pixels are NaN or infinite; they got the light of their neighbors"
+          "warning: %s: NaN or infinite pixels: %d; they got the light of their neighbors"
               .formatted(file, input.noisy.replaced()));
     }
     try (PictureOutput picture = PictureOutput.reserve(output)) {

@@ -42,7 +42,7 @@ public final class BuiltInDenoiser {
   }
 
   /**
-   * Denoises a picture. It takes about 500 bytes per pixel.
+   * Denoises a picture.
    *
    * @param noisy a picture whose noise is known; without guides, less noise is removed
    * @param threads number of threads, at least 1; the result does not depend on it

@@ -54,7 +54,7 @@ record Estimates(Raster first, Raster second) {
   /**
    * Returns the better of two filtered pictures around each pixel. Each filtered half is compared
    * with the other, unfiltered half, whose own noise is the same for both pictures (Rousselle,
-   * Knaus &amp; Zwicker 2012, sec. 4.2).
+   * Knaus &amp; Zwicker 2012).
    *
    * @param noisy the halves before filtering
    */

@@ -4,6 +4,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.sampling.Hash;
 import io.github.lumbre.scene.Layer;
 import java.util.List;
 import java.util.Optional;
@@ -113,7 +114,7 @@ public record NoisyPicture(
    * the latter.
    *
    * <p>A file has the variance but not the sign of the noise. Both signs are equally likely, so
-   * that any choice makes two independent pictures of the same scene.
+   * that a random choice, which does not depend on the picture, names one of the halves the first.
    *
    * @throws IllegalArgumentException if the file has no picture, or one without any finite pixel
    */
@@ -149,10 +150,11 @@ public record NoisyPicture(
 
   private static float[] noise(float[] variance) {
     float[] noise = new float[variance.length];
-    for (int i = 0; i < noise.length; i++) {
-      // A checkerboard of signs, so that the noise has no mean over neighbors.
-      double root = Math.sqrt(variance[i]);
-      noise[i] = (float) (i / CHANNELS % 2 == 0 ? root : -root);
+    for (int i = 0; i < noise.length; i += CHANNELS) {
+      int sign = (Hash.of(0, i) & 1) == 0 ? 1 : -1;
+      for (int c = 0; c < CHANNELS; c++) {
+        noise[i + c] = (float) (sign * Math.sqrt(variance[i + c]));
+      }
     }
     return noise;
   }

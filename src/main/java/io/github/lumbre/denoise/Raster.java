@@ -123,7 +123,9 @@ record Raster(int width, int height, int channels, float[] values) {
     return result;
   }
 
-  /** Returns a bilinear interpolation of the size of which this raster is half. */
+  /**
+   * Returns a bilinear interpolation, about twice as wide and high: the inverse of {@link #halved}.
+   */
   Raster doubled(int newWidth, int newHeight) {
     Raster result = new Raster(newWidth, newHeight, channels);
     for (int y = 0; y < newHeight; y++) {

@@ -3,9 +3,8 @@ package io.github.lumbre.denoise;
 /**
  * How similar two pixels are: 1 if their surroundings and their features differ only by noise, down
  * to 0. Color is compared over squares of 5x5 pixels, as non-local means do (Rousselle, Knaus &amp;
- * Zwicker 2012, "Adaptive Rendering with Non-Local Means Filtering", eq. 5), features pixel by
- * pixel (Rousselle, Manzi &amp; Zwicker 2013, "Robust Denoising using Feature and Color
- * Information", eq. 7).
+ * Zwicker 2012, "Adaptive Rendering with Non-Local Means Filtering"), features pixel by pixel
+ * (Rousselle, Manzi &amp; Zwicker 2013, "Robust Denoising using Feature and Color Information").
  *
  * @param color what to compare, of three channels
  * @param variance of the color
