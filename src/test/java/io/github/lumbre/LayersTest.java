@@ -76,8 +76,8 @@ class LayersTest {
           Map.entry("lab.checks", BASIC + " material camera light scene integrator render"),
           Map.entry(
               "lab.trade",
-              "math image sampling geometry scene integrator render stopping lab lab.metrics"
-                  + " lab.perf"),
+              "math image sampling geometry scene integrator render denoise stopping lab"
+                  + " lab.metrics lab.perf"),
           Map.entry("cli.output", LIBRARY + " lab"),
           Map.entry("cli.run", LIBRARY + " lab cli.output"),
           Map.entry("cli.option", LIBRARY + " lab lab.perf cli.output cli.run"),

@@ -117,7 +117,7 @@ final class TradeCommand implements Callable<Integer> {
       paramLabel = "NAMES",
       description =
           "Settings to vary, separated by commas: sampler, lights, strategy, roulette, split,"
-              + " depth, mode, filter, clamp, adaptive (all).")
+              + " depth, mode, filter, clamp, adaptive, denoise (all).")
   private Optional<String> knobs = Optional.empty();
 
   @Option(

@@ -104,7 +104,11 @@ final class AdaptiveSchedule implements Schedule {
   private boolean choose(Film film) {
     int pixels = film.window().width() * film.window().height();
     long total = film.totalSamples();
-    long left = Math.min((long) goal * pixels - total, total / PASSES_TO_DOUBLE);
+    long rest = (long) goal * pixels - total;
+    if (rest <= 0) {
+      return false;
+    }
+    long left = Math.min(rest, total / PASSES_TO_DOUBLE);
     left = Math.min(left, (long) Passes.LONGEST * pixels);
     targets = IntStream.range(0, pixels).map(film::samples).toArray();
     short[] bins = bins(film, (double) total / pixels / MOST_BELOW_MEAN);
@@ -116,7 +120,7 @@ final class AdaptiveSchedule implements Schedule {
     for (int i = 0; i < pixels; i++) {
       left -= bins[i] == border && targets[i] <= left ? doubled(i) : 0;
     }
-    return left < before || doubleCheapest((long) goal * pixels - total);
+    return left < before || doubleCheapest(rest);
   }
 
   private int doubled(int pixel) {

@@ -51,9 +51,14 @@ class TradeCommandTest {
         JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
     assertThat(values.get("format").getAsString()).isEqualTo("lumbre-trade-2");
     int rows = values.getAsJsonArray("rows").size();
+    int denoised = 0;
+    for (JsonElement row : values.getAsJsonArray("rows")) {
+      denoised += text(row.getAsJsonObject(), "knob").equals("denoise") ? 1 : 0;
+    }
     // Seven depths, ray tracing, one sampler, three MIS heuristics, four roulettes, three splits,
-    // three clamps, and the header.
-    assertThat(rows % 22).isZero();
+    // and three clamps. A denoiser needs two samples.
+    int ladder = (rows - denoised) / 22;
+    assertThat(rows).isEqualTo(22 * ladder + ladder - 1);
     assertThat(Files.readAllLines(directory.resolve("out.csv"))).hasSize(3 * rows + 1);
   }
 
@@ -105,6 +110,37 @@ class TradeCommandTest {
         .contains("| tiny | 16x12 | 3 | 256: ", "independent samples");
     assertThat(directory.resolve("table-noise.svg")).exists();
     assertThat(directory.resolve("table-depth.svg")).exists();
+  }
+
+  /** A denoiser's time counts, it needs more than one sample, and it is never called unbiased. */
+  @Test
+  void denoisedPicturesAreComparedWithNoisyOnes() throws Exception {
+    Path page = directory.resolve("out.html");
+    Outcome outcome =
+        trade("-s", "16", "--seeds", "3", "--knobs", "denoise", "-o", page.toString());
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    JsonObject values =
+        JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
+    Map<Integer, JsonObject> noisy = new LinkedHashMap<>();
+    Map<Integer, JsonObject> denoised = new LinkedHashMap<>();
+    for (JsonElement element : values.getAsJsonArray("rows")) {
+      JsonObject row = element.getAsJsonObject();
+      boolean isDenoised = text(row, "knob").equals("denoise");
+      assertThat(text(row, "kind")).isEqualTo(isDenoised ? "denoised" : "noise");
+      (isDenoised ? denoised : noisy).put(row.get("samples").getAsInt(), row);
+    }
+    assertThat(noisy).containsOnlyKeys(1, 4, 16);
+    assertThat(denoised).containsOnlyKeys(4, 16);
+    assertThat(mean(denoised.get(4), "relative_mse"))
+        .isLessThan(mean(noisy.get(4), "relative_mse"));
+    assertThat(mean(denoised.get(16), "cpu_seconds"))
+        .isGreaterThan(mean(noisy.get(16), "cpu_seconds"));
+    assertThat(Files.readString(page))
+        .contains("Denoised pictures", "as many times the samples", "denoised (builtin)");
+  }
+
+  private static double mean(JsonObject row, String key) {
+    return row.getAsJsonObject(key).get("value").getAsDouble();
   }
 
   /**

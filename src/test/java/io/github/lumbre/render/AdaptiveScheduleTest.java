@@ -127,6 +127,13 @@ class AdaptiveScheduleTest {
     assertThat(rendered(settings().samples(20).build()).mostSamples()).isEqualTo(20);
   }
 
+  /** One sample tells nothing about noise. */
+  @Test
+  void aSingleSampleIsEnoughIfNoMoreAreWanted() throws InterruptedException {
+    Film film = rendered(settings().samples(1).build());
+    assertThat(film.totalSamples()).isEqualTo((long) WIDTH * HEIGHT);
+  }
+
   @Test
   void smallPicturesEndToo() throws InterruptedException {
     Film one = rendered(settings().samples(1000).crop(new Crop(20, 4, 1, 1)).build());

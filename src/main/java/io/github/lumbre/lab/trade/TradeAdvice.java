@@ -81,7 +81,7 @@ final class TradeAdvice {
    */
   private static Choice cheapest(TradeResult result, double target) {
     double squared = target * target;
-    return Stream.of(Kind.values())
+    return Stream.of(Kind.NOISE, Kind.BIAS)
         .flatMap(kind -> result.settings(kind).stream())
         .filter(setting -> !setting.flags().isEmpty())
         .map(result::most)
@@ -105,7 +105,7 @@ final class TradeAdvice {
   private static List<String> biased(TradeResult result, double target) {
     Optional<TradeRow> best =
         result.rows().stream()
-            .filter(row -> row.setting().kind() == Kind.BIAS && !row.setting().flags().isEmpty())
+            .filter(row -> !row.setting().isUnbiased() && !row.setting().flags().isEmpty())
             .filter(row -> row.relativeMse().value() <= target * target)
             .min(Comparator.comparingDouble(row -> row.cpuTime().value()));
     return best.map(

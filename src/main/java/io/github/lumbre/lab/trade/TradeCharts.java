@@ -54,6 +54,16 @@ final class TradeCharts {
     return charts;
   }
 
+  /** Returns the chart of denoised pictures beside the baseline. */
+  static List<LogChart> denoised(TradeResult result) {
+    List<LogChart.Series> series = new ArrayList<>();
+    series.add(errors("noisy", result.usual(), true));
+    for (TradeSetting setting : result.settings(Kind.DENOISED)) {
+      series.add(errors(setting.label(), result.of(setting), false));
+    }
+    return List.of(new LogChart("Denoising", ACROSS, UP, series));
+  }
+
   private static Set<String> knobs(TradeResult result, Kind kind) {
     Set<String> knobs = new LinkedHashSet<>();
     result.settings(kind).forEach(setting -> knobs.add(setting.knob()));

@@ -45,10 +45,21 @@ final class TradeClimb {
     samples = goal;
   }
 
-  /** Returns the current picture and its error against a reference. */
-  TradeTrial against(Image truth) {
-    Image picture = film.develop();
-    return new TradeTrial(setting, samples, seconds, cpu, PictureError.of(picture, truth), picture);
+  /**
+   * Returns the current picture and its error against a reference. Its time includes that of
+   * developing and denoising this picture.
+   */
+  TradeTrial against(Image truth) throws InterruptedException {
+    double cpuStart = cpuSeconds.getAsDouble();
+    double start = clock();
+    Image picture = setting.develop(film);
+    return new TradeTrial(
+        setting,
+        samples,
+        seconds + clock() - start,
+        cpu + cpuSeconds.getAsDouble() - cpuStart,
+        PictureError.of(picture, truth),
+        picture);
   }
 
   /** Returns the film with the samples so far. */

@@ -4,6 +4,7 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.trade.Html.Row;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
+import io.github.lumbre.scene.SettingType;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -55,6 +56,7 @@ public final class TradePage {
     TradeAdvice.addTo(html, result);
     noise();
     bias();
+    denoised();
     exact();
     pictures.addTo(html);
     everything();
@@ -167,6 +169,62 @@ public final class TradePage {
                 + " reference, with the noise of both subtracted. More samples do not reduce it.");
   }
 
+  private void denoised() {
+    List<TradeSetting> settings = result.settings(Kind.DENOISED);
+    if (settings.isEmpty()) {
+      return;
+    }
+    html.element("h2", "Denoised pictures")
+        .element(
+            "p",
+            "A denoiser removes noise and adds bias. No bound on the error of a render holds for"
+                + " its denoised picture.");
+    charts(TradeCharts.denoised(result));
+    List<TimeToError.Cost> usual = result.usual().stream().map(TradeRow::cost).toList();
+    List<Row> rows = new ArrayList<>();
+    for (TradeSetting setting : settings) {
+      for (TradeRow row : result.of(setting)) {
+        TradeRow noisy = result.usual(row.samples());
+        TimeToError same = TimeToError.of(usual, row.relativeMse().value());
+        rows.add(
+            Row.of(
+                String.valueOf(row.samples()),
+                TradeText.rootPercent(noisy.relativeMse().value()),
+                TradeText.rootPercent(row.relativeMse().value()),
+                (same.isExtrapolated() ? "about " : "")
+                    + TradeText.number(same.samples().value() / row.samples()),
+                TradeText.number(noisy.flip().value()),
+                TradeText.number(row.flip().value()),
+                (row.bias().isDetected() ? "" : "not detected, < ")
+                    + TradeText.rootPercent(
+                        row.bias().isDetected() ? row.bias().squared() : row.bias().high()),
+                TradeText.number(row.signedError().value()),
+                TradeText.seconds(noisy.cpuTime()),
+                TradeText.seconds(row.cpuTime())));
+      }
+    }
+    html.table(
+            List.of(
+                "samples",
+                "noisy error",
+                "denoised error",
+                "as many times the samples",
+                "noisy FLIP",
+                "denoised FLIP",
+                "bias",
+                "mean signed error",
+                "noisy CPU time",
+                "denoised CPU time"),
+            rows)
+        .note(
+            "As many times the samples: how many times the samples the baseline needs for the error"
+                + " of the denoised picture; \"about\": beyond the measured samples, where the"
+                + " squared error is assumed inversely proportional to the samples. Bias: relative"
+                + " RMS difference between the mean of all seeds' denoised pictures and the"
+                + " reference, with the noise of both subtracted. The CPU time includes rendering"
+                + " the guides and denoising.");
+  }
+
   private void charts(List<LogChart> charts) {
     html.raw("<div class=\"charts\">");
     charts.forEach(chart -> html.raw(chart.svg()));
@@ -202,7 +260,7 @@ public final class TradePage {
           new Row(
               List.of(
                   row.setting().label(),
-                  row.setting().isUnbiased() ? "noise" : "bias",
+                  SettingType.nameOf(row.setting().kind()),
                   String.valueOf(row.samples()),
                   TradeText.seconds(row.time()),
                   TradeText.seconds(row.cpuTime()),

@@ -40,6 +40,11 @@ public record TradeResult(
         .toList();
   }
 
+  /** Returns what the baseline measured at a number of samples. */
+  public TradeRow usual(int samples) {
+    return usual().stream().filter(row -> row.samples() == samples).findFirst().orElseThrow();
+  }
+
   /** Returns the row of a setting with the most samples. */
   public TradeRow most(TradeSetting setting) {
     List<TradeRow> own = of(setting);
@@ -70,10 +75,6 @@ public record TradeResult(
   public Interval gainByRays(TradeSetting setting) {
     TradeRow most = most(setting);
     return Interval.ofRatios(usual(most.samples()).costsInRays(), most.costsInRays());
-  }
-
-  private TradeRow usual(int samples) {
-    return usual().stream().filter(row -> row.samples() == samples).findFirst().orElseThrow();
   }
 
   /**

@@ -1,14 +1,20 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.denoise.BuiltInDenoiser;
+import io.github.lumbre.denoise.NoisyPicture;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.PathOptions;
 import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.integrator.RayTracer;
+import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
 import java.util.function.Function;
 import java.util.function.LongFunction;
 
@@ -40,7 +46,9 @@ public record TradeSetting(
     /** The setting is unbiased and changes only the noise. */
     NOISE,
     /** The setting is biased: its pictures converge to a different limit. */
-    BIAS
+    BIAS,
+    /** The pictures are denoised; their bias falls with the noise. */
+    DENOISED
   }
 
   /** Returns a setting for path tracing with Sobol points. */
@@ -74,6 +82,34 @@ public record TradeSetting(
         settings,
         s -> new RayTracer(s, settings.reflectionTraceDepth(), settings.refractionTraceDepth()),
         SobolSampler::new);
+  }
+
+  /** Returns the setting that denoises the pictures of path tracing. */
+  static TradeSetting ofDenoised(
+      TradeScene scene, RenderSettings settings, String flags, PathOptions options) {
+    return ofPaths(
+        "denoise",
+        "builtin",
+        Kind.DENOISED,
+        "--denoise " + flags,
+        scene,
+        settings.toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build(),
+        options);
+  }
+
+  /** Returns the smallest number of samples per pixel from which a picture can be made. */
+  int leastSamples() {
+    return kind == Kind.DENOISED ? 2 : 1;
+  }
+
+  /** Returns the picture of a film, denoised if that is the setting. */
+  Image develop(Film film) throws InterruptedException {
+    if (kind != Kind.DENOISED) {
+      return film.develop();
+    }
+    int wanted = settings.threads();
+    int threads = wanted == 0 ? Runtime.getRuntime().availableProcessors() : wanted;
+    return BuiltInDenoiser.denoise(NoisyPicture.of(film), threads).image();
   }
 
   /** Returns whether the setting is unbiased. */

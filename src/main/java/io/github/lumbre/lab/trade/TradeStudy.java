@@ -175,8 +175,10 @@ public final class TradeStudy {
   private void render(TradeSetting setting, int seed, Image truth) throws InterruptedException {
     TradeClimb climb = new TradeClimb(setting, 1L + seed, cpuSeconds);
     for (int samples : plan.ladder()) {
-      climb.to(samples);
-      trials.add(climb.against(truth));
+      if (samples >= setting.leastSamples()) {
+        climb.to(samples);
+        trials.add(climb.against(truth));
+      }
     }
     if (setting == reference() && plan.hasTarget()) {
       usual.add(climb);

@@ -26,7 +26,8 @@ public final class TradeSweep {
           "mode",
           "filter",
           "clamp",
-          "adaptive");
+          "adaptive",
+          "denoise");
 
   private static final String ADAPTIVE = "adaptive";
 
@@ -70,6 +71,9 @@ public final class TradeSweep {
     }
     if (knobs.contains(ADAPTIVE)) {
       addAdaptive();
+    }
+    if (knobs.contains("denoise")) {
+      all.add(TradeSetting.ofDenoised(scene, this.settings, "--depth " + DEEP, USUAL));
     }
   }
 
@@ -172,11 +176,12 @@ public final class TradeSweep {
    * Returns all settings, the baseline first.
    *
    * @param mostSamples largest number of samples per pixel; with few samples adaptive sampling has
-   *     no effect and is skipped
+   *     no effect and is skipped, with a single one there is nothing to denoise by
    */
   public List<TradeSetting> settings(int mostSamples) {
     return all.stream()
         .filter(setting -> mostSamples >= ADAPTIVE_SAMPLES || !setting.knob().equals(ADAPTIVE))
+        .filter(setting -> mostSamples >= setting.leastSamples())
         .toList();
   }
 }

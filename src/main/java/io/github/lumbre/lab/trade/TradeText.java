@@ -21,6 +21,7 @@ final class TradeText {
       case "filter" -> "texture filter: " + value;
       case "clamp" -> "samples clamped to " + value;
       case "adaptive" -> "adaptive sampling";
+      case "denoise" -> "denoised (" + value + ")";
       default -> knob + " " + value;
     };
   }
