@@ -17,6 +17,7 @@ import io.github.lumbre.scene.Scene;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * Collects the {@linkplain Layer layers} of one sample while an {@link Integrator} traces its path.
@@ -35,6 +36,9 @@ public final class SampleLayers implements PathListener {
   private final double[] albedo, normal, geometricNormal, position, depth, uv;
 
   private final double[] direct, lights, guideAlbedo, guideNormal;
+
+  /** Whether single layers of the first surface are collected, besides its color. */
+  private final boolean hasFirst;
 
   /** Whether light is collected, so that all events of a path matter. */
   private final boolean hasLight;
@@ -82,6 +86,8 @@ public final class SampleLayers implements PathListener {
     lights = of(Layer.LIGHTS);
     guideAlbedo = of(Layer.DENOISING_ALBEDO);
     guideNormal = of(Layer.DENOISING_NORMAL);
+    hasFirst =
+        Stream.of(normal, geometricNormal, position, depth, uv).anyMatch(a -> a.length != 0);
     hasLight = direct.length != 0 || lights.length != 0;
   }
 
@@ -172,12 +178,16 @@ public final class SampleLayers implements PathListener {
     primitive = newPrimitive;
     if (isFirst()) {
       setFirst(surface);
-      setColor(albedo, bsdf.albedo());
+      if (albedo.length != 0) {
+        setColor(albedo, bsdf.albedo());
+      }
     }
     if (!isGuided && !bsdf.isSpecular()) {
       isGuided = true;
       setNormal(guideNormal, surface, surface.shadingNormal());
-      setColor(guideAlbedo, bsdf.albedo());
+      if (guideAlbedo.length != 0) {
+        setColor(guideAlbedo, bsdf.albedo());
+      }
     }
     if (isGuided) {
       endEvents();
@@ -190,6 +200,9 @@ public final class SampleLayers implements PathListener {
 
   private void setFirst(SurfaceHit surface) {
     firstPrimitive = primitive;
+    if (!hasFirst) {
+      return;
+    }
     setNormal(normal, surface, surface.shadingNormal());
     setNormal(geometricNormal, surface, surface.geometricNormal());
     if (uv.length != 0) {

@@ -15,6 +15,9 @@ import java.util.List;
 final class LayerSums {
   private static final double UNIT = 0x1p-32;
 
+  /** The largest magnitude of a value in sums of 64 bits. */
+  private static final long ONE = 1L << 32;
+
   /** The largest magnitude of a value in sums of 128 bits. */
   private static final double LARGEST = 0x1p31;
 
@@ -99,7 +102,9 @@ final class LayerSums {
     int at = pixel * narrowCount;
     for (Layer layer : narrow) {
       for (double value : sample.of(layer)) {
-        narrowSums[at++] += (long) Math.rint(Math.max(-1, Math.min(1, orZero(value))) / UNIT);
+        // NaN becomes 0.
+        long units = (long) Math.rint(value / UNIT);
+        narrowSums[at++] += Math.max(-ONE, Math.min(ONE, units));
       }
     }
     at = pixel * wideCount;
