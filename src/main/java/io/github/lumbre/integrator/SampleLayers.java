@@ -86,8 +86,7 @@ public final class SampleLayers implements PathListener {
     lights = of(Layer.LIGHTS);
     guideAlbedo = of(Layer.DENOISING_ALBEDO);
     guideNormal = of(Layer.DENOISING_NORMAL);
-    hasFirst =
-        Stream.of(normal, geometricNormal, position, depth, uv).anyMatch(a -> a.length != 0);
+    hasFirst = Stream.of(normal, geometricNormal, position, depth, uv).anyMatch(a -> a.length != 0);
     hasLight = direct.length != 0 || lights.length != 0;
   }
 
