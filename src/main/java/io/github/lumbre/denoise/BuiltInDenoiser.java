@@ -23,6 +23,9 @@ public final class BuiltInDenoiser {
   private static final double FIRST_FEATURE = .6;
   private static final double SECOND_FEATURE = 1.5;
 
+  /** More light counts as this much, so that squares and their sums are finite floats. */
+  private static final float BRIGHTEST = 1e15f;
+
   /** The result stays within this many standard deviations of the noisy picture. */
   private static final double FARTHEST = 4;
 
@@ -42,7 +45,7 @@ public final class BuiltInDenoiser {
   }
 
   /**
-   * Denoises a picture.
+   * Denoises a picture. Light above 10^15 counts as 10^15, guides outside [-1,1] as -1 or 1.
    *
    * @param noisy a picture whose noise is known; without guides, less noise is removed
    * @param threads number of threads, at least 1; the result does not depend on it
@@ -69,13 +72,13 @@ public final class BuiltInDenoiser {
   }
 
   private Denoised denoise(NoisyPicture noisy) throws InterruptedException {
-    Estimates light = halves(noisy, noisy.light());
-    Estimates guides = halves(noisy, NO_GUIDE);
+    Estimates light = halves(noisy, noisy.light(), BRIGHTEST);
+    Estimates guides = halves(noisy, NO_GUIDE, 1);
     if (noisy.albedo().isPresent()) {
-      guides = beside(guides, filteredGuide(halves(noisy, noisy.albedo().get())));
+      guides = beside(guides, filteredGuide(halves(noisy, noisy.albedo().get(), 1)));
     }
     if (noisy.normal().isPresent()) {
-      guides = beside(guides, filteredGuide(halves(noisy, noisy.normal().get())));
+      guides = beside(guides, filteredGuide(halves(noisy, noisy.normal().get(), 1)));
     }
     Estimates calm = Spikes.limited(light);
     Estimates result = filtered(calm, guides, 1);
@@ -84,13 +87,27 @@ public final class BuiltInDenoiser {
     return Denoised.of(noisy, values, "built-in", OptionalDouble.of(relative));
   }
 
-  /** Returns the two halves of some values; the same ones if their noise is not known. */
-  private static Estimates halves(NoisyPicture noisy, NoisyPicture.Halves values) {
+  /**
+   * Returns the two halves of some values, limited to a magnitude; the same ones if their noise is
+   * not known.
+   */
+  private static Estimates halves(NoisyPicture noisy, NoisyPicture.Halves values, float largest) {
     int channels = values.mean().length / (noisy.width() * noisy.height());
-    Raster mean = new Raster(noisy.width(), noisy.height(), channels, values.mean());
+    Raster mean =
+        new Raster(noisy.width(), noisy.height(), channels, limited(values.mean(), largest));
     return values.isNoiseKnown()
-        ? Estimates.of(mean, new Raster(noisy.width(), noisy.height(), channels, values.noise()))
+        ? Estimates.of(
+            mean,
+            new Raster(noisy.width(), noisy.height(), channels, limited(values.noise(), largest)))
         : new Estimates(mean, mean);
+  }
+
+  private static float[] limited(float[] values, float largest) {
+    float[] limited = new float[values.length];
+    for (int i = 0; i < values.length; i++) {
+      limited[i] = Math.max(-largest, Math.min(largest, values[i]));
+    }
+    return limited;
   }
 
   private static Estimates beside(Estimates left, Estimates right) {

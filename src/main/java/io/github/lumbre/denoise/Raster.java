@@ -70,34 +70,29 @@ record Raster(int width, int height, int channels, float[] values) {
     Raster rows = new Raster(width, height, channels);
     for (int y = 0; y < height; y++) {
       for (int c = 0; c < channels; c++) {
-        slide(rows, y * width * channels + c, channels, width, radius);
+        blur(rows, y * width * channels + c, channels, width, radius);
       }
     }
     Raster result = new Raster(width, height, channels);
     for (int x = 0; x < width; x++) {
       for (int c = 0; c < channels; c++) {
-        rows.slide(result, x * channels + c, width * channels, height, radius);
+        rows.blur(result, x * channels + c, width * channels, height, radius);
       }
     }
     return result;
   }
 
-  /** Stores the sliding means of a row or a column. */
-  private void slide(Raster result, int first, int step, int count, int radius) {
-    double sum = 0;
-    int covered = 0;
-    for (int i = -radius; i < count; i++) {
-      if (i + radius < count) {
-        sum += values[first + (i + radius) * step];
-        covered++;
+  /** Stores the means of neighbors in a row or a column. */
+  private void blur(Raster result, int first, int step, int count, int radius) {
+    for (int i = 0; i < count; i++) {
+      int left = Math.max(0, i - radius);
+      int right = Math.min(count - 1, i + radius);
+      // A running sum would leave rounding errors of bright pixels in the dark ones after them.
+      double sum = 0;
+      for (int near = left; near <= right; near++) {
+        sum += values[first + near * step];
       }
-      if (i - radius > 0) {
-        sum -= values[first + (i - radius - 1) * step];
-        covered--;
-      }
-      if (i >= 0) {
-        result.values[first + i * step] = (float) (sum / covered);
-      }
+      result.values[first + i * step] = (float) (sum / (right - left + 1));
     }
   }
 

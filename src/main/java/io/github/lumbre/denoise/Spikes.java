@@ -55,7 +55,10 @@ final class Spikes {
   }
 
   private static float brightness(Raster half, int pixel) {
-    float[] values = half.values();
-    return (values[3 * pixel] + values[3 * pixel + 1] + values[3 * pixel + 2]) / 3;
+    float sum = 0;
+    for (int c = 0; c < 3; c++) {
+      sum += Math.max(0, half.values()[3 * pixel + c]);
+    }
+    return sum / 3;
   }
 }

@@ -170,4 +170,91 @@ class BuiltInDenoiserTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("at least 2 samples");
   }
+
+  /**
+   * Noise of light paths is skewed: few bright samples among many dark ones. The limit on spikes
+   * takes some of their light: 7 % of exponentially distributed halves.
+   */
+  @Test
+  void skewedNoiseLosesLittleLight() throws InterruptedException {
+    NoisyPicture noisy = noisy((x, y) -> .5, (x, y) -> .7, 0, 11);
+    Random random = new Random(11);
+    float[] mean = noisy.light().mean();
+    for (int i = 0; i < mean.length; i += 3) {
+      double a = -.5 * Math.log(1 - random.nextDouble());
+      double b = -.5 * Math.log(1 - random.nextDouble());
+      for (int c = 0; c < 3; c++) {
+        mean[i + c] = (float) ((a + b) / 2);
+        noisy.light().noise()[i + c] = (float) ((a - b) / 2);
+      }
+    }
+    double before = 0;
+    double after = 0;
+    float[] clean = BuiltInDenoiser.denoise(noisy, 2).image().rgb();
+    for (int i = 0; i < clean.length; i++) {
+      before += mean[i] / clean.length;
+      after += clean[i] / clean.length;
+    }
+    assertThat(after).isBetween(.9 * before, 1.01 * before);
+    assertThat(squaredError(clean, (x, y) -> .5)).isLessThan(squaredError(mean, (x, y) -> .5) / 25);
+  }
+
+  /** Single bright pixels that no guide knows, eight standard deviations above all others. */
+  @Test
+  void nothingMovesByMoreThanItsNoiseAllows() throws InterruptedException {
+    float deviation = .02f;
+    NoisyPicture noisy =
+        noisy((x, y) -> x % 8 == 3 && y % 8 == 3 ? .5 + 8 * .02 : .5, (x, y) -> .7, 0, 10);
+    Random random = new Random(10);
+    float[] noise = noisy.light().noise();
+    for (int i = 0; i < noise.length; i++) {
+      noise[i] = random.nextBoolean() ? deviation : -deviation;
+    }
+    float[] clean = BuiltInDenoiser.denoise(noisy, 2).image().rgb();
+    for (int i = 0; i < clean.length; i++) {
+      assertThat(clean[i]).isCloseTo(noisy.light().mean()[i], within(4.001f * deviation));
+    }
+  }
+
+  /** Values that a file may have, however unlikely: the result is a picture, not NaN. */
+  @Test
+  void extremeValuesGiveFinitePictures() throws InterruptedException {
+    float[] extremes = {
+      0,
+      -0f,
+      -1,
+      Float.MIN_VALUE,
+      -Float.MIN_VALUE,
+      1e-30f,
+      1,
+      1e10f,
+      1e19f,
+      -1e19f,
+      1e30f,
+      Float.MAX_VALUE,
+      -Float.MAX_VALUE
+    };
+    for (int seed = 0; seed < 20; seed++) {
+      Random random = new Random(seed);
+      float rare = random.nextFloat();
+      int size = 1 + random.nextInt(24);
+      NoisyPicture.Halves[] halves = new NoisyPicture.Halves[3];
+      for (int k = 0; k < 3; k++) {
+        float[] mean = new float[3 * size * 16];
+        float[] noise = new float[mean.length];
+        for (int i = 0; i < mean.length; i++) {
+          boolean isExtreme = random.nextFloat() < rare;
+          mean[i] = isExtreme ? extremes[random.nextInt(extremes.length)] : random.nextFloat();
+          noise[i] = isExtreme ? extremes[random.nextInt(extremes.length)] : .1f;
+        }
+        halves[k] = new NoisyPicture.Halves(mean, noise);
+      }
+      NoisyPicture picture =
+          new NoisyPicture(
+              size, 16, halves[0], Optional.of(halves[1]), Optional.of(halves[2]), new float[0], 0);
+      for (float value : BuiltInDenoiser.denoise(picture, 2).image().rgb()) {
+        assertThat(value).as("seed " + seed).isBetween(0f, Float.MAX_VALUE);
+      }
+    }
+  }
 }
