@@ -20,8 +20,10 @@ import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -42,26 +44,6 @@ import picocli.CommandLine.Spec;
     versionProvider = Version.class,
     usageHelpWidth = 100,
     synopsisSubcommandLabel = "COMMAND",
-    subcommands = {
-      RenderCommand.class,
-      ResumeCommand.class,
-      MergeCommand.class,
-      DevelopCommand.class,
-      LayersCommand.class,
-      DenoiseCommand.class,
-      ImportCommand.class,
-      CheckCommand.class,
-      AuditCommand.class,
-      PixelCommand.class,
-      BenchmarkCommand.class,
-      PerfCommand.class,
-      CompareCommand.class,
-      TradeCommand.class,
-      GalleryCommand.class,
-      SelfTestCommand.class,
-      CompletionCommand.class,
-      HelpCommand.class
-    },
     footer = {
       "",
       "Examples:",
@@ -80,6 +62,36 @@ import picocli.CommandLine.Spec;
 public final class Lumbre implements Runnable {
   /** The character that Java substitutes for bytes that are invalid in the locale's encoding. */
   private static final char GARBLED = '\ufffd';
+
+  /** The commands by name, in the order of the messages that list them. */
+  private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
+
+  static {
+    COMMANDS.put("render", RenderCommand.class);
+    COMMANDS.put("resume", ResumeCommand.class);
+    COMMANDS.put("merge", MergeCommand.class);
+    COMMANDS.put("develop", DevelopCommand.class);
+    COMMANDS.put("layers", LayersCommand.class);
+    COMMANDS.put("denoise", DenoiseCommand.class);
+    COMMANDS.put("import", ImportCommand.class);
+    COMMANDS.put("check", CheckCommand.class);
+    COMMANDS.put("audit", AuditCommand.class);
+    COMMANDS.put("pixel", PixelCommand.class);
+    COMMANDS.put("benchmark", BenchmarkCommand.class);
+    COMMANDS.put("perf", PerfCommand.class);
+    COMMANDS.put("compare", CompareCommand.class);
+    COMMANDS.put("trade", TradeCommand.class);
+    COMMANDS.put("gallery", GalleryCommand.class);
+    COMMANDS.put("selftest", SelfTestCommand.class);
+    COMMANDS.put("completion", CompletionCommand.class);
+    COMMANDS.put("help", HelpCommand.class);
+  }
+
+  /** Arguments that need no command but the program itself. */
+  private static final Set<String> VERSION_FLAGS = Set.of("-V", "--version");
+
+  /** The commands that describe all commands. */
+  private static final Set<String> DESCRIBING = Set.of("completion", "help");
 
   /** Current commands by their names before 0.2; these names will be removed in 0.3. */
   private static final Map<String, List<String>> RENAMED =
@@ -134,10 +146,20 @@ public final class Lumbre implements Runnable {
 
   /** Returns the program with all of its commands. */
   static CommandLine commandLine() {
-    return commandLine(Engine.LOCAL);
+    return commandLine(Engine.LOCAL, COMMANDS.keySet());
   }
 
-  private static CommandLine commandLine(Engine engine) {
+  /** Returns the names of the commands that arguments need: creating all takes a while. */
+  private static Set<String> needed(String[] args) {
+    if (args.length == 1 && VERSION_FLAGS.contains(args[0])) {
+      return Set.of();
+    }
+    boolean isOne =
+        args.length != 0 && COMMANDS.containsKey(args[0]) && !DESCRIBING.contains(args[0]);
+    return isOne ? Set.of(args[0]) : COMMANDS.keySet();
+  }
+
+  private static CommandLine commandLine(Engine engine, Set<String> names) {
     CommandLine.IFactory factory =
         new CommandLine.IFactory() {
           private final CommandLine.IFactory others = CommandLine.defaultFactory();
@@ -153,6 +175,9 @@ public final class Lumbre implements Runnable {
           }
         };
     CommandLine command = new CommandLine(new Lumbre(), factory);
+    for (String name : names) {
+      command.addSubcommand(name, new CommandLine(COMMANDS.get(name), factory));
+    }
     HelpLayout.applyToProgram(command);
     return command;
   }
@@ -178,7 +203,9 @@ public final class Lumbre implements Runnable {
    * @param engine renders the passes of {@code render} and {@code resume}
    */
   public static int run(String[] args, PrintWriter out, PrintWriter err, Engine engine) {
-    CommandLine command = commandLine(engine);
+    Messages messages = new Messages(err);
+    String[] current = renamed(args, messages);
+    CommandLine command = commandLine(engine, needed(current));
     Failures failures = new Failures();
     command.setOut(out).setErr(err);
     FlagConverters.registerNumbers(command);
@@ -187,18 +214,17 @@ public final class Lumbre implements Runnable {
     command.setOverwrittenOptionsAllowed(false).setAbbreviatedOptionsAllowed(false);
     for (String arg : args) {
       if (arg.indexOf(GARBLED) >= 0) {
-        new Messages(err)
-            .error(
-                arg
-                    + ": the locale's encoding, "
-                    + System.getProperty("sun.jnu.encoding")
-                    + ", cannot represent this argument; "
-                    + FileFailure.REMEDY);
+        messages.error(
+            arg
+                + ": the locale's encoding, "
+                + System.getProperty("sun.jnu.encoding")
+                + ", cannot represent this argument; "
+                + FileFailure.REMEDY);
         return ExitCodes.USAGE;
       }
     }
     try {
-      return command.execute(renamed(args, new Messages(err)));
+      return command.execute(current);
     } catch (Error e) {
       ParseResult parsed = command.getParseResult();
       return Failures.report(e, command, parsed != null && Failures.isDebug(parsed));

@@ -97,6 +97,13 @@ class LumbreTest {
   }
 
   @Test
+  void everyCommandIsFoundByItsOwnName() {
+    Lumbre.commandLine()
+        .getSubcommands()
+        .forEach((name, command) -> assertThat(command.getCommandName()).isEqualTo(name));
+  }
+
+  @Test
   void everyCommandHasOneHeading() {
     assertThat(HelpLayout.COMMANDS.values().stream().flatMap(List::stream))
         .containsExactlyInAnyOrderElementsOf(Lumbre.commandLine().getSubcommands().keySet());
