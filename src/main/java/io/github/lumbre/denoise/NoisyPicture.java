@@ -199,7 +199,8 @@ public record NoisyPicture(
     float[] rgb = new float[light.length];
     for (int i = 0; i < rgb.length; i++) {
       float coverage = alpha.length == 0 ? 1 : alpha[i / CHANNELS];
-      rgb[i] = coverage == 0 ? 0 : Math.max(0, light[i]) / coverage;
+      float shown = coverage == 0 ? 0 : Math.max(0, light[i]) / coverage;
+      rgb[i] = Math.min(Float.MAX_VALUE, shown);
     }
     return new Image(width, height, rgb, alpha);
   }

@@ -119,7 +119,8 @@ record Raster(int width, int height, int channels, float[] values) {
   }
 
   /**
-   * Returns a bilinear interpolation, about twice as wide and high: the inverse of {@link #halved}.
+   * Returns a bilinear interpolation of this raster, of the size of one that {@link #halved} made
+   * it from.
    */
   Raster doubled(int newWidth, int newHeight) {
     Raster result = new Raster(newWidth, newHeight, channels);

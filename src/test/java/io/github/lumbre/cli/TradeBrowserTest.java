@@ -90,7 +90,7 @@ named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.cl
 
   private static final String EMPTY_TABLES =
       """
-      named(document.querySelectorAll('table'), t => t.querySelectorAll('tbody tr').length < 2
+      named(document.querySelectorAll('table'), t => t.querySelectorAll('tbody tr').length < 3
         || [...t.querySelectorAll('tbody td:first-child')].some(cell => !cell.textContent.trim()))
       """;
 
@@ -106,7 +106,7 @@ named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.cl
       "--size",
       "72x48",
       "-s",
-      "16",
+      "64",
       "--seeds",
       "3",
       "-o",

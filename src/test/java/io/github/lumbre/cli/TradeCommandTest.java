@@ -14,6 +14,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -51,14 +53,19 @@ class TradeCommandTest {
         JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
     assertThat(values.get("format").getAsString()).isEqualTo("lumbre-trade-2");
     int rows = values.getAsJsonArray("rows").size();
-    int denoised = 0;
-    for (JsonElement row : values.getAsJsonArray("rows")) {
-      denoised += text(row.getAsJsonObject(), "knob").equals("denoise") ? 1 : 0;
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    Set<Integer> ladder = new TreeSet<>();
+    for (JsonElement element : values.getAsJsonArray("rows")) {
+      JsonObject row = element.getAsJsonObject();
+      counts.merge(text(row, "kind"), 1, Integer::sum);
+      ladder.add(row.get("samples").getAsInt());
     }
-    // Seven depths, ray tracing, one sampler, three MIS heuristics, four roulettes, three splits,
-    // and three clamps. A denoiser needs two samples.
-    int ladder = (rows - denoised) / 22;
-    assertThat(rows).isEqualTo(22 * ladder + ladder - 1);
+    // One depth, one sampler, three MIS heuristics, four roulettes and three splits are unbiased;
+    // six depths, ray tracing and three clamps are not.
+    int rungs = ladder.size();
+    assertThat(counts.get("noise") + counts.get("bias")).isEqualTo(22 * rungs);
+    int denoised = ladder.contains(1) ? rungs - 1 : rungs;
+    assertThat(counts.getOrDefault("denoised", 0)).isEqualTo(denoised);
     assertThat(Files.readAllLines(directory.resolve("out.csv"))).hasSize(3 * rows + 1);
   }
 

@@ -133,11 +133,13 @@ class BuiltInDenoiserTest {
     float[] alpha = new float[WIDTH * HEIGHT];
     Arrays.fill(alpha, .5f);
     alpha[0] = 0;
+    alpha[9] = Float.MIN_VALUE;
     NoisyPicture half =
         new NoisyPicture(WIDTH, HEIGHT, opaque.light(), opaque.albedo(), opaque.normal(), alpha, 0);
     float[] clean = BuiltInDenoiser.denoise(half, 2).image().rgb();
     assertThat(clean[3]).isCloseTo(1, within(.1f));
     assertThat(clean[0]).isZero();
+    assertThat(clean[27]).isFinite();
   }
 
   @Test
