@@ -23,7 +23,7 @@ record Similarity(
   private static final int PATCH = 2;
 
   /** Differences of this share of the color do not count. */
-  private static final double COLOR_FLOOR = 1e-4;
+  private static final float COLOR_FLOOR = 1e-4f;
 
   private static final double FEATURE_FLOOR = 1e-3;
 
@@ -68,11 +68,14 @@ record Similarity(
     int right = Math.min(PATCH, width - 1 - Math.max(px, qx));
     int top = -Math.min(PATCH, Math.min(py, qy));
     int bottom = Math.min(PATCH, height - 1 - Math.max(py, qy));
-    double scale = colorScale * colorScale;
+    float scale = (float) (colorScale * colorScale);
     float[] values = color.values();
     float[] variances = variance.values();
+    int count = 3 * (right - left + 1) * (bottom - top + 1);
+    // No summand is below -1/scale: noise explains at most all of a difference.
+    double farthest = count * (LARGEST + 1 / scale);
     double sum = 0;
-    for (int y = top; y <= bottom; y++) {
+    for (int y = top; y <= bottom && sum < farthest; y++) {
       int i = 3 * ((py + y) * width + px + left);
       int shift = 3 * ((qy - py) * width + qx - px);
       for (int end = i + 3 * (right - left + 1); i < end; i++) {
@@ -81,10 +84,10 @@ record Similarity(
         float ofA = variances[i];
         float ofB = variances[i + shift];
         float difference = a - b;
-        double beyondNoise = difference * difference - (ofA + Math.min(ofA, ofB));
+        float beyondNoise = difference * difference - (ofA + Math.min(ofA, ofB));
         sum += beyondNoise / (COLOR_FLOOR * (1 + a * a + b * b) + scale * (ofA + ofB));
       }
     }
-    return Math.max(0, sum / (3 * (right - left + 1) * (bottom - top + 1)));
+    return Math.max(0, sum / count);
   }
 }
