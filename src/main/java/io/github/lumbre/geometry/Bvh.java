@@ -1,11 +1,13 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import java.util.List;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * A bounding volume hierarchy over shapes in world space. Immutable; all threads share it.
+ * A bounding volume hierarchy over shapes in world space. All threads share it; a {@link
+ * KernelChange} may replace its traversal by one that finds the same hits.
  *
  * <p>The triangles of each {@link Mesh} are items of the hierarchy. Every other bounded shape is
  * one item; unbounded shapes are tested for every ray. Of hits at the same t, the lower shape
@@ -16,12 +18,18 @@ import java.util.concurrent.atomic.LongAdder;
  * ray's origin. This exceeds the error of any item's intersection test.
  */
 public final class Bvh {
-  private final Traversal bounded;
+  /** Not volatile: a thread may use the former traversal for a while. */
+  private Traversal bounded;
+
   private final LeafShapes unbounded;
 
-  private Bvh(Traversal bounded, LeafShapes unbounded) {
+  /** The shapes, if a change to the vector kernel is possible. */
+  private final List<Shape> changeable;
+
+  private Bvh(Traversal bounded, LeafShapes unbounded, List<Shape> changeable) {
     this.bounded = bounded;
     this.unbounded = unbounded;
+    this.changeable = changeable;
   }
 
   /**
@@ -43,8 +51,10 @@ public final class Bvh {
    *     large hierarchy is built
    */
   public static Bvh over(List<? extends Shape> shapes, Kernel kernel) {
-    BvhItems items = new BvhItems(List.copyOf(shapes));
-    return new Bvh(kernel.over(items), items.unbounded());
+    List<Shape> all = List.copyOf(shapes);
+    BvhItems items = new BvhItems(all);
+    return new Bvh(
+        kernel.over(items), items.unbounded(), kernel.mayChange(items) ? all : List.of());
   }
 
   /**
@@ -55,7 +65,7 @@ public final class Bvh {
    */
   public static Bvh counting(List<? extends Shape> shapes, LongAdder visits) {
     BvhItems items = new BvhItems(List.copyOf(shapes));
-    return new Bvh(Kernel.counting(items, visits), items.unbounded());
+    return new Bvh(Kernel.counting(items, visits), items.unbounded(), List.of());
   }
 
   /**
@@ -127,5 +137,40 @@ public final class Bvh {
     nearest.inPart = false;
     nearest.shape = outer;
     return found;
+  }
+
+  /** Returns whether this hierarchy may change to the vector kernel. */
+  boolean isChangeable() {
+    return !changeable.isEmpty();
+  }
+
+  /** Returns the traversal of all shapes but the unbounded ones. */
+  Traversal bounded() {
+    return bounded;
+  }
+
+  /** Builds the traversal that this hierarchy may change to. */
+  Traversal vectorTraversal() {
+    return Kernel.VECTOR.over(new BvhItems(changeable));
+  }
+
+  /** Replaces the traversal by one that finds the same hits. */
+  void changeTo(Traversal same) {
+    bounded = same;
+  }
+
+  /** Returns the bounds of the shapes that this hierarchy may search with the vector kernel. */
+  Bounds3 changeableBounds() {
+    return changeable.stream()
+        .map(Shape::bounds)
+        .filter(Bounds3::isFinite)
+        .reduce(Bounds3.EMPTY, Bounds3::union);
+  }
+
+  /** Returns the approximate number of items that it may search with the vector kernel. */
+  long changeableItems() {
+    return changeable.stream()
+        .mapToLong(s -> s instanceof Mesh mesh ? mesh.triangles().triangleCount() : 1)
+        .sum();
   }
 }

@@ -4,17 +4,17 @@ import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * The traversal kernel of a hierarchy, chosen when it is built: vectors of eight floats, or plain
- * Java. The hits of both are bit-identical; only the speed differs.
+ * The traversal kernel of a hierarchy: vectors of eight floats, or plain Java. The hits of both are
+ * bit-identical; only the speed differs.
  *
  * <p>The vector kernel needs a processor with 256-bit vectors and the module jdk.incubator.vector,
  * which Java loads only with {@code --add-modules jdk.incubator.vector}.
  */
 public enum Kernel {
   /**
-   * Vectors where they are available and faster: in hierarchies of six items or more. The exception
-   * is a hierarchy whose items are mostly too small, relative to its extent, for floats to
-   * separate.
+   * Vectors where they are available and faster: in hierarchies of six items or more, but not in
+   * those whose items are mostly too small, relative to its extent, for floats to separate. Until
+   * the JIT has compiled the vector kernel, plain Java; see {@link KernelChange}.
    */
   AUTO,
 
@@ -70,11 +70,19 @@ public enum Kernel {
     return switch (this) {
       case SCALAR -> false;
       case VECTOR -> items.hasFiniteExtent();
-      case AUTO ->
-          obstacle.isEmpty()
-              && items.count() >= MIN_ITEMS
-              && items.hasFiniteExtent()
-              && items.suitFloats();
+      case AUTO -> KernelChange.isCompiled() && suitVectors(items);
     };
+  }
+
+  /** Returns whether a hierarchy starts with plain Java but may change to vectors. */
+  boolean mayChange(BvhItems items) {
+    return this == AUTO && !KernelChange.isCompiled() && suitVectors(items);
+  }
+
+  private static boolean suitVectors(BvhItems items) {
+    return vectorObstacle().isEmpty()
+        && items.count() >= MIN_ITEMS
+        && items.hasFiniteExtent()
+        && items.suitFloats();
   }
 }

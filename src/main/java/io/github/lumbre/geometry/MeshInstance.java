@@ -22,6 +22,10 @@ public final class MeshInstance implements Shape {
     surface = new MeshSurface(shared.mesh(), toWorld);
   }
 
+  SharedMesh shared() {
+    return shared;
+  }
+
   @Override
   public Bounds3 bounds() {
     return Placement.outward(toWorld, shared.mesh().bounds());

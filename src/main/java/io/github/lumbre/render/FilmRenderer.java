@@ -22,6 +22,9 @@ import java.util.function.UnaryOperator;
  * save the film, stop, or choose a different number of samples for each pixel. Each pass divides
  * the film into buckets, which threads take from a queue.
  *
+ * <p>A long render may change the scene's traversal kernel; see {@link
+ * io.github.lumbre.geometry.KernelChange}.
+ *
  * <p>Immutable; several threads may use one instance at once, each with its own film. A sample is a
  * function of the scene, the seed, the pixel and the sample number, and films add exactly. The sums
  * are therefore bit-identical for any passes, threads and buckets.
@@ -51,7 +54,8 @@ public final class FilmRenderer implements PassRenderer {
   /**
    * Creates a renderer with the integrator of the settings.
    *
-   * @param settings the settings; only {@link #schedule()} uses their number of samples
+   * @param settings the settings; their number of samples is used by {@link #schedule()}, and tells
+   *     whether a render is long
    */
   public FilmRenderer(RenderSettings settings, Scene scene) {
     this(settings, scene, Integrator.of(scene, settings));
@@ -164,8 +168,19 @@ public final class FilmRenderer implements PassRenderer {
     for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {
       workers.add(new BucketWorker(settings, scene, integrator, sampler(), film, target, queue));
     }
+    double start = seconds();
     run(workers, queue, progress);
-    return new PassResult(queue.isExhausted(), statistics(workers));
+    RenderStatistics statistics = statistics(workers);
+    double processorSeconds = (seconds() - start) * workers.size();
+    if (statistics.samples() > 0) {
+      double left = (double) settings.samples() * pixels() - film.totalSamples();
+      KernelUpgrade.passed(scene, processorSeconds, left * processorSeconds / statistics.samples());
+    }
+    return new PassResult(queue.isExhausted(), statistics);
+  }
+
+  private long pixels() {
+    return (long) settings.window().width() * settings.window().height();
   }
 
   private Sampler sampler() {

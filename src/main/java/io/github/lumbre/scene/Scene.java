@@ -3,6 +3,7 @@ package io.github.lumbre.scene;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.geometry.Bvh;
 import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.geometry.KernelChange;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
@@ -20,7 +21,8 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.stream.Collectors;
 
 /**
- * A complete scene in world space. Immutable; all threads share it. {@link SceneBuilder} builds it.
+ * A complete scene in world space. All threads share it; nothing that it finds ever changes. {@link
+ * SceneBuilder} builds it.
  *
  * <p>A scene has two lists of lights. {@link #lights} holds the declared lights. {@link #emitters}
  * holds all lights of path mode: the declared lights, other emissive surfaces, and the background.
@@ -33,6 +35,7 @@ public final class Scene {
   private final Primitive[] primitiveOfShape;
 
   private final Bvh bvh;
+  private final KernelChange kernelChange;
   private final List<Light> lights;
   private final List<Light> emitters;
   private final List<EnvironmentLight> environments;
@@ -68,6 +71,7 @@ public final class Scene {
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
     bvh = Bvh.over(shapes(), built.kernel());
+    kernelChange = KernelChange.of(bvh, shapes());
     lightGroups = new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, primitives);
     names = SurfaceNames.of(built.objectNames, built.materialNames);
     environments =
@@ -90,6 +94,7 @@ public final class Scene {
     camera = other.camera;
     primitives = other.primitives;
     this.bvh = bvh;
+    kernelChange = bvh == other.bvh ? other.kernelChange : KernelChange.of(bvh, shapes());
     lights = other.lights;
     emitters = other.emitters;
     environments = other.environments;
@@ -163,6 +168,22 @@ public final class Scene {
    */
   public Scene counting(LongAdder visits) {
     return new Scene(this, Bvh.counting(shapes(), visits), shortcuts);
+  }
+
+  /** Returns whether {@link #changeKernel} has something to do. */
+  public boolean mayChangeKernel() {
+    return kernelChange.isPossible();
+  }
+
+  /**
+   * Changes from plain Java to the vector kernel if this becomes faster; see {@link KernelChange}.
+   * Takes a few seconds; renders may go on meanwhile, and their pictures do not change. Long
+   * renders call it.
+   *
+   * @throws InterruptedException if the thread is interrupted; nothing has changed then
+   */
+  public void changeKernel() throws InterruptedException {
+    kernelChange.run();
   }
 
   private List<Shape> shapes() {

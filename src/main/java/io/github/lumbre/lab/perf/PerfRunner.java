@@ -92,6 +92,10 @@ public final class PerfRunner {
   private Timed time(String scene, SceneFile file, RenderSettings settings)
       throws TaskException, InterruptedException, Stopped {
     List<Double> cold = shortRenders(file, settings, plan.warmup());
+    if (plan.warmup() > 0) {
+      // Long renders, whose rate is measured here, would change the kernel sooner or later.
+      file.scene().changeKernel();
+    }
     List<Repetition> repetitions = new ArrayList<>();
     TimedRender first = render(file, settings);
     repetitions.add(repetition(first));

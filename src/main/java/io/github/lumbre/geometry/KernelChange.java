@@ -1,0 +1,174 @@
+package io.github.lumbre.geometry;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Vec3;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Changes the hierarchies of a scene from plain Java to vectors once these are faster. Until the
+ * JIT has compiled the vector kernel, it is about 100 times slower, so that hierarchies for {@link
+ * Kernel#AUTO} begin with plain Java. Hits are bit-identical, so that renders may go on meanwhile.
+ *
+ * <p>Mutable and thread-safe.
+ */
+public final class KernelChange {
+  private static final int RAYS = 500;
+
+  /** Vectors must win this many batches of rays in a row. */
+  private static final int WINS = 3;
+
+  /** After this time, vectors will not become faster. */
+  private static final long LONGEST_NANOS = 20_000_000_000L;
+
+  private static volatile boolean isCompiled;
+
+  private final List<Bvh> hierarchies;
+  private boolean isTried;
+
+  private KernelChange(List<Bvh> hierarchies) {
+    this.hierarchies = hierarchies;
+  }
+
+  /** Returns the change of a hierarchy and of those of its {@link MeshInstance}s. */
+  public static KernelChange of(Bvh bvh, List<? extends Shape> shapes) {
+    Set<Bvh> all = new LinkedHashSet<>();
+    all.add(bvh);
+    for (Shape shape : shapes) {
+      if (shape instanceof MeshInstance instance) {
+        all.add(instance.shared().bvh());
+      }
+    }
+    return new KernelChange(all.stream().filter(Bvh::isChangeable).toList());
+  }
+
+  /** Returns whether the vector kernel is known to be compiled in this JVM. */
+  static boolean isCompiled() {
+    return isCompiled;
+  }
+
+  /** Sets whether the vector kernel is known to be compiled, for this class and its tests. */
+  static void setCompiled(boolean compiled) {
+    isCompiled = compiled;
+  }
+
+  /** Returns whether {@link #run} has something to do; it does it once. */
+  public synchronized boolean isPossible() {
+    return !isTried && !hierarchies.isEmpty();
+  }
+
+  /**
+   * Builds vector hierarchies and searches the largest one until the JIT has compiled the search
+   * and it is faster than plain Java; then changes all hierarchies. If it does not become faster,
+   * nothing changes. Takes one thread a few seconds.
+   *
+   * @return whether the hierarchies have changed
+   * @throws InterruptedException if the thread is interrupted; nothing has changed then
+   */
+  public boolean run() throws InterruptedException {
+    synchronized (this) {
+      if (!isPossible()) {
+        return false;
+      }
+      isTried = true;
+    }
+    List<Traversal> vectors = new ArrayList<>();
+    for (Bvh bvh : hierarchies) {
+      vectors.add(bvh.vectorTraversal());
+    }
+    int largest = indexOfLargest();
+    if (!becomesFaster(hierarchies.get(largest), vectors.get(largest))) {
+      return false;
+    }
+    setCompiled(true);
+    for (int i = 0; i < vectors.size(); i++) {
+      hierarchies.get(i).changeTo(vectors.get(i));
+    }
+    return true;
+  }
+
+  private int indexOfLargest() {
+    Bvh largest =
+        hierarchies.stream().max(Comparator.comparingLong(Bvh::changeableItems)).orElseThrow();
+    return hierarchies.indexOf(largest);
+  }
+
+  private static boolean becomesFaster(Bvh bvh, Traversal vectors) throws InterruptedException {
+    SearchTime plainTime = new SearchTime(bvh, bvh.bounded());
+    SearchTime vectorTime = new SearchTime(bvh, vectors);
+    long start = System.nanoTime();
+    for (int wins = 0; wins < WINS; ) {
+      if (Thread.interrupted()) {
+        throw new InterruptedException();
+      }
+      if (System.nanoTime() - start > LONGEST_NANOS) {
+        return false;
+      }
+      wins = vectorTime.next() < plainTime.next() ? wins + 1 : 0;
+    }
+    return true;
+  }
+
+  /** Measures the time of searches along paths that bounce between the items. */
+  private static final class SearchTime {
+    private final Traversal traversal;
+    private final Bounds3 bounds;
+    private final NearestHit nearest = new NearestHit();
+    private int points;
+    private Vec3 origin;
+
+    SearchTime(Bvh bvh, Traversal traversal) {
+      this.traversal = traversal;
+      bounds = bvh.changeableBounds();
+      origin = somewhere();
+    }
+
+    /** Returns the nanoseconds of the next searches; those of all instances are the same. */
+    long next() {
+      long start = System.nanoTime();
+      for (int i = 0; i < RAYS; i++) {
+        Vec3 direction = somewhere().minus(origin);
+        if (search(direction, i % 2 == 1) && !nearest.any) {
+          // The next path vertex lies just before the surface.
+          origin = origin.plus(direction.times(.999 * nearest.t));
+        } else if (!nearest.any) {
+          origin = somewhere();
+        }
+      }
+      return System.nanoTime() - start;
+    }
+
+    private boolean search(Vec3 direction, boolean any) {
+      nearest.aim(
+          origin.x(),
+          origin.y(),
+          origin.z(),
+          direction.x(),
+          direction.y(),
+          direction.z(),
+          any ? 1 : Double.POSITIVE_INFINITY);
+      nearest.any = any;
+      return traversal.traverse(
+          origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z(), nearest);
+    }
+
+    /**
+     * Returns the next point of a uniform sequence (Roberts 2018, "The Unreasonable Effectiveness
+     * of Quasirandom Sequences": powers of the root of x⁴ = x + 1).
+     */
+    private Vec3 somewhere() {
+      points++;
+      return new Vec3(
+          between(bounds.min().x(), bounds.max().x(), .8191725133961645 * points),
+          between(bounds.min().y(), bounds.max().y(), .6710436067037893 * points),
+          between(bounds.min().z(), bounds.max().z(), .5497004779019703 * points));
+    }
+
+    private static double between(double low, double high, double position) {
+      return low + (position - Math.floor(position)) * (high - low);
+    }
+  }
+}

@@ -1,0 +1,137 @@
+package io.github.lumbre.geometry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+
+/** The change of a hierarchy from plain Java to vectors. */
+@Isolated("whether the vector kernel is compiled is known to the whole JVM")
+class KernelChangeTest {
+  private static final Bounds3 AROUND = new Bounds3(new Vec3(-9, -9, -9), new Vec3(9, 9, 9));
+
+  private final NearestHit found = new NearestHit();
+  private final NearestHit expected = new NearestHit();
+  private final Random random = new Random(11);
+
+  @BeforeEach
+  void startUncompiled() {
+    assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
+    KernelChange.setCompiled(false);
+  }
+
+  @AfterEach
+  void forget() {
+    KernelChange.setCompiled(false);
+  }
+
+  /** Returns a mesh, another one placed twice, and a few other shapes. */
+  private List<Shape> shapes() {
+    List<Shape> shapes = new ArrayList<>(Shapes.zoo(random, 20));
+    shapes.add(Mesh.baked(Shapes.closedBall(30, 40, .2, false), Transform.IDENTITY));
+    SharedMesh shared = new SharedMesh(Shapes.closedBall(20, 20, .2, false));
+    shapes.add(new MeshInstance(shared, Transform.translation(new Vec3(3, 0, 0))));
+    shapes.add(new MeshInstance(shared, Transform.translation(new Vec3(-3, 0, 0))));
+    return shapes;
+  }
+
+  private void assertSameHits(Bvh bvh, Bvh scalar) {
+    int hits = 0;
+    for (int i = 0; i < 5000; i++) {
+      Ray ray = Shapes.ray(random, AROUND);
+      boolean isHit = scalar.intersect(ray, expected);
+      assertThat(bvh.intersect(ray, found)).isEqualTo(isHit);
+      assertThat(found.shape).isEqualTo(expected.shape);
+      if (isHit) {
+        assertThat(found.t).isEqualTo(expected.t);
+        hits++;
+      }
+      assertThat(bvh.isOccluded(ray, found)).isEqualTo(isHit);
+    }
+    assertThat(hits).isGreaterThan(100);
+  }
+
+  @Test
+  void startsWithPlainJavaAndChangesToVectors() throws InterruptedException {
+    List<Shape> shapes = shapes();
+    Bvh scalar = Bvh.over(shapes, Kernel.SCALAR);
+    Bvh bvh = Bvh.over(shapes);
+    KernelChange change = KernelChange.of(bvh, shapes);
+    assertThat(change.isPossible()).isTrue();
+    assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
+    assertSameHits(bvh, scalar);
+
+    assertThat(change.run()).isTrue();
+
+    assertThat(bvh.bounded()).isNotInstanceOf(BinaryTraversal.class);
+    MeshInstance instance = (MeshInstance) shapes.get(shapes.size() - 1);
+    assertThat(instance.shared().bvh().bounded()).isNotInstanceOf(BinaryTraversal.class);
+    assertSameHits(bvh, scalar);
+    assertThat(change.isPossible()).isFalse();
+    assertThat(change.run()).isFalse();
+    Bvh later = Bvh.over(shapes);
+    assertThat(later.bounded()).isNotInstanceOf(BinaryTraversal.class);
+    assertThat(KernelChange.of(later, shapes()).isPossible()).isFalse();
+  }
+
+  @Test
+  void searchesGoOnDuringTheChange() throws InterruptedException {
+    List<Shape> shapes = shapes();
+    Bvh scalar = Bvh.over(shapes, Kernel.SCALAR);
+    Bvh bvh = Bvh.over(shapes);
+    Thread changing =
+        new Thread(
+            () -> {
+              try {
+                KernelChange.of(bvh, shapes).run();
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+    changing.start();
+    while (changing.isAlive()) {
+      assertSameHits(bvh, scalar);
+    }
+    assertSameHits(bvh, scalar);
+    assertThat(bvh.bounded()).isNotInstanceOf(BinaryTraversal.class);
+  }
+
+  @Test
+  void chosenKernelsStay() {
+    for (Kernel kernel : List.of(Kernel.SCALAR, Kernel.VECTOR)) {
+      List<Shape> mesh =
+          List.of(Mesh.baked(Shapes.closedBall(30, 40, .2, false), Transform.IDENTITY));
+      assertThat(KernelChange.of(Bvh.over(mesh, kernel), mesh).isPossible()).isFalse();
+    }
+  }
+
+  @Test
+  void fewItemsStayInPlainJava() throws InterruptedException {
+    List<Shape> few = List.of(new Sphere(Transform.IDENTITY, 1));
+    KernelChange change = KernelChange.of(Bvh.over(few), few);
+    assertThat(change.isPossible()).isFalse();
+    assertThat(change.run()).isFalse();
+  }
+
+  @Test
+  void interruptedChangeChangesNothing() {
+    List<Shape> shapes = shapes();
+    Bvh bvh = Bvh.over(shapes);
+    KernelChange change = KernelChange.of(bvh, shapes);
+    Thread.currentThread().interrupt();
+    assertThatThrownBy(change::run).isInstanceOf(InterruptedException.class);
+    assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
+    assertThat(KernelChange.isCompiled()).isFalse();
+  }
+}
