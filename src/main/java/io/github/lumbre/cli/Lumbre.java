@@ -87,7 +87,7 @@ public final class Lumbre implements Runnable {
     COMMANDS.put("help", HelpCommand.class);
   }
 
-  /** Arguments that need no command but the program itself. */
+  /** Arguments that need no command. */
   private static final Set<String> VERSION_FLAGS = Set.of("-V", "--version");
 
   /** The commands that describe all commands. */
@@ -105,9 +105,11 @@ public final class Lumbre implements Runnable {
   /** Runs the command that the arguments name and exits. */
   public static void main(String[] args) {
     redirectErrors();
-    Interruption.install();
-    long start = ManagementFactory.getRuntimeMXBean().getStartTime();
-    System.setProperty(BudgetFlags.START, String.valueOf(start));
+    if (!asksForVersion(args)) {
+      Interruption.install();
+      long start = ManagementFactory.getRuntimeMXBean().getStartTime();
+      System.setProperty(BudgetFlags.START, String.valueOf(start));
+    }
     Charset charset = charset(Charset.defaultCharset());
     StandardOutput results = StandardOutput.open();
     PrintWriter out = new PrintWriter(results, true, charset);
@@ -144,6 +146,10 @@ public final class Lumbre implements Runnable {
     }
   }
 
+  private static boolean asksForVersion(String[] args) {
+    return args.length == 1 && VERSION_FLAGS.contains(args[0]);
+  }
+
   /** Returns the program with all of its commands. */
   static CommandLine commandLine() {
     return commandLine(Engine.LOCAL, COMMANDS.keySet());
@@ -151,9 +157,6 @@ public final class Lumbre implements Runnable {
 
   /** Returns the names of the commands that arguments need: creating all takes a while. */
   private static Set<String> needed(String[] args) {
-    if (args.length == 1 && VERSION_FLAGS.contains(args[0])) {
-      return Set.of();
-    }
     boolean isOne =
         args.length != 0 && COMMANDS.containsKey(args[0]) && !DESCRIBING.contains(args[0]);
     return isOne ? Set.of(args[0]) : COMMANDS.keySet();
@@ -203,6 +206,11 @@ public final class Lumbre implements Runnable {
    * @param engine renders the passes of {@code render} and {@code resume}
    */
   public static int run(String[] args, PrintWriter out, PrintWriter err, Engine engine) {
+    if (asksForVersion(args)) {
+      // Answered at once: scripts ask for it often.
+      Arrays.stream(new Version().getVersion()).forEach(out::println);
+      return ExitCodes.OK;
+    }
     Messages messages = new Messages(err);
     String[] current = renamed(args, messages);
     CommandLine command = commandLine(engine, needed(current));

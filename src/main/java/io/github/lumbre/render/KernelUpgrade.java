@@ -9,8 +9,10 @@ import java.util.concurrent.atomic.DoubleAdder;
  * time of a render: short renders are over sooner without.
  */
 final class KernelUpgrade {
-  /** With less experience, in processor seconds, the time left cannot be told. */
-  private static final double LEAST_SPENT = .5;
+  /**
+   * With less experience, in processor seconds, the time left cannot be told: the JIT compiles.
+   */
+  private static final double LEAST_SPENT = 3;
 
   /** It pays from this many processor seconds on, either still to come or already spent. */
   private static final double PAYS_FROM = 8;
