@@ -35,7 +35,11 @@ class JvmOptionsTest {
   @Test
   void bothLaunchersReadTheFileAndStateNoOptionOfTheirOwn() throws IOException {
     for (String launcher : List.of("lumbre", "lumbre.cmd")) {
-      assertThat(Files.readString(Path.of(launcher)))
+      String text = Files.readString(Path.of(launcher));
+      // Those of the archive of classes name a file that the launcher makes.
+      String others =
+          text.replaceAll("-XX:(DumpLoadedClassList|Shared\\w+)=|-Xshare(:dump|\\*)", "");
+      assertThat(others)
           .containsPattern("src.main.jvm.options")
           .doesNotContain("-XX:", "-Xshare", "-Djava.awt");
     }

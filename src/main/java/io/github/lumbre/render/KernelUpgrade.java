@@ -9,9 +9,7 @@ import java.util.concurrent.atomic.DoubleAdder;
  * time of a render: short renders are over sooner without.
  */
 final class KernelUpgrade {
-  /**
-   * With less experience, in processor seconds, the time left cannot be told: the JIT compiles.
-   */
+  /** With less experience, in processor seconds, the time left cannot be told: the JIT compiles. */
   private static final double LEAST_SPENT = 3;
 
   /** It pays from this many processor seconds on, either still to come or already spent. */

@@ -253,4 +253,47 @@ class LauncherIT {
     Map<String, String> options = Map.of("LUMBRE_JAVA_OPTS", "-Xmx200m -Dos.name=Elsewhere");
     assertThat(launch(home.resolve("lumbre"), options).out()).contains("OS: Elsewhere");
   }
+
+  private Path archive() throws IOException {
+    try (Stream<Path> files = Files.list(home.resolve("target"))) {
+      return files.filter(file -> file.toString().endsWith(".jsa")).findFirst().orElseThrow();
+    }
+  }
+
+  @Test
+  void classesAreReadFromAnArchiveOfThisJavaAndThisJar() throws IOException, InterruptedException {
+    // JDK 17 archives no classes from a path with spaces.
+    home = Files.move(home, directory.resolve("home"));
+    Path scene = Path.of("scenes/cornell-box.json");
+    Files.copy(scene, Files.createDirectories(home.resolve("scenes")).resolve(scene.getFileName()));
+    launch();
+    assertThat(archive()).isNotEmptyFile();
+    Map<String, String> options = Map.of("LUMBRE_JAVA_OPTS", "-Xlog:class+load");
+    assertThat(launch(home.resolve("lumbre"), options).out())
+        .contains("io.github.lumbre.cli.Lumbre source: shared objects file");
+
+    assertThat(archive().toFile().setWritable(true)).isTrue();
+    Files.writeString(archive(), "damaged");
+    Outcome damaged = launch();
+    assertThat(damaged.out()).startsWith("Lumbre ");
+    assertThat(damaged.err()).isEmpty();
+    assertThat(archive()).hasContent("damaged");
+
+    Files.setLastModifiedTime(
+        home.resolve("target/lumbre-all.jar"), FileTime.from(Instant.now().minusSeconds(5)));
+    Files.setLastModifiedTime(archive(), FileTime.from(Instant.now().minusSeconds(50)));
+    launch();
+    assertThat(Files.size(archive())).isGreaterThan(1_000_000);
+  }
+
+  @Test
+  void startsWithoutAnArchiveIfItCannotBeMade() throws IOException, InterruptedException {
+    assertThat(launch().out()).startsWith("Lumbre ");
+    assertThat(archive()).isEmptyFile();
+    assertThat(launch().err()).isEmpty();
+    try (Stream<Path> files = Files.list(home.resolve("target"))) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .containsExactlyInAnyOrder("lumbre-all.jar", archive().getFileName().toString());
+    }
+  }
 }
