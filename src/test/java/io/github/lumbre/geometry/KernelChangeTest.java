@@ -14,10 +14,8 @@ import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.parallel.Isolated;
 
 /** The change of a hierarchy from plain Java to vectors. */
-@Isolated("whether the vector kernel is compiled is known to the whole JVM")
 class KernelChangeTest {
   private static final Bounds3 AROUND = new Bounds3(new Vec3(-9, -9, -9), new Vec3(9, 9, 9));
 
@@ -26,14 +24,14 @@ class KernelChangeTest {
   private final Random random = new Random(11);
 
   @BeforeEach
-  void startUncompiled() {
+  void startUncompiled() throws InterruptedException {
     assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
-    KernelChange.setCompiled(false);
+    CompiledVectors.forget();
   }
 
   @AfterEach
-  void forget() {
-    KernelChange.setCompiled(false);
+  void forget() throws InterruptedException {
+    CompiledVectors.forget();
   }
 
   /** Returns a mesh, another one placed twice, and a few other shapes. */

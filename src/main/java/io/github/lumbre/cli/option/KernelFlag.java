@@ -12,9 +12,8 @@ import picocli.CommandLine.Spec;
 /** The flag that selects the traversal kernel of the BVH. */
 public final class KernelFlag {
   /**
-   * The shortest time limit with which the vector kernel is used. In less time, the scalar kernel
-   * takes more samples. Until the JIT has compiled it, the vector kernel is about 100× slower, for
-   * 2 s to 4 s on two processors; then it is 10&nbsp;% to 30&nbsp;% faster.
+   * The shortest time limit with which a render changes to the vector kernel. In less time, the
+   * scalar kernel takes more samples.
    */
   private static final Duration FIRST_FOR_VECTORS = Duration.ofSeconds(20);
 
@@ -26,8 +25,8 @@ public final class KernelFlag {
       paramLabel = "NAME",
       converter = FlagConverters.OfKernel.class,
       description =
-          "Ray traversal kernel: vector, scalar or auto (auto: vector where it is faster, but not"
-              + " with --time below 20s). The picture is bit-identical.")
+          "Ray traversal kernel: vector, scalar or auto (auto: scalar first; a long render changes"
+              + " to vector where this is faster). The picture is bit-identical.")
   private Optional<Kernel> kernel;
 
   /**
@@ -41,7 +40,7 @@ public final class KernelFlag {
 
   /**
    * Returns a parser of scenes for one render. A short render has no time to compile the vector
-   * kernel and uses the scalar one.
+   * kernel and keeps the scalar one.
    *
    * @param time limit of the whole command; empty if there is none
    * @throws ParameterException as {@link #validate}

@@ -1,0 +1,77 @@
+package io.github.lumbre.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.github.lumbre.geometry.CompiledVectors;
+import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** When a render changes the traversal kernel. */
+class KernelUpgradeTest {
+  private SceneFile file;
+  private Scene scene;
+
+  @BeforeEach
+  void readScene() throws Exception {
+    assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
+    CompiledVectors.forget();
+    file = new SceneParser().parse(Path.of("scenes/torus-knot.json"));
+    scene = file.scene();
+    assertThat(scene.mayChangeKernel()).isTrue();
+  }
+
+  @AfterEach
+  void forget() throws InterruptedException {
+    CompiledVectors.forget();
+  }
+
+  /** The time that is spent before it counts is at most 8 s. */
+  @Test
+  void shortRendersKeepTheirKernel() {
+    KernelUpgrade.passed(scene, 0, 0);
+    KernelUpgrade.passed(scene, 0, 7.9);
+    assertThat(scene.mayChangeKernel()).isTrue();
+  }
+
+  @Test
+  void longRendersChangeIt() throws InterruptedException {
+    KernelUpgrade.passed(scene, 3.1, 8.1);
+    CompiledVectors.forget();
+    assertThat(scene.mayChangeKernel()).isFalse();
+  }
+
+  @Test
+  void manyShortRendersChangeIt() throws InterruptedException {
+    KernelUpgrade.passed(scene, 8.1, 0);
+    CompiledVectors.forget();
+    assertThat(scene.mayChangeKernel()).isFalse();
+  }
+
+  @Test
+  void samplesBeforeAndAfterTheChangeHaveTheSameBits() throws InterruptedException {
+    RenderSettings settings =
+        file.settings().toBuilder().size(64, 48).samples(4).threads(2).build();
+    Film expected = film(scene.searchedBy(Kernel.SCALAR), settings);
+    FilmRenderer renderer = new FilmRenderer(settings, scene);
+    Film film = renderer.newFilm();
+    renderer.addSamples(film, 2, Progress.NONE);
+    scene.changeKernel();
+    renderer.addSamples(film, 4, Progress.NONE);
+    assertThat(film.develop().rgb()).isEqualTo(expected.develop().rgb());
+  }
+
+  private static Film film(Scene scene, RenderSettings settings) throws InterruptedException {
+    FilmRenderer renderer = new FilmRenderer(settings, scene);
+    Film film = renderer.newFilm();
+    renderer.addSamples(film, settings.samples(), Progress.NONE);
+    return film;
+  }
+}
