@@ -72,7 +72,7 @@ class LayersTest {
           Map.entry("lab.metrics", "math image render"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
           Map.entry("lab.report", "image scene render parser lab lab.metrics lab.perf"),
-          Map.entry("lab.gallery", "image scene render parser lab lab.perf lab.report"),
+          Map.entry("lab.gallery", "image scene render denoise stopping parser lab lab.perf lab.report"),
           Map.entry("lab.checks", BASIC + " material camera light scene integrator render"),
           Map.entry(
               "lab.trade",

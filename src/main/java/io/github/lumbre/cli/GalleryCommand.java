@@ -12,6 +12,7 @@ import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.cli.run.CommandLineHost;
+import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.SceneFolder;
@@ -25,7 +26,9 @@ import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -51,7 +54,7 @@ import picocli.CommandLine.Spec;
       "",
       "Examples:",
       "  lumbre gallery",
-      "  lumbre gallery --seconds 20 --out pictures cornell-box camera-fisheye"
+      "  lumbre gallery --seconds 20 --denoise --out pictures cornell-box camera-fisheye"
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
@@ -99,6 +102,12 @@ final class GalleryCommand implements Callable<Integer> {
       description = "Number of threads; 0: one per processor (${DEFAULT-VALUE}).")
   private int threads;
 
+  @Option(
+      names = "--denoise",
+      description =
+          "Denoise the pictures with the built-in denoiser. The page states the noise before.")
+  private boolean denoise;
+
   @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
@@ -121,7 +130,11 @@ final class GalleryCommand implements Callable<Integer> {
     try (Interruption interruption = Interruption.listen()) {
       GalleryRenderer renderer =
           new GalleryRenderer(
-              folder, seconds, threads, new CommandLineHost(interruption, hasDisplay, messages));
+              folder,
+              seconds,
+              threads,
+              denoise,
+              new CommandLineHost(interruption, hasDisplay, messages));
       boolean complete =
           interruption.beginRender() && render(folder, selected, renderer, page, messages);
       return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
@@ -156,13 +169,13 @@ final class GalleryCommand implements Callable<Integer> {
   private static void write(Path scene, Rendered rendered, PictureOutput output, Messages messages)
       throws TaskException {
     RenderSettings settings = rendered.settings();
+    Map<String, String> metadata =
+        new LinkedHashMap<>(
+            PictureMetadata.of(scene, rendered.file(), settings, rendered.seconds()));
+    rendered.denoised().map(Denoising::metadata).ifPresent(metadata::putAll);
     output.write(
-        rendered.result().image(),
-        new ImageWriter.Options(
-            settings.exposure(),
-            settings.toneCurve(),
-            BITS,
-            PictureMetadata.of(scene, rendered.file(), settings, rendered.seconds())));
+        rendered.picture(),
+        new ImageWriter.Options(settings.exposure(), settings.toneCurve(), BITS, metadata));
     Summary summary = new Summary(settings, rendered.result(), rendered.seconds());
     summary.printRejected(scene, messages);
     summary.print(output.target(), messages);

@@ -15,6 +15,11 @@ public final class Markdown {
         .collect(Collectors.joining(" | ", "| ", " |"));
   }
 
+  /** Returns a share as a percentage with two digits, or three from 99.5 % on. */
+  public static String percent(double share) {
+    return String.format(Locale.ROOT, share >= .1 ? "%.0f %%" : "%.2g %%", 100 * share);
+  }
+
   /**
    * Returns a rate per second with three digits, {@code 1.25 M}; a whole number below 1 million.
    */

@@ -99,6 +99,18 @@ class GalleryCommandTest {
   }
 
   @Test
+  void denoisedPicturesSaySoAndStateTheNoiseBefore() throws IOException {
+    assertThat(gallery("--denoise", "a-scene").exitCode()).isZero();
+    assertThat(rows().get(0)).matches(".*\\| [0-9.]+ %, then denoised \\|");
+    assertThat(Files.readString(out().resolve("a-scene.png"), StandardCharsets.ISO_8859_1))
+        .contains("Denoiser\000built-in", "DenoiserChange\000");
+    assertThat(gallery("b-scene").exitCode()).isZero();
+    assertThat(rows().get(1)).matches(".*\\| [0-9.]+ % \\|");
+    assertThat(Files.readString(out().resolve("b-scene.png"), StandardCharsets.ISO_8859_1))
+        .doesNotContain("Denoiser");
+  }
+
+  @Test
   void aTimeTooShortForTheFewestSamplesIsNamed() {
     RenderSettings settings = new RenderSettings.Builder().size(10, 20).build();
     assertThat(SampleBudget.leastSeconds(6400, settings)).isEqualTo(2);
@@ -106,7 +118,7 @@ class GalleryCommandTest {
     Messages messages = new Messages(new PrintWriter(text, true));
     GalleryRenderer renderer =
         new GalleryRenderer(
-            new SceneFolder(directory), 1, 0, new CommandLineHost(null, false, messages));
+            new SceneFolder(directory), 1, 0, false, new CommandLineHost(null, false, messages));
     renderer.warnIfTooShort("a-scene", settings, 12800);
     assertThat(text.toString()).isEmpty();
     renderer.warnIfTooShort("a-scene", settings, 6400);

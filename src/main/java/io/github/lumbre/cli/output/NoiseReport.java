@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.stopping.NoiseEstimate;
 import java.util.LinkedHashMap;
@@ -42,14 +43,14 @@ public record NoiseReport(
   /** Returns {@code noise about 1.6 % (at most 1.8 %), }; empty if the noise is not known. */
   String line() {
     return noise
-        .map(n -> "noise about %s (%s), ".formatted(percent(n.relativeRmse()), bound(n)))
+        .map(n -> "noise about %s (%s), ".formatted(Markdown.percent(n.relativeRmse()), bound(n)))
         .orElse("");
   }
 
   private static String bound(NoiseEstimate noise) {
     return Double.isInfinite(noise.upperRelativeMse())
         ? "no bound: too few pixels"
-        : "at most " + percent(noise.upperRelativeRmse());
+        : "at most " + Markdown.percent(noise.upperRelativeRmse());
   }
 
   /** Prints warnings about a heavy-tailed noise estimate and a missed target error. */
@@ -57,13 +58,13 @@ public record NoiseReport(
     if (noise.filter(NoiseEstimate::hasHeavyTail).isPresent()) {
       messages.line(
           "warning: 0.1 % of the pixels carry "
-              + percent(noise.get().tailShare())
+              + Markdown.percent(noise.get().tailShare())
               + " of the noise, so the noise may be underestimated; take more samples");
     }
     if (isMissed()) {
       messages.line(
           "warning: the target error of "
-              + percent(target.getAsDouble())
+              + Markdown.percent(target.getAsDouble())
               + " is not reached"
               + noise.map(n -> ": " + bound(n)).orElse(""));
     }
@@ -79,10 +80,10 @@ public record NoiseReport(
     metadata.put("Samples", samples());
     noise.ifPresent(
         n -> {
-          metadata.put("Noise", percent(n.relativeRmse()));
-          metadata.put("NoiseBound", bound(n) + " with a confidence of " + percent(n.confidence()));
+          metadata.put("Noise", Markdown.percent(n.relativeRmse()));
+          metadata.put("NoiseBound", bound(n) + " with a confidence of " + Markdown.percent(n.confidence()));
           if (n.hasHeavyTail()) {
-            metadata.put("NoiseTail", percent(n.tailShare()) + " of it in 0.1 % of the pixels");
+            metadata.put("NoiseTail", Markdown.percent(n.tailShare()) + " of it in 0.1 % of the pixels");
           }
         });
   }
@@ -112,10 +113,5 @@ public record NoiseReport(
           report.put("target_error", t);
           report.put("target_reached", reachedTarget);
         });
-  }
-
-  /** Returns a share as a percentage with two digits, or three for 100 %. */
-  public static String percent(double share) {
-    return String.format(Locale.ROOT, share >= .1 ? "%.0f %%" : "%.2g %%", 100 * share);
   }
 }

@@ -81,11 +81,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
       throws TaskException {
     Denoised denoised = denoised(noisy, kept);
     Map<String, String> metadata = new LinkedHashMap<>(options.metadata());
-    metadata.put("Denoiser", denoised.engine());
-    metadata.put("DenoiserChange", percent(denoised.change()));
-    denoised
-        .relativeError()
-        .ifPresent(error -> metadata.put("DenoiserErrorEstimate", percent(error)));
+    metadata.putAll(metadata(denoised));
     output.write(
         denoised.image(),
         List.of(),
@@ -104,6 +100,17 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
             .formatted(output.target(), denoised.engine(), percent(denoised.change()), error));
     report.put("denoised", output.target().toString());
     report.put("denoiser", denoised.engine());
+  }
+
+  /** Returns the metadata of a denoised picture: by what, and how strongly it was changed. */
+  public static Map<String, String> metadata(Denoised denoised) {
+    Map<String, String> metadata = new LinkedHashMap<>();
+    metadata.put("Denoiser", denoised.engine());
+    metadata.put("DenoiserChange", percent(denoised.change()));
+    denoised
+        .relativeError()
+        .ifPresent(error -> metadata.put("DenoiserErrorEstimate", percent(error)));
+    return metadata;
   }
 
   private Denoised denoised(NoisyPicture noisy, String kept) throws TaskException {

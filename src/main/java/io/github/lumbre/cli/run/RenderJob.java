@@ -15,6 +15,7 @@ import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
@@ -309,7 +310,7 @@ public record RenderJob(
     double share = film.shareWithoutSamples();
     if (share > 0) {
       return Optional.of(
-          "warning: " + NoiseReport.percent(share) + " of the pixels have no sample and are black");
+          "warning: " + Markdown.percent(share) + " of the pixels have no sample and are black");
     }
     return budget.isOutOfTime() && film.mostSamples() == 1
         ? Optional.of(

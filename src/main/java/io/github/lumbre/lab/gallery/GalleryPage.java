@@ -25,10 +25,11 @@ public final class GalleryPage {
       # Pictures
 
       Rendered by `lumbre gallery` from the scenes of the same names. The same number of samples \
-      gives the same pixels on every machine. The time includes only rendering.
+      gives the same pixels on every machine. The time includes only rendering. The noise is an \
+      estimate: the relative RMSE of the picture before it is denoised.
 
-      | scene | picture | size | samples | time | threads | hardware |
-      |---|---|---|--:|--:|--:|---|
+      | scene | picture | size | samples | time | threads | hardware | noise |
+      |---|---|---|--:|--:|--:|---|---|
       """;
 
   private static final Pattern ROW = Pattern.compile("\\| \\[([^]]+)]\\(.*");
@@ -45,9 +46,16 @@ public final class GalleryPage {
    * How a picture was rendered.
    *
    * @param scene name of the scene, and of the picture without its extension
+   * @param noise of the picture before it was denoised, in words
    */
   public record Entry(
-      String scene, String size, int samples, double seconds, int threads, Hardware hardware) {
+      String scene,
+      String size,
+      int samples,
+      double seconds,
+      int threads,
+      Hardware hardware,
+      String noise) {
     /** Returns the entry for a scene rendered on this machine. */
     public static Entry of(String scene, GalleryRenderer.Rendered rendered) {
       Hardware hardware = Hardware.here();
@@ -59,7 +67,17 @@ public final class GalleryPage {
           rendered.settings().samples(),
           rendered.seconds(),
           threads == 0 ? hardware.cores() : threads,
-          hardware);
+          hardware,
+          noise(rendered));
+    }
+
+    private static String noise(GalleryRenderer.Rendered rendered) {
+      String noise =
+          rendered
+              .noise()
+              .map(known -> Markdown.percent(known.relativeRmse()))
+              .orElse("not known");
+      return rendered.denoised().isPresent() ? noise + ", then denoised" : noise;
     }
   }
 
@@ -105,7 +123,8 @@ public final class GalleryPage {
                 String.valueOf(entry.samples),
                 ReportTime.of(entry.seconds),
                 String.valueOf(entry.threads),
-                entry.hardware.line())));
+                entry.hardware.line(),
+                entry.noise)));
   }
 
   /**

@@ -1,5 +1,9 @@
 package io.github.lumbre.lab.gallery;
 
+import io.github.lumbre.denoise.BuiltInDenoiser;
+import io.github.lumbre.denoise.Denoised;
+import io.github.lumbre.denoise.NoisyPicture;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.lab.SceneFolder;
@@ -8,10 +12,19 @@ import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.render.Schedule;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.stopping.NoiseEstimate;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -23,40 +36,64 @@ public final class GalleryRenderer {
 
   private static final double MAX_PILOT_SECONDS = 5;
 
+  private static final double CONFIDENCE = .95;
+
   private final SceneFolder scenes;
   private final double seconds;
   private final int threads;
+  private final boolean denoises;
   private final LabHost host;
 
   /**
    * @param seconds approximate time per picture
    * @param threads number of threads; 0 means one per processor
+   * @param denoises whether pictures are denoised, by the built-in denoiser
    * @param host reads the scenes and shows every render
    */
-  public GalleryRenderer(SceneFolder scenes, double seconds, int threads, LabHost host) {
+  public GalleryRenderer(
+      SceneFolder scenes, double seconds, int threads, boolean denoises, LabHost host) {
     this.scenes = scenes;
     this.seconds = seconds;
     this.threads = threads;
+    this.denoises = denoises;
     this.host = host;
   }
 
   /**
    * A rendered scene.
    *
-   * @param seconds rendering time
+   * @param result the noisy picture
+   * @param seconds rendering time, without denoising
+   * @param noise estimate of the noise of the noisy picture; empty if it is unknown
+   * @param denoised the denoised picture; empty if pictures are not denoised
    */
   public record Rendered(
-      SceneFile file, RenderSettings settings, RenderResult result, double seconds) {}
+      SceneFile file,
+      RenderSettings settings,
+      RenderResult result,
+      double seconds,
+      Optional<NoiseEstimate> noise,
+      Optional<Denoised> denoised) {
+    /** Returns the picture of the gallery: the denoised one, if there is one. */
+    public Image picture() {
+      return denoised.map(Denoised::image).orElse(result.image());
+    }
+  }
 
   /** Renders a scene; returns empty if stopped. */
   public Optional<Rendered> render(String scene)
       throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser =
-        new SceneParser().overriding(inScene -> inScene.toBuilder().threads(threads).build());
+        new SceneParser().overriding(inScene -> overridden(inScene.toBuilder()).build());
     SceneFile file = host.read(scenes.file(scene), parser);
-    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
+    MemoryEstimate.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
     OptionalDouble rate = rate(file);
     return rate.isEmpty() ? Optional.empty() : render(scene, file, rate.getAsDouble());
+  }
+
+  private RenderSettings.Builder overridden(RenderSettings.Builder settings) {
+    settings.threads(threads);
+    return denoises ? settings.set(Setting.LAYERS, Layer.FOR_DENOISING) : settings;
   }
 
   private OptionalDouble rate(SceneFile file) throws InterruptedException {
@@ -72,14 +109,48 @@ public final class GalleryRenderer {
     warnIfTooShort(scene, file.settings(), rate);
     RenderSettings settings = file.settings().toBuilder().samples(samples).build();
     long start = System.nanoTime();
-    RenderResult result;
+    FilmRenderer renderer = new FilmRenderer(settings, file.scene());
+    Film film = renderer.newFilm();
+    PassResult all;
     try (LabHost.Display display = host.display()) {
-      result = new BucketRenderer(settings).render(file.scene(), display);
+      all = render(renderer, film, settings, display);
+    }
+    if (!all.complete()) {
+      return Optional.empty();
     }
     double taken = (System.nanoTime() - start) * 1e-9;
-    return result.complete()
-        ? Optional.of(new Rendered(file, settings, result, taken))
-        : Optional.empty();
+    return Optional.of(
+        new Rendered(
+            file,
+            settings,
+            new RenderResult(film.develop(), true, all.statistics()),
+            taken,
+            NoiseEstimate.of(film, CONFIDENCE),
+            denoises ? Optional.of(denoised(film)) : Optional.empty()));
+  }
+
+  private static PassResult render(
+      FilmRenderer renderer, Film film, RenderSettings settings, Progress progress)
+      throws InterruptedException {
+    RenderSettings.Crop window = settings.window();
+    progress.started((long) window.width() * window.height() * settings.samples());
+    RenderStatistics statistics = RenderStatistics.ZERO;
+    Schedule schedule = renderer.schedule();
+    for (Optional<SampleTarget> target = schedule.next(film);
+        target.isPresent();
+        target = schedule.next(film)) {
+      PassResult pass = renderer.addSamples(film, target.get(), progress);
+      statistics = statistics.plus(pass.statistics());
+      if (!pass.complete()) {
+        return new PassResult(false, statistics);
+      }
+    }
+    return new PassResult(true, statistics);
+  }
+
+  private Denoised denoised(Film film) throws InterruptedException {
+    int all = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+    return BuiltInDenoiser.denoise(NoisyPicture.of(film), all);
   }
 
   /** Prints a warning if the minimum number of samples takes longer than the given time. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.metrics.Interval;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -124,7 +125,7 @@ public final class SceneTables {
                   scene.scene(),
                   scene.width() + "x" + scene.height(),
                   String.valueOf(scene.seeds()),
-                  scene.referenceSamples() + ": " + TradeText.percent(scene.referenceRmse()),
+                  scene.referenceSamples() + ": " + Markdown.percent(scene.referenceRmse()),
                   most.samples()
                       + ": "
                       + TradeText.rootPercent(Interval.ofMean(most.relativeMse()).value()),

@@ -1,5 +1,6 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.trade.Html.Row;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import java.util.ArrayList;
@@ -24,7 +25,7 @@ final class TradeAdvice {
     html.element("h2", "Recommended settings for a target error");
     List<Row> rows = new ArrayList<>();
     for (double target : TARGETS) {
-      List<String> cells = new ArrayList<>(List.of(TradeText.percent(target)));
+      List<String> cells = new ArrayList<>(List.of(Markdown.percent(target)));
       cells.addAll(unbiased(result, target));
       cells.addAll(biased(result, target));
       rows.add(new Row(cells, ""));

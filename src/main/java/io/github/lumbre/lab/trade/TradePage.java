@@ -1,6 +1,7 @@
 package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.trade.Html.Row;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
@@ -71,7 +72,7 @@ public final class TradePage {
             facts.get("size"),
             result.seeds(),
             result.referenceSamples(),
-            TradeText.percent(result.referenceNoise().relativeRmse()));
+            Markdown.percent(result.referenceNoise().relativeRmse()));
   }
 
   private void noise() {

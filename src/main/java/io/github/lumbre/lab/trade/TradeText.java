@@ -1,5 +1,6 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.math.Elementary;
 import java.util.List;
@@ -34,16 +35,9 @@ final class TradeText {
     };
   }
 
-  static String percent(double share) {
-    double value = 100 * share;
-    return value >= 9.95
-        ? String.format(Locale.ROOT, "%.0f %%", value)
-        : String.format(Locale.ROOT, "%.2g %%", value);
-  }
-
   /** Returns the root of a squared error as a percentage; negative values count as 0. */
   static String rootPercent(double squared) {
-    return percent(Math.sqrt(Math.max(0, squared)));
+    return Markdown.percent(Math.sqrt(Math.max(0, squared)));
   }
 
   static String number(double value) {
