@@ -23,6 +23,7 @@ module io.github.lumbre {
   exports io.github.lumbre.checkpoint;
   exports io.github.lumbre.denoise;
   exports io.github.lumbre.stopping;
+  exports io.github.lumbre.preview;
   exports io.github.lumbre.parser;
   exports io.github.lumbre.audit;
 }

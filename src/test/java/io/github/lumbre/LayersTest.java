@@ -43,7 +43,7 @@ class LayersTest {
   private static final String LIBRARY =
       BASIC
           + " file text path material camera light scene model integrator render parser checkpoint"
-          + " denoise stopping audit";
+          + " denoise stopping preview audit";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -67,6 +67,7 @@ class LayersTest {
           Map.entry("checkpoint", "file image sampling scene render"),
           Map.entry("denoise", "image sampling scene render"),
           Map.entry("stopping", "math image scene render"),
+          Map.entry("preview", "image scene render checkpoint stopping"),
           Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),
           Map.entry("lab", "file image scene render parser"),
           Map.entry("lab.metrics", "math image render"),
