@@ -75,7 +75,7 @@ class JavaPageTest {
   @Test
   void thereAreExamplesOfEverythingThatThePagePromises() throws Exception {
     assertThat(String.join("", blocks()))
-        .contains("SceneParser", "Scene.seenBy", "isCancelled", "Budget(", "ImageWriter.write")
+        .contains("SceneParser", "Scene.builder", "isCancelled", "Budget(", "ImageWriter.write")
         .contains("CheckpointFile", "FilmMerge", "PixelReplay", "ModelSetup");
   }
 }

@@ -62,7 +62,7 @@ class LayersTest {
           Map.entry("scene", BASIC + " text material camera light"),
           Map.entry("integrator", BASIC + " path material camera light scene"),
           Map.entry("render", "math image sampling geometry path camera scene integrator"),
-          Map.entry("model", BASIC + " material camera light scene"),
+          Map.entry("model", BASIC + " file material camera light scene"),
           Map.entry("parser", BASIC + " file text material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
           Map.entry("denoise", "image sampling scene render"),

@@ -56,6 +56,30 @@ public final class Box implements Shape {
     }
   }
 
+  /**
+   * Returns a box around a point, with faces perpendicular to the world's axes.
+   *
+   * @param size lengths along x, y and z in world units, each in (0, 1e150]
+   */
+  public static Box of(Vec3 center, Vec3 size) {
+    return new Box(Placement.at(center), size.x(), size.y(), size.z());
+  }
+
+  /** Returns the map from local to world space. */
+  public Transform toWorld() {
+    return toWorld;
+  }
+
+  /** Returns the lengths along local x, y and z. */
+  public Vec3 size() {
+    return half.times(2);
+  }
+
+  @Override
+  public Box transformed(Transform outer) {
+    return new Box(outer.times(toWorld), 2 * half.x(), 2 * half.y(), 2 * half.z());
+  }
+
   @Override
   public Bounds3 bounds() {
     return Placement.outward(toWorld, new Bounds3(half.negated(), half));

@@ -4,6 +4,7 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A triangle mesh in world space, which rays hit from both sides. In a {@link Bvh}, each of its
@@ -13,11 +14,22 @@ public final class Mesh implements Shape {
   private final TriangleMesh world;
   private final MeshSurface surface;
 
+  /** What the mesh was made from; empty if it does not keep it, to save memory. */
+  private final Optional<Source> source;
+
   /** This mesh's own hierarchy, built on the first call of {@link #intersect}. */
   private volatile Bvh bvh;
 
-  private Mesh(TriangleMesh world) {
+  /**
+   * What a mesh was made from.
+   *
+   * @param toWorld from the mesh's local space to world space
+   */
+  public record Source(TriangleMesh mesh, Transform toWorld) {}
+
+  private Mesh(TriangleMesh world, Optional<Source> source) {
     this.world = world;
+    this.source = source;
     surface = new MeshSurface(world, Transform.IDENTITY);
   }
 
@@ -29,7 +41,37 @@ public final class Mesh implements Shape {
    * @throws IllegalArgumentException if the transform is singular
    */
   public static Mesh baked(TriangleMesh local, Transform toWorld) {
-    return new Mesh(local.baked(Placement.invertible(toWorld)));
+    return new Mesh(local.baked(Placement.invertible(toWorld)), Optional.empty());
+  }
+
+  /**
+   * Returns a mesh that keeps the mesh it is made from, so that it can be moved and written.
+   *
+   * @param local the mesh in local space
+   * @param toWorld invertible
+   * @throws IllegalArgumentException if the transform is singular
+   */
+  public static Mesh of(TriangleMesh local, Transform toWorld) {
+    TriangleMesh world = local.baked(Placement.invertible(toWorld));
+    return new Mesh(world, Optional.of(new Source(local, toWorld)));
+  }
+
+  /** Returns a mesh whose coordinates are those of the world; see {@link #of}. */
+  public static Mesh of(TriangleMesh mesh) {
+    return of(mesh, Transform.IDENTITY);
+  }
+
+  /** Returns what {@link #of} was given; empty for a {@linkplain #baked baked} mesh. */
+  public Optional<Source> source() {
+    return source;
+  }
+
+  /** {@inheritDoc} A mesh without a {@linkplain #source source} is mapped again. */
+  @Override
+  public Mesh transformed(Transform outer) {
+    return source
+        .map(from -> of(from.mesh(), outer.times(from.toWorld())))
+        .orElseGet(() -> baked(world, outer));
   }
 
   /** Returns the triangles in world space. */

@@ -22,7 +22,23 @@ public final class MeshInstance implements Shape {
     surface = new MeshSurface(shared.mesh(), toWorld);
   }
 
-  SharedMesh shared() {
+  /** Returns an instance of a mesh that only this instance and its moved copies share. */
+  public static MeshInstance of(TriangleMesh mesh) {
+    return new MeshInstance(new SharedMesh(mesh), Transform.IDENTITY);
+  }
+
+  /** Returns the map from local to world space. */
+  public Transform toWorld() {
+    return toWorld;
+  }
+
+  @Override
+  public MeshInstance transformed(Transform outer) {
+    return new MeshInstance(shared, outer.times(toWorld));
+  }
+
+  /** Returns the mesh and its hierarchy. */
+  public SharedMesh shared() {
     return shared;
   }
 

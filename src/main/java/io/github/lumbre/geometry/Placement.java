@@ -25,6 +25,27 @@ final class Placement {
   }
 
   /**
+   * Returns the translation to a point.
+   *
+   * @throws IllegalArgumentException if a coordinate is not finite
+   */
+  static Transform at(Vec3 center) {
+    return Transform.translation(finite("center", center));
+  }
+
+  /**
+   * Returns a point if it is finite.
+   *
+   * @throws IllegalArgumentException if it is not
+   */
+  static Vec3 finite(String name, Vec3 point) {
+    if (!point.isFinite()) {
+      throw new IllegalArgumentException(name + ": expected finite numbers, found " + point);
+    }
+    return point;
+  }
+
+  /**
    * Returns a size if it is in (0, 1e150].
    *
    * @throws IllegalArgumentException if it is not

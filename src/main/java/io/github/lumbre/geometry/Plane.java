@@ -33,6 +33,26 @@ public final class Plane implements Shape {
     shading = Frame.around(normal, toWorld.vector(Vec3.X), toWorld.vector(Vec3.Z));
   }
 
+  /** Returns a horizontal plane at a height, which rays from below pass. */
+  public static Plane floor(double y) {
+    return new Plane(Placement.at(new Vec3(0, y, 0)), false);
+  }
+
+  /** Returns the map from local to world space. */
+  public Transform toWorld() {
+    return toWorld;
+  }
+
+  /** Returns whether rays from behind hit the plane. */
+  public boolean isTwoSided() {
+    return twoSided;
+  }
+
+  @Override
+  public Plane transformed(Transform outer) {
+    return new Plane(outer.times(toWorld), twoSided);
+  }
+
   @Override
   public Bounds3 bounds() {
     return new Bounds3(new Vec3(-INF, -INF, -INF), new Vec3(INF, INF, INF));

@@ -85,6 +85,56 @@ public final class Rectangle implements Shape {
     nearSquared = isRectangular ? NEAR * diagonal * (NEAR * diagonal) : 0;
   }
 
+  /**
+   * Returns a one-sided rectangle around a point.
+   *
+   * @param normal direction that its front faces, of any length; the width lies along x for a
+   *     vertical one, and is horizontal otherwise
+   * @param width in world units, in (0, 1e150]
+   * @param height in world units, in (0, 1e150]
+   * @throws IllegalArgumentException if the normal is zero, or a number is out of range
+   */
+  public static Rectangle facing(Vec3 center, Vec3 normal, double width, double height) {
+    if (!(normal.maxAbs() > 0) || !normal.isFinite()) {
+      throw new IllegalArgumentException(
+          "normal: expected a finite vector other than 0, found " + normal);
+    }
+    Vec3 y = normal.normalized();
+    Vec3 x = Frame.isAlong(y, Vec3.Y) ? Vec3.X : Vec3.Y.cross(y).normalized();
+    Transform toWorld = Transform.ofAxes(x, y, x.cross(y), Placement.finite("center", center));
+    return new Rectangle(toWorld, width, height, false);
+  }
+
+  /** Returns the map from local to world space. */
+  public Transform toWorld() {
+    return toWorld;
+  }
+
+  /** Returns the length along local x. */
+  public double width() {
+    return width;
+  }
+
+  /** Returns the length along local z. */
+  public double height() {
+    return height;
+  }
+
+  /** Returns whether rays from behind hit the rectangle. */
+  public boolean isTwoSided() {
+    return twoSided;
+  }
+
+  /** Returns the same rectangle, which rays from behind hit, too. */
+  public Rectangle twoSided() {
+    return new Rectangle(toWorld, width, height, true);
+  }
+
+  @Override
+  public Rectangle transformed(Transform outer) {
+    return new Rectangle(outer.times(toWorld), width, height, twoSided);
+  }
+
   @Override
   public Bounds3 bounds() {
     Vec3 corner = new Vec3(halfWidth, 0, halfHeight);

@@ -2,6 +2,7 @@ package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
@@ -27,6 +28,14 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
    * {@code hit}; the next call with the same {@code hit} overwrites it.
    */
   SurfaceHit surfaceAt(NearestHit hit);
+
+  /**
+   * Returns this shape after a further transform.
+   *
+   * @param outer invertible; applied to the points of this shape
+   * @throws IllegalArgumentException if the transform is singular
+   */
+  Shape transformed(Transform outer);
 
   /** Returns the world-space surface area; infinite for infinite planes. */
   double area();

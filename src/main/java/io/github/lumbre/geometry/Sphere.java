@@ -37,6 +37,30 @@ public final class Sphere implements Shape {
     isSkewed = toWorld.isSkewed();
   }
 
+  /**
+   * Returns a sphere around a point.
+   *
+   * @param radius in world units, in (0, 1e150]
+   */
+  public static Sphere of(Vec3 center, double radius) {
+    return new Sphere(Placement.at(center), radius);
+  }
+
+  /** Returns the map from local to world space. */
+  public Transform toWorld() {
+    return toWorld;
+  }
+
+  /** Returns the radius in local space. */
+  public double radius() {
+    return radius;
+  }
+
+  @Override
+  public Sphere transformed(Transform outer) {
+    return new Sphere(outer.times(toWorld), radius);
+  }
+
   @Override
   public Bounds3 bounds() {
     Vec3 x = toWorld.vector(Vec3.X);

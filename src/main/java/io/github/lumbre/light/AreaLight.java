@@ -4,6 +4,7 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
@@ -34,6 +35,11 @@ public record AreaLight(Shape shape, Emission emission) implements Light {
     if (!radiance.isBlack()) {
       result.setSurface(point.position().minus(reference).normalized(), radiance);
     }
+  }
+
+  @Override
+  public AreaLight transformed(Transform outer) {
+    return new AreaLight(shape.transformed(outer), emission);
   }
 
   @Override

@@ -31,6 +31,19 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided, double meanRadia
     this(radiance, twoSided, mean(radiance));
   }
 
+  /**
+   * Returns the emission of the same radiance from all points of a surface's outside.
+   *
+   * @throws IllegalArgumentException if a component is negative or not finite
+   */
+  public static Emission of(Rgb radiance) {
+    if (!radiance.isFinite() || Math.min(radiance.r(), Math.min(radiance.g(), radiance.b())) < 0) {
+      throw new IllegalArgumentException(
+          "radiance: expected finite components >= 0, found " + radiance);
+    }
+    return new Emission(Texture.constant(radiance), false);
+  }
+
   /** Returns this emission with another mean radiance. */
   public Emission withMean(double newMeanRadiance) {
     return new Emission(radiance, twoSided, newMeanRadiance);

@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Distribution2d;
 import io.github.lumbre.sampling.Warp;
@@ -24,12 +25,15 @@ public final class EnvironmentLight implements Light {
   private final Texture<Rgb> radiance;
   private final Optional<Distribution2d> distribution;
   private final double meanBrightness;
+  private final Optional<int[]> grid;
 
   private EnvironmentLight(
       Frame axes,
       Texture<Rgb> radiance,
       Optional<Distribution2d> distribution,
-      double meanBrightness) {
+      double meanBrightness,
+      Optional<int[]> grid) {
+    this.grid = grid;
     this.axes = axes;
     this.radiance = radiance;
     this.distribution = distribution;
@@ -39,7 +43,11 @@ public final class EnvironmentLight implements Light {
   /** Returns an environment light with the same radiance in all directions. */
   public static EnvironmentLight uniform(Rgb radiance) {
     return new EnvironmentLight(
-        Frame.WORLD, Texture.constant(radiance), Optional.empty(), radiance.max());
+        Frame.WORLD,
+        Texture.constant(radiance),
+        Optional.empty(),
+        radiance.max(),
+        Optional.empty());
   }
 
   /**
@@ -66,7 +74,11 @@ public final class EnvironmentLight implements Light {
       }
     }
     return new EnvironmentLight(
-        axes, radiance, Optional.of(new Distribution2d(weights)), total / (2 * columns));
+        axes,
+        radiance,
+        Optional.of(new Distribution2d(weights)),
+        total / (2 * columns),
+        Optional.of(new int[] {columns, rows}));
   }
 
   /**
@@ -85,6 +97,28 @@ public final class EnvironmentLight implements Light {
       }
     }
     return most;
+  }
+
+  /** Returns the directions of the light's right, up and forward axes in world space. */
+  public Frame axes() {
+    return axes;
+  }
+
+  /** Returns the radiance over (u, v) in [0,1]², with v = 1 at the top. */
+  public Texture<Rgb> radiance() {
+    return radiance;
+  }
+
+  /** Returns the grid on which brightness is tabulated, {columns, rows}; empty if uniform. */
+  public Optional<int[]> grid() {
+    return grid.map(int[]::clone);
+  }
+
+  /** {@inheritDoc} An environment light cannot be moved. */
+  @Override
+  public EnvironmentLight transformed(Transform outer) {
+    throw new IllegalArgumentException(
+        "light: expected one that can be moved, found an environment light; add it to the scene");
   }
 
   /** Returns the radiance that arrives from a unit direction in world space. */

@@ -2,6 +2,7 @@ package io.github.lumbre.light;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
@@ -52,6 +53,15 @@ public sealed interface Light
   default double pdf(Vec3 direction) {
     return 0;
   }
+
+  /**
+   * Returns this light after a further transform. Its strength stays.
+   *
+   * @param outer invertible
+   * @throws IllegalArgumentException if the transform is singular, or the light is an environment
+   *     light
+   */
+  Light transformed(Transform outer);
 
   /**
    * Returns an estimate of the power that the light sends into the scene, using the largest color

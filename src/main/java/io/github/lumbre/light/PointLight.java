@@ -2,6 +2,7 @@ package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
@@ -14,6 +15,15 @@ import java.util.Optional;
  * @param falloff how the irradiance depends on distance
  */
 public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implements Light {
+  /**
+   * Returns a light whose irradiance falls with the square of the distance.
+   *
+   * @param intensity radiant intensity in linear RGB
+   */
+  public static PointLight of(Vec3 position, Rgb intensity) {
+    return new PointLight(position, intensity, Falloff.INVERSE_SQUARE);
+  }
+
   public PointLight {
     Objects.requireNonNull(position, "position");
     Objects.requireNonNull(intensity, "intensity");
@@ -29,6 +39,11 @@ public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implemen
     } else {
       result.setPoint(way.normalized(), falloff.irradiance(intensity, distanceSquared), position);
     }
+  }
+
+  @Override
+  public PointLight transformed(Transform outer) {
+    return new PointLight(outer.point(position), intensity, falloff);
   }
 
   @Override

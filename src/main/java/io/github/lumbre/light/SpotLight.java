@@ -1,6 +1,8 @@
 package io.github.lumbre.light;
 
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
@@ -59,6 +61,57 @@ public final class SpotLight implements Light {
     double angle = Math.toDegrees(Elementary.atan2(sinAngle, cosAngle));
     double s = Math.max(0, Math.min(1, (halfAngleDegrees - angle) / penumbraDegrees));
     return s * s * (3 - 2 * s);
+  }
+
+  /**
+   * Returns a spotlight at a point that shines towards another, with inverse square falloff and a
+   * sharp edge.
+   *
+   * @param intensity radiant intensity in linear RGB
+   * @param halfAngleDegrees half angle of the cone in degrees, in (0, 90]
+   * @throws IllegalArgumentException if the angle is out of range or the two points are the same
+   */
+  public static SpotLight lookingAt(
+      Vec3 position, Vec3 target, Rgb intensity, double halfAngleDegrees) {
+    Vec3 axis = Directions.unit("target - position", target.minus(position));
+    return new SpotLight(PointLight.of(position, intensity), axis, halfAngleDegrees, 0);
+  }
+
+  /**
+   * Returns this light with another soft edge.
+   *
+   * @param degrees width of the soft edge inside the cone, in [0, half angle]
+   */
+  public SpotLight withPenumbra(double degrees) {
+    return new SpotLight(source, axis, halfAngleDegrees, degrees);
+  }
+
+  /** Returns the point light without the cone. */
+  public PointLight source() {
+    return source;
+  }
+
+  /** Returns the unit axis of the cone: the direction in which the light travels. */
+  public Vec3 axis() {
+    return axis;
+  }
+
+  /** Returns the half angle of the cone in degrees. */
+  public double halfAngleDegrees() {
+    return halfAngleDegrees;
+  }
+
+  /** Returns the width of the soft edge in degrees. */
+  public double penumbraDegrees() {
+    return penumbraDegrees;
+  }
+
+  @Override
+  public SpotLight transformed(Transform outer) {
+    Transform toWorld = outer.times(Directions.pointing(source.position(), axis));
+    PointLight moved =
+        new PointLight(toWorld.point(Vec3.ZERO), source.intensity(), source.falloff());
+    return new SpotLight(moved, Directions.axis(toWorld), halfAngleDegrees, penumbraDegrees);
   }
 
   @Override

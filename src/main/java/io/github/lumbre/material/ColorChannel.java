@@ -27,17 +27,27 @@ public interface ColorChannel {
    * @param uvSet 0 or 1: the set of texture coordinates
    */
   static ColorChannel of(Texture<Rgb> texture, int uvSet) {
-    Objects.requireNonNull(texture, "texture");
-    return new ColorChannel() {
-      @Override
-      public Rgb at(SurfaceHit hit) {
-        return texture.at(hit.u(uvSet), hit.v(uvSet));
-      }
+    return new Textured(texture, uvSet);
+  }
 
-      @Override
-      public boolean isConstant() {
-        return texture.isConstant();
-      }
-    };
+  /**
+   * The channel of a texture.
+   *
+   * @param uvSet 0 or 1: the set of texture coordinates
+   */
+  record Textured(Texture<Rgb> texture, int uvSet) implements ColorChannel {
+    public Textured {
+      Objects.requireNonNull(texture, "texture");
+    }
+
+    @Override
+    public Rgb at(SurfaceHit hit) {
+      return texture.at(hit.u(uvSet), hit.v(uvSet));
+    }
+
+    @Override
+    public boolean isConstant() {
+      return texture.isConstant();
+    }
   }
 }

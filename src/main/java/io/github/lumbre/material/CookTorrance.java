@@ -28,6 +28,23 @@ public record CookTorrance(
   /** Default index of refraction of the facets. */
   public static final double DEFAULT_IOR = 3.0504;
 
+  /**
+   * Returns a material of two colors, with the default index of refraction and GGX facets.
+   *
+   * @param diffuse each component in [0, 1]
+   * @param specular each component in [0, 1]
+   * @param roughness α, in [0, 1]
+   * @throws IllegalArgumentException if a number is out of range
+   */
+  public static CookTorrance of(Rgb diffuse, Rgb specular, double roughness) {
+    return new CookTorrance(
+        Values.reflectance("diffuse", diffuse),
+        Values.reflectance("specular", specular),
+        Values.number("roughness", roughness, 0, 1),
+        ScalarTexture.constant(DEFAULT_IOR),
+        MicrofacetDistribution.Kind.GGX);
+  }
+
   public CookTorrance {
     Objects.requireNonNull(diffuse, "diffuse");
     Objects.requireNonNull(specular, "specular");

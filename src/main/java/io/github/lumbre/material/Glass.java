@@ -24,6 +24,40 @@ public record Glass(
   /** Rough glass whose index is closer to 1 than this bends light too little to be visible. */
   private static final double LEAST_CONTRAST = 1e-8;
 
+  /**
+   * Returns clear, smooth glass.
+   *
+   * @param ior index of refraction, from 1e-6 to 1e6; 1.5 for window glass
+   * @throws IllegalArgumentException if the index is out of range
+   */
+  public static Glass of(double ior) {
+    return of(ior, Rgb.WHITE);
+  }
+
+  /**
+   * Returns smooth glass that tints what it transmits at each surface.
+   *
+   * @param transmittance each component in [0, 1]
+   * @throws IllegalArgumentException if a number is out of range
+   */
+  public static Glass of(double ior, Rgb transmittance) {
+    return new Glass(
+        Texture.constant(Rgb.WHITE),
+        Values.reflectance("transmittance", transmittance),
+        Values.ior(ior),
+        ScalarTexture.constant(0));
+  }
+
+  /**
+   * Returns this glass with a rough surface.
+   *
+   * @param alpha α of the Trowbridge–Reitz distribution, in [0, 1]
+   * @throws IllegalArgumentException if the roughness is out of range
+   */
+  public Glass withRoughness(double alpha) {
+    return new Glass(reflectance, transmittance, ior, Values.number("roughness", alpha, 0, 1));
+  }
+
   public Glass {
     Objects.requireNonNull(reflectance, "reflectance");
     Objects.requireNonNull(transmittance, "transmittance");

@@ -13,6 +13,26 @@ public record Matte(Texture<Rgb> albedo) implements Material {
   /** The default material: albedo 0.5. */
   public static final Matte GREY = new Matte(Texture.constant(Rgb.grey(.5)));
 
+  /**
+   * Returns a matte of one color.
+   *
+   * @param albedo fraction of the light that is reflected, each component in [0, 1]
+   * @throws IllegalArgumentException if a component is out of range
+   */
+  public static Matte of(Rgb albedo) {
+    return new Matte(Values.reflectance("albedo", albedo));
+  }
+
+  /** Returns a matte of one color by its components, each in [0, 1]; see {@link #of(Rgb)}. */
+  public static Matte of(double r, double g, double b) {
+    return of(new Rgb(r, g, b));
+  }
+
+  /** Returns a matte whose color is a texture. */
+  public static Matte of(Texture<Rgb> albedo) {
+    return new Matte(albedo);
+  }
+
   public Matte {
     Objects.requireNonNull(albedo, "albedo");
   }

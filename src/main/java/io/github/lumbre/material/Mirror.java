@@ -10,6 +10,16 @@ import java.util.Objects;
  * @param reflectance fraction of the light that is reflected; components above 1 are clamped to 1
  */
 public record Mirror(Texture<Rgb> reflectance) implements Material {
+  /**
+   * Returns a mirror of one tint.
+   *
+   * @param reflectance each component in [0, 1]
+   * @throws IllegalArgumentException if a component is out of range
+   */
+  public static Mirror of(Rgb reflectance) {
+    return new Mirror(Values.reflectance("reflectance", reflectance));
+  }
+
   public Mirror {
     Objects.requireNonNull(reflectance, "reflectance");
   }

@@ -20,6 +20,21 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
    */
   public static final double SHARPEST = 1e12;
 
+  /**
+   * Returns a material of two colors.
+   *
+   * @param diffuse each component in [0, 1]
+   * @param specular each component in [0, 1]
+   * @param exponent at least 0
+   * @throws IllegalArgumentException if a number is out of range
+   */
+  public static Phong of(Rgb diffuse, Rgb specular, double exponent) {
+    return new Phong(
+        Values.reflectance("diffuse", diffuse),
+        Values.reflectance("specular", specular),
+        Values.number("exponent", exponent, 0, Double.MAX_VALUE));
+  }
+
   public Phong {
     Objects.requireNonNull(diffuse, "diffuse");
     Objects.requireNonNull(specular, "specular");

@@ -26,17 +26,27 @@ public interface ScalarChannel {
    * @param uvSet 0 or 1: the set of texture coordinates
    */
   static ScalarChannel of(ScalarTexture texture, int uvSet) {
-    Objects.requireNonNull(texture, "texture");
-    return new ScalarChannel() {
-      @Override
-      public double at(SurfaceHit hit) {
-        return texture.at(hit.u(uvSet), hit.v(uvSet));
-      }
+    return new Textured(texture, uvSet);
+  }
 
-      @Override
-      public boolean isConstant() {
-        return texture.isConstant();
-      }
-    };
+  /**
+   * The channel of a texture.
+   *
+   * @param uvSet 0 or 1: the set of texture coordinates
+   */
+  record Textured(ScalarTexture texture, int uvSet) implements ScalarChannel {
+    public Textured {
+      Objects.requireNonNull(texture, "texture");
+    }
+
+    @Override
+    public double at(SurfaceHit hit) {
+      return texture.at(hit.u(uvSet), hit.v(uvSet));
+    }
+
+    @Override
+    public boolean isConstant() {
+      return texture.isConstant();
+    }
   }
 }

@@ -20,6 +20,16 @@ public record ShadowCatcher(Matte surface) implements Material {
     this(new Matte(albedo));
   }
 
+  /**
+   * Returns a shadow catcher of one color.
+   *
+   * @param albedo what other surfaces receive of it, each component in [0, 1]
+   * @throws IllegalArgumentException if a component is out of range
+   */
+  public static ShadowCatcher of(Rgb albedo) {
+    return new ShadowCatcher(Matte.of(albedo));
+  }
+
   @Override
   public boolean isUniform() {
     return surface.isUniform();

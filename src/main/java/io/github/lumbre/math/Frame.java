@@ -30,6 +30,44 @@ public final class Frame {
     normalZ = normal.z();
   }
 
+  /**
+   * Returns the axes of something at {@code eye} whose +z points to {@code target}: right (x), up
+   * (y) and forward (z), as cameras have them.
+   *
+   * @param up direction that the up axis is nearest to, of any length
+   * @throws IllegalArgumentException if a number is not finite, the two points are the same, or
+   *     {@code up} is zero or along the view
+   */
+  public static Frame lookingAt(Vec3 eye, Vec3 target, Vec3 up) {
+    requireFinite("eye", eye);
+    requireFinite("target", target);
+    requireFinite("up", up);
+    Vec3 way = target.minus(eye);
+    if (!(way.maxAbs() > 0) || !way.isFinite()) {
+      throw new IllegalArgumentException(
+          "target: expected a point other than the eye " + eye + ", found " + target);
+    }
+    Vec3 forward = way.normalized();
+    if (!(up.maxAbs() > 0) || isAlong(forward, up)) {
+      throw new IllegalArgumentException(
+          "up: expected a direction other than that of the view, found " + up);
+    }
+    Vec3 upright = tangentAround(forward, up);
+    return new Frame(
+        withoutSign(upright.cross(forward)), withoutSign(upright), withoutSign(forward));
+  }
+
+  private static void requireFinite(String name, Vec3 vector) {
+    if (!vector.isFinite()) {
+      throw new IllegalArgumentException(name + ": expected finite numbers, found " + vector);
+    }
+  }
+
+  /** Returns the vector with 0 in place of -0. */
+  private static Vec3 withoutSign(Vec3 v) {
+    return new Vec3(v.x() + 0., v.y() + 0., v.z() + 0.);
+  }
+
   /** Returns the local +x axis, a unit vector. */
   public Vec3 tangent() {
     return new Vec3(tangentX, tangentY, tangentZ);

@@ -11,6 +11,14 @@ record Matrix3(Vec3 row0, Vec3 row1, Vec3 row2) {
     return new Matrix3(new Vec3(d.x(), 0, 0), new Vec3(0, d.y(), 0), new Vec3(0, 0, d.z()));
   }
 
+  /** Returns the matrix of nine values, row by row. */
+  static Matrix3 ofRows(double[] values, int start) {
+    return new Matrix3(
+        new Vec3(values[start], values[start + 1], values[start + 2]),
+        new Vec3(values[start + 3], values[start + 4], values[start + 5]),
+        new Vec3(values[start + 6], values[start + 7], values[start + 8]));
+  }
+
   Vec3 times(Vec3 v) {
     return new Vec3(row0.dot(v), row1.dot(v), row2.dot(v));
   }

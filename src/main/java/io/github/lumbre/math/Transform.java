@@ -96,6 +96,41 @@ public final class Transform {
     return new Transform(matrix, origin, matrix.inverseNear(cofactors), determinant);
   }
 
+  /** Returns the map from a frame's local space at a point to world space. */
+  public static Transform ofFrame(Frame axes, Vec3 origin) {
+    return ofAxes(axes.tangent(), axes.bitangent(), axes.normal(), origin);
+  }
+
+  /** The number of values of {@link #toArray}. */
+  public static final int VALUES = 22;
+
+  /**
+   * Returns all values of the transform: the 3×3 matrix and its inverse row by row, the
+   * translation, and the determinant.
+   */
+  public double[] toArray() {
+    return new double[] {
+      m00, m01, m02, m10, m11, m12, m20, m21, m22,
+      i00, i01, i02, i10, i11, i12, i20, i21, i22,
+      tx, ty, tz, determinant
+    };
+  }
+
+  /**
+   * Returns the transform with the values of {@link #toArray}, bit for bit. The caller answers for
+   * the inverse.
+   *
+   * @throws IllegalArgumentException if the number of values is wrong
+   */
+  public static Transform ofArray(double[] v) {
+    if (v.length != VALUES) {
+      throw new IllegalArgumentException(
+          "values: expected " + VALUES + " numbers, found " + v.length);
+    }
+    return new Transform(
+        Matrix3.ofRows(v, 0), new Vec3(v[18], v[19], v[20]), Matrix3.ofRows(v, 9), v[21]);
+  }
+
   /** Returns the map that applies {@code inner} first and then this. */
   public Transform times(Transform inner) {
     Matrix3 product = matrix().times(inner.matrix());

@@ -1,10 +1,25 @@
 package io.github.lumbre.model;
 
 import java.io.IOException;
+import java.nio.file.Path;
 
 /** Reads the files that a model names: those in the model's own folder and below. */
 @FunctionalInterface
 public interface ModelFolder {
+  /** A folder without files. */
+  ModelFolder NONE =
+      (name, location) -> {
+        throw new ModelFormatException(
+            ModelFormatException.Kind.ASSET,
+            location,
+            "expected a model in one file, found a reference to " + PrintableText.quoted(name));
+      };
+
+  /** Returns access to the files in a folder and below. */
+  static ModelFolder of(Path folder) {
+    return new FileFolder(folder.toAbsolutePath().normalize());
+  }
+
   /**
    * Returns the bytes of a file.
    *

@@ -19,6 +19,7 @@ import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.SampledTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
@@ -27,15 +28,24 @@ import java.util.Optional;
 /** Makes the materials of a model; each picture is decoded once. */
 final class ModelMaterials {
   private final double unit;
-  private final Map<ModelImage, Pixels> pictures = new IdentityHashMap<>();
+  private final Map<ModelImage, Pixels> pictures;
   private final Map<ModelMaterial, Map<Boolean, Material>> made = new IdentityHashMap<>();
 
   /**
    * @param toWorld from the model's world space to the scene's
    */
   ModelMaterials(Transform toWorld) {
-    Vec3 x = toWorld.vector(Vec3.X);
-    unit = x.length();
+    this(toWorld, Collections.synchronizedMap(new IdentityHashMap<>()));
+  }
+
+  private ModelMaterials(Transform toWorld, Map<ModelImage, Pixels> pictures) {
+    unit = toWorld.vector(Vec3.X).length();
+    this.pictures = pictures;
+  }
+
+  /** Returns the materials of the model at another place, with the same textures. */
+  ModelMaterials at(Transform toWorld) {
+    return new ModelMaterials(toWorld, pictures);
   }
 
   /**

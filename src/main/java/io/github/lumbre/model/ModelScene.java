@@ -19,11 +19,12 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Turns a model into parts of a scene. Models are right-handed and scenes left-handed, so that the
@@ -53,8 +54,11 @@ public final class ModelScene {
     }
   }
 
-  private final Map<MeshKey, TriangleMesh> meshes = new HashMap<>();
-  private final Map<TriangleMesh, SharedMesh> shared = new IdentityHashMap<>();
+  private final Map<MeshKey, TriangleMesh> meshes;
+  private final Map<TriangleMesh, SharedMesh> shared;
+
+  /** Whether all meshes are shared, also those that the model places once. */
+  private final boolean sharesAll;
 
   /**
    * @param toWorld from the model's world space to the scene's, invertible
@@ -65,6 +69,41 @@ public final class ModelScene {
     this.toWorld = Objects.requireNonNull(toWorld, "toWorld");
     this.kernel = Objects.requireNonNull(kernel, "kernel");
     materials = new ModelMaterials(toWorld);
+    meshes = new ConcurrentHashMap<>();
+    shared = Collections.synchronizedMap(new IdentityHashMap<>());
+    sharesAll = false;
+  }
+
+  private ModelScene(ModelScene other, Transform toWorld, boolean sharesAll) {
+    model = other.model;
+    this.toWorld = toWorld;
+    kernel = other.kernel;
+    materials = other.materials.at(toWorld);
+    meshes = other.meshes;
+    shared = other.shared;
+    this.sharesAll = sharesAll;
+  }
+
+  /**
+   * Returns the model at another place, with the same meshes and textures.
+   *
+   * @param newToWorld from the model's world space to the scene's, invertible
+   * @param sharing whether all meshes have hierarchies in their local space, which are built once
+   */
+  ModelScene at(Transform newToWorld, boolean sharing) {
+    return new ModelScene(this, newToWorld, sharing);
+  }
+
+  /**
+   * Decodes the textures of all parts.
+   *
+   * @throws ModelFormatException if one cannot be decoded
+   */
+  void decode() throws ModelFormatException {
+    for (ModelPart part : model.parts()) {
+      materials.of(part.material(), true);
+      materials.emission(part.material());
+    }
   }
 
   /**
@@ -81,7 +120,7 @@ public final class ModelScene {
       TriangleMesh mesh = mesh(part);
       if (mesh.triangleCount() > 0) {
         Transform partToWorld = toWorld.times(part.toWorld());
-        Shape shape = shape(mesh, partToWorld, uses.get(part.geometry()) > 1);
+        Shape shape = shape(mesh, partToWorld, sharesAll || uses.get(part.geometry()) > 1);
         boolean isClosed = !part.material().doubleSided() && shape.isClosed();
         surfaces.add(
             new ModelSurface(

@@ -3,7 +3,7 @@ package io.github.lumbre.model;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Material;
-import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.scene.SceneAssembly;
 import java.util.List;
 import java.util.Objects;
 
@@ -34,7 +34,7 @@ public record ModelSurface(ModelPart part, Shape shape, Material material, List<
   }
 
   /** Adds the surface to a scene: one primitive, or one with an emission for each emitter. */
-  public void addTo(SceneBuilder scene) {
+  public void addTo(SceneAssembly scene) {
     if (emitters.isEmpty()) {
       scene.add(shape, material);
     }

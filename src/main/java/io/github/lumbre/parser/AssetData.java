@@ -45,13 +45,24 @@ final class AssetData {
   private final MessageDigest digest;
   private final Map<String, String> hashes = new TreeMap<>();
 
+  /** Files that need not exist: their bytes by the names that assets use. */
+  private final Map<String, byte[]> inMemory;
+
   /**
    * @param sceneFile path of the scene file; relative asset paths start in its folder
    * @param digest receives the bytes of all files that are read
    */
   AssetData(Path sceneFile, MessageDigest digest) {
+    this(sceneFile, digest, Map.of());
+  }
+
+  /**
+   * @param inMemory bytes of files that are not read from the folder, by their names
+   */
+  AssetData(Path sceneFile, MessageDigest digest, Map<String, byte[]> inMemory) {
     this.sceneFile = sceneFile;
     this.digest = digest;
+    this.inMemory = Map.copyOf(inMemory);
   }
 
   /** The bytes of an asset, and the key at which their errors are reported. */
@@ -220,9 +231,8 @@ final class AssetData {
 
   private byte[] bytes(String name) throws Unusable {
     try {
-      Path path = inFolder(name);
-      requireFile(name, path);
-      byte[] bytes = Files.readAllBytes(path);
+      byte[] known = inMemory.get(name);
+      byte[] bytes = known != null ? known : fileBytes(name);
       hash(bytes);
       hashes.put(name, Sha256.of(bytes));
       return bytes;
@@ -231,6 +241,12 @@ final class AssetData {
     } catch (IOException e) {
       throw Unusable.unreadable(name, FileFailure.reason(e));
     }
+  }
+
+  private byte[] fileBytes(String name) throws IOException, Unusable {
+    Path path = inFolder(name);
+    requireFile(name, path);
+    return Files.readAllBytes(path);
   }
 
   private void hash(byte[] bytes) {

@@ -13,7 +13,7 @@ import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.ObjectTree.Placed;
-import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.texture.Texture;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -30,7 +30,7 @@ final class LightReader {
 
   /** Reads a light of one type; {@code intensity} is already multiplied by the color. */
   private interface Reader {
-    Consumer<SceneBuilder> read(Placed light, Rgb intensity);
+    Consumer<SceneAssembly> read(Placed light, Rgb intensity);
   }
 
   /** The unit of an area light's intensity. */
@@ -108,7 +108,7 @@ final class LightReader {
   }
 
   /** Returns an action that adds the light to a scene; empty if the light has errors. */
-  Optional<Consumer<SceneBuilder>> read(Placed light) {
+  Optional<Consumer<SceneAssembly>> read(Placed light) {
     JsonNode node = light.node();
     node.warnUnknown(family.keys());
     count++;
@@ -123,19 +123,19 @@ final class LightReader {
     return family.choose(node).map(reader -> reader.read(light, intensity));
   }
 
-  private Consumer<SceneBuilder> directional(Placed light, Rgb irradiance) {
+  private Consumer<SceneAssembly> directional(Placed light, Rgb irradiance) {
     warnOfGlass(light);
     DirectionalLight made = new DirectionalLight(axis(light), irradiance);
     return scene -> scene.add(made);
   }
 
-  private Consumer<SceneBuilder> point(Placed light, Rgb intensity) {
+  private Consumer<SceneAssembly> point(Placed light, Rgb intensity) {
     warnOfGlass(light);
     PointLight made = pointLight(light, intensity);
     return scene -> scene.add(made);
   }
 
-  private Consumer<SceneBuilder> spot(Placed light, Rgb intensity) {
+  private Consumer<SceneAssembly> spot(Placed light, Rgb intensity) {
     warnOfGlass(light);
     double angle = spotAngle(light.node());
     double penumbra = light.node().number("penumbra", 0, Range.closed(0, angle));
@@ -156,24 +156,24 @@ final class LightReader {
     return angle;
   }
 
-  private Consumer<SceneBuilder> ambient(Placed light, Rgb irradiance) {
+  private Consumer<SceneAssembly> ambient(Placed light, Rgb irradiance) {
     return scene -> scene.addAmbient(irradiance);
   }
 
-  private Consumer<SceneBuilder> rectangle(Placed light, Rgb intensity) {
+  private Consumer<SceneAssembly> rectangle(Placed light, Rgb intensity) {
     double width = light.node().number("width", 1, Range.SIZE);
     double height = light.node().number("height", 1, Range.SIZE);
     Shape shape = new Rectangle(light.toWorld().times(UPRIGHT), width, height, false);
     return lamp(light, intensity, shape, width * height);
   }
 
-  private Consumer<SceneBuilder> sphere(Placed light, Rgb intensity) {
+  private Consumer<SceneAssembly> sphere(Placed light, Rgb intensity) {
     double radius = light.node().number("radius", 1, Range.SIZE);
     Shape shape = new Sphere(light.toWorld(), radius);
     return lamp(light, intensity, shape, 4 * Math.PI * radius * radius);
   }
 
-  private Consumer<SceneBuilder> lamp(Placed light, Rgb intensity, Shape shape, double localArea) {
+  private Consumer<SceneAssembly> lamp(Placed light, Rgb intensity, Shape shape, double localArea) {
     Unit unit = light.node().choice("unit", UNITS, Unit.FORMAT);
     boolean measurable = ShapeReader.isMeasurable(light.node(), shape);
     Rgb radiance = measurable ? intensity.times(unit.radiance(localArea, shape.area())) : Rgb.BLACK;
@@ -184,7 +184,7 @@ final class LightReader {
     return scene -> scene.addAreaLight(shape, emission);
   }
 
-  private Consumer<SceneBuilder> dome(Placed light, Rgb radiance) {
+  private Consumer<SceneAssembly> dome(Placed light, Rgb radiance) {
     hasDome = true;
     EnvironmentLight made = textures.dome(light.node(), light.axes(), radiance);
     return scene -> scene.add(made);

@@ -14,7 +14,7 @@ import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.model.ModelSurface;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.parser.SceneFormatException.Kind;
-import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.scene.SceneAssembly;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -58,7 +58,7 @@ final class ModelObjects {
   }
 
   /** A part of a model: one primitive or light. */
-  record Part(Origin origin, Origin material, Consumer<SceneBuilder> action) {}
+  record Part(Origin origin, Origin material, Consumer<SceneAssembly> action) {}
 
   /** Returns the number of parts read so far. */
   int count() {

@@ -5,7 +5,6 @@ import static java.util.stream.Collectors.joining;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -19,11 +18,8 @@ import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.text.Spelling;
 import java.io.IOException;
-import java.nio.channels.ClosedByInterruptException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -178,15 +174,29 @@ public record ModelSetup(
   public SceneText sceneIn(Path folder, Path file, OptionalDouble aspect)
       throws SceneFormatException, IOException {
     String name = String.valueOf(file.getFileName());
-    Problems problems = new Problems(name);
     if (!Files.exists(file)) {
+      Problems problems = new Problems(name);
       problems.error(Kind.INVALID, () -> "$", "expected a model file, found none");
       throw problems.exception();
     }
+    return sceneOf(
+        folder, file, Files.readAllBytes(file), ModelFolder.of(file.getParent()), aspect);
+  }
+
+  /**
+   * Returns the scene of a model whose bytes are known.
+   *
+   * @param folder where asset paths start; contains the model, which need not exist
+   * @param files reads the files that the model names
+   */
+  SceneText sceneOf(
+      Path folder, Path file, byte[] content, ModelFolder files, OptionalDouble aspect)
+      throws SceneFormatException, IOException {
+    String name = String.valueOf(file.getFileName());
+    Problems problems = new Problems(name);
     JsonObject scene;
     try {
-      Model model =
-          ModelReader.read(name, Files.readAllBytes(file), folderOf(file.getParent()), options);
+      Model model = ModelReader.read(name, content, files, options);
       scene = scene(model, folder.relativize(file), folder, aspect);
     } catch (ModelFormatException e) {
       Kind kind = e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET;
@@ -196,37 +206,6 @@ public record ModelSetup(
     // One line, which the header of a checkpoint file can hold.
     String text = new GsonBuilder().disableHtmlEscaping().create().toJson(scene);
     return new SceneText(text.getBytes(StandardCharsets.UTF_8), folder.resolve(name));
-  }
-
-  /** Returns access to the files in a folder and below. */
-  private static ModelFolder folderOf(Path folder) {
-    return (name, location) -> {
-      String problem;
-      try {
-        Path path = folder.resolve(name).normalize();
-        if (!path.startsWith(folder) || !path.toRealPath().startsWith(folder.toRealPath())) {
-          problem = "expected a file inside the model's folder, found " + Problems.quoted(name);
-        } else if (Files.isRegularFile(path)) {
-          return Files.readAllBytes(path);
-        } else {
-          String found = Files.isDirectory(path) ? "a folder" : "no regular file";
-          problem = "expected a file, found " + found + " at " + Problems.quoted(name);
-        }
-      } catch (ClosedByInterruptException e) {
-        throw e;
-      } catch (NoSuchFileException e) {
-        problem = "expected a file, found none at " + Problems.quoted(name);
-      } catch (InvalidPathException e) {
-        problem = unreadable(name, FileFailure.reason(e));
-      } catch (IOException e) {
-        problem = unreadable(name, FileFailure.reason(e));
-      }
-      throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, problem);
-    };
-  }
-
-  private static String unreadable(String name, String reason) {
-    return "expected a readable file, found " + Problems.quoted(name) + ": " + reason;
   }
 
   /** Returns the absolute paths of the model and, if it is a file, the sky. */

@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -15,6 +16,7 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.HexFormat;
 import java.util.LinkedHashSet;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -149,7 +151,7 @@ public final class SceneParser {
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     try {
-      return parse(file, read(file, problems), Optional.empty(), problems);
+      return parse(file, read(file, problems), Optional.empty(), Map.of(), problems);
     } catch (OutOfMemoryError e) {
       // What was to hold the scene is free again, and nothing else was touched.
       problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
@@ -171,14 +173,38 @@ public final class SceneParser {
    * @throws IOException if the model exists but cannot be read
    */
   public SceneFile parse(Path model, ModelSetup setup) throws SceneFormatException, IOException {
+    SceneText text = setup.sceneOf(model, modelAspect());
+    return parse(text.json(), text.path());
+  }
+
+  /**
+   * Builds the scene around a model whose bytes are known; see {@link #parse(Path, ModelSetup)}.
+   * Nothing is read from files, except a picture of a sky that the setup names.
+   *
+   * @param name of the model without folders; its ending chooses the format
+   * @param model bytes of a GLB, PLY or STL file, or of a glTF or OBJ file that names no others
+   * @throws SceneFormatException if the model cannot be used; it lists the errors
+   * @throws IOException if the calling thread is interrupted
+   */
+  public SceneFile parse(String name, byte[] model, ModelSetup setup)
+      throws SceneFormatException, IOException {
+    Path folder = Path.of("").toAbsolutePath();
+    Path file = folder.resolve(name).normalize();
+    if (!folder.equals(file.getParent())) {
+      throw new IllegalArgumentException(
+          "name: expected a name without folders, found " + Problems.quoted(name));
+    }
+    SceneText text = setup.sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
+    return parse(text, Map.of(name, model));
+  }
+
+  private OptionalDouble modelAspect() {
     RenderSettings size =
         change.apply(
             new RenderSettings.Builder()
                 .size(ModelSetup.DEFAULT_WIDTH, ModelSetup.DEFAULT_HEIGHT)
                 .build());
-    double aspect = size.width() / (double) size.height();
-    SceneText text = setup.sceneOf(model, OptionalDouble.of(aspect));
-    return parse(text.json(), text.path());
+    return OptionalDouble.of(size.aspect());
   }
 
   /**
@@ -190,9 +216,19 @@ public final class SceneParser {
    * @throws SceneFormatException if the scene cannot be used; it lists the errors
    */
   public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
+    return parse(new SceneText(content, file), Map.of());
+  }
+
+  /**
+   * Reads a scene that is not in a file.
+   *
+   * @param files bytes of asset files that need not exist, by the names that assets use
+   */
+  private SceneFile parse(SceneText text, Map<String, byte[]> files) throws SceneFormatException {
+    Path file = text.path();
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     try {
-      return parse(file, content, Optional.of(new SceneText(content, file)), problems);
+      return parse(file, text.json(), Optional.of(text), files, problems);
     } catch (OutOfMemoryError e) {
       // What was to hold the scene is free again, and nothing else was touched.
       problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
@@ -248,7 +284,12 @@ public final class SceneParser {
     }
   }
 
-  private SceneFile parse(Path file, byte[] text, Optional<SceneText> source, Problems problems)
+  private SceneFile parse(
+      Path file,
+      byte[] text,
+      Optional<SceneText> source,
+      Map<String, byte[]> files,
+      Problems problems)
       throws SceneFormatException {
     JsonNode root = JsonTree.read(text, problems);
     if (root.asObject().isEmpty()) {
@@ -262,7 +303,7 @@ public final class SceneParser {
     digest.update(text);
     String ownHash = Sha256.soFar(digest);
     AssetTable assets = new AssetTable(root, lenient);
-    AssetData data = new AssetData(file, digest);
+    AssetData data = new AssetData(file, digest, files);
     SceneReader world =
         new SceneReader(
             root,

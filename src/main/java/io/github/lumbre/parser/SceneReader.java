@@ -6,7 +6,7 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.scene.SceneAssembly;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -39,7 +39,7 @@ final class SceneReader {
 
   /** An action that adds a part of the file to the scene. */
   private record Addition(
-      Origin origin, Origin material, String lightGroup, Consumer<SceneBuilder> action) {}
+      Origin origin, Origin material, String lightGroup, Consumer<SceneAssembly> action) {}
 
   /**
    * @param seed seed of the procedural textures
@@ -184,7 +184,7 @@ final class SceneReader {
 
   /** Returns the scene; there must be no errors. */
   Scene scene() {
-    SceneBuilder scene = Scene.seenBy(camera.orElseThrow()).searchedBy(kernel);
+    SceneAssembly scene = new SceneAssembly(camera.orElseThrow()).searchedBy(kernel);
     backplate.ifPresent(scene::backplate);
     OriginNames objects = new OriginNames("object");
     OriginNames materialNames = new OriginNames("default");
@@ -199,7 +199,7 @@ final class SceneReader {
   }
 
   /** Records the origin of the primitives or lights that were just added. */
-  private void note(Addition addition, SceneBuilder scene) {
+  private void note(Addition addition, SceneAssembly scene) {
     while (scene.primitiveCount() > primitives.size()) {
       primitives.add(addition.origin);
       materialsOfPrimitives.add(addition.material);

@@ -3,7 +3,7 @@ package io.github.lumbre.parser;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
-import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.scene.SceneAssembly;
 
 /** The surface that a material of a scene file gives a shape: one that scatters, or emits. */
 @FunctionalInterface
@@ -12,7 +12,7 @@ interface Surface {
   Surface DEFAULT = of(Matte.GREY);
 
   /** Adds a shape with this surface to a scene. */
-  void add(Shape shape, SceneBuilder scene);
+  void add(Shape shape, SceneAssembly scene);
 
   /** Returns the surface that scatters light by a material. */
   static Surface of(Material material) {

@@ -86,10 +86,10 @@ public final class FilmRenderer implements PassRenderer {
     this.samplers = Objects.requireNonNull(samplers, "samplers");
     this.order = order;
     this.settings = Objects.requireNonNull(settings, "settings");
-    this.scene = Objects.requireNonNull(scene, "scene");
+    this.scene = scene.framed(settings.aspect());
     this.integrator = Objects.requireNonNull(integrator, "integrator");
-    layers = FilmLayers.of(settings, scene);
-    hasAlpha = settings.transparent() || scene.camera().leavesBlanks();
+    layers = FilmLayers.of(settings, this.scene);
+    hasAlpha = settings.transparent() || this.scene.camera().leavesBlanks();
   }
 
   /**

@@ -34,7 +34,7 @@ public final class PixelReplay {
    * @param settings the settings of the render whose samples are repeated
    */
   public PixelReplay(Scene scene, RenderSettings settings) {
-    this.scene = scene;
+    this.scene = scene.framed(settings.aspect());
     this.settings = settings;
     sampler = new SobolSampler(settings.seed());
     integrator = Integrator.of(scene, settings);

@@ -11,8 +11,8 @@ import java.util.Optional;
  * A shape with its material and, if it emits light, its emission.
  *
  * @param shape in world space
- * @param emission visible to every ray that hits the shape. {@link SceneBuilder} decides whether it
- *     also lights other surfaces
+ * @param emission visible to every ray that hits the shape. {@link SceneAssembly} decides whether
+ *     it also lights other surfaces
  */
 public record Primitive(Shape shape, Material material, Optional<Emission> emission) {
   public Primitive {

@@ -1,6 +1,7 @@
 package io.github.lumbre.scene;
 
 import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.Viewpoint;
 import io.github.lumbre.geometry.Bvh;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.KernelChange;
@@ -22,13 +23,31 @@ import java.util.stream.Collectors;
 
 /**
  * A complete scene in world space. All threads share it; nothing that it finds ever changes. {@link
- * SceneBuilder} builds it.
+ * #builder} builds it in code.
  *
  * <p>A scene has two lists of lights. {@link #lights} holds the declared lights. {@link #emitters}
  * holds all lights of path mode: the declared lights, other emissive surfaces, and the background.
  */
 public final class Scene {
+  /**
+   * What code built a scene from.
+   *
+   * @param origin the scene that it continues; empty if there is none
+   */
+  record Built(SceneDescription description, Placements placements, Optional<Scene> origin) {
+    /** Returns this without the scene that it continues, which need not be kept. */
+    Built alone() {
+      return new Built(description, placements, Optional.empty());
+    }
+  }
+
   private final Camera camera;
+
+  /** Where the camera stands; empty if it was given for one aspect ratio. */
+  private final Optional<Viewpoint> viewpoint;
+
+  private final Optional<Built> built;
+  private final Kernel kernel;
   private final List<Primitive> primitives;
 
   /** The same primitives, simplified for the inner loop. */
@@ -57,8 +76,11 @@ public final class Scene {
   /** Whether rays may pass straight through some surface. */
   private final boolean hasTransparency;
 
-  Scene(SceneBuilder built) {
+  Scene(SceneAssembly built, Optional<Built> from) {
     camera = built.camera;
+    viewpoint = from.flatMap(code -> code.description().viewpoint());
+    this.built = from.map(Built::alone);
+    kernel = built.kernel();
     primitives = List.copyOf(built.primitives);
     lights = List.copyOf(built.lights);
     emitters = List.copyOf(built.emitters);
@@ -70,8 +92,9 @@ public final class Scene {
             .filter(Bounds3::isFinite)
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
-    bvh = Bvh.over(shapes(), built.kernel());
-    kernelChange = KernelChange.of(bvh, shapes());
+    Optional<Scene> same = from.flatMap(Built::origin).filter(this::hasShapesOf);
+    bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), kernel));
+    kernelChange = same.map(s -> s.kernelChange).orElseGet(() -> KernelChange.of(bvh, shapes()));
     lightGroups = new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, primitives);
     names = SurfaceNames.of(built.objectNames, built.materialNames);
     environments =
@@ -90,8 +113,33 @@ public final class Scene {
     primitiveOfShape = primitivesOfShapes();
   }
 
+  /** Returns whether another scene has the same shapes and kernel, so that its hierarchy fits. */
+  private boolean hasShapesOf(Scene other) {
+    if (kernel != other.kernel || primitives.size() != other.primitives.size()) {
+      return false;
+    }
+    for (int i = 0; i < primitives.size(); i++) {
+      if (primitives.get(i).shape() != other.primitives.get(i).shape()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   private Scene(Scene other, Bvh bvh, Set<Specialization> shortcuts) {
-    camera = other.camera;
+    this(other, bvh, shortcuts, other.camera, other.viewpoint);
+  }
+
+  private Scene(
+      Scene other,
+      Bvh bvh,
+      Set<Specialization> shortcuts,
+      Camera camera,
+      Optional<Viewpoint> viewpoint) {
+    this.camera = camera;
+    this.viewpoint = viewpoint;
+    built = other.built;
+    kernel = other.kernel;
     primitives = other.primitives;
     this.bvh = bvh;
     kernelChange = bvh == other.bvh ? other.kernelChange : KernelChange.of(bvh, shapes());
@@ -195,9 +243,68 @@ public final class Scene {
     return shortcuts.contains(shortcut);
   }
 
-  /** Returns a builder of a scene with the given camera. */
-  public static SceneBuilder seenBy(Camera camera) {
-    return new SceneBuilder(camera);
+  /** Returns a builder of a scene in code. */
+  public static SceneBuilder builder() {
+    return new SceneBuilder();
+  }
+
+  /**
+   * Returns a builder that continues this scene. Its scenes share meshes and textures with this
+   * one, and the hierarchies of everything that does not move.
+   *
+   * @throws IllegalStateException if the scene was read from a file
+   */
+  public SceneBuilder toBuilder() {
+    return new SceneBuilder(
+        this,
+        description()
+            .orElseThrow(
+                () ->
+                    new IllegalStateException(
+                        "scene: expected one that was built in code, found one from a file")));
+  }
+
+  /** Returns this scene, which shares everything, seen from elsewhere. */
+  public Scene seenFrom(Viewpoint viewpoint) {
+    return new Scene(this, bvh, shortcuts, viewpoint.camera(1), Optional.of(viewpoint));
+  }
+
+  /**
+   * Returns the scene for films of an aspect ratio: with the camera of its viewpoint. A scene that
+   * was given a camera keeps it.
+   *
+   * @param aspect width of the film over its height
+   */
+  public Scene framed(double aspect) {
+    return viewpoint
+        .map(from -> new Scene(this, bvh, shortcuts, from.camera(aspect), viewpoint))
+        .orElse(this);
+  }
+
+  /** Returns what the scene was built from; empty if it was read from a file. */
+  public Optional<SceneDescription> description() {
+    return built.map(
+        from ->
+            new SceneDescription(
+                viewpoint,
+                from.description().nodes(),
+                from.description().materialNames(),
+                from.description().backplate()));
+  }
+
+  /** Returns the parts at their places; none if the scene was read from a file. */
+  Placements placements() {
+    return built.map(Built::placements).orElse(Placements.NONE);
+  }
+
+  /** Returns the hierarchy over all shapes. */
+  Bvh hierarchy() {
+    return bvh;
+  }
+
+  /** Returns the kernel that was asked for. */
+  Kernel kernel() {
+    return kernel;
   }
 
   /** Returns the camera. */

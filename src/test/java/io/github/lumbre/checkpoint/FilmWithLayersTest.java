@@ -48,7 +48,8 @@ class FilmWithLayersTest {
 
   private static Scene scene() {
     SceneBuilder scene =
-        Scene.seenBy(new PinholeCamera(new Vec3(0, 0, -4), Frame.WORLD, 1.5, 60))
+        Scene.builder()
+            .seenBy(new PinholeCamera(new Vec3(0, 0, -4), Frame.WORLD, 1.5, 60))
             .lightGroup("sky")
             .add(EnvironmentLight.uniform(Rgb.WHITE));
     for (int i = 0; i < 200; i++) {

@@ -23,7 +23,7 @@ final class TestScenes {
   private TestScenes() {}
 
   static SceneBuilder empty() {
-    return Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60));
+    return Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60));
   }
 
   static Matte matte(double albedo) {

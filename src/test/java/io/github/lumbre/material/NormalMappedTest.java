@@ -41,7 +41,8 @@ class NormalMappedTest {
   private final SplittableRandom random = new SplittableRandom(61);
 
   private static Scene scene(Shape shape) {
-    return Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+    return Scene.builder()
+        .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
         .add(shape, Matte.GREY)
         .build();
   }

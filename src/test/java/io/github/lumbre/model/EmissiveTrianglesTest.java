@@ -20,8 +20,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelSurface.Emitter;
 import io.github.lumbre.sampling.IndependentSampler;
-import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.texture.Texture;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -113,7 +112,7 @@ class EmissiveTrianglesTest {
 
   /** Returns mean and variance of the light that a floor below the ceiling reflects. */
   private static double[] light(List<Emitter> emitters) {
-    SceneBuilder builder = Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60));
+    SceneAssembly builder = new SceneAssembly(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60));
     Shape floor = new Rectangle(Transform.IDENTITY, 100, 100, false);
     builder.add(floor, new Matte(Texture.constant(Rgb.grey(.5))));
     emitters.forEach(e -> builder.add(e.shape(), Unlit.INSTANCE, e.emission()));

@@ -31,7 +31,7 @@ class AdaptiveScheduleTest {
 
   /** A placeholder that the integrators below do not use. */
   private static final Scene SCENE =
-      Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 1)).build();
+      Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 1)).build();
 
   /**
    * The left half has constant radiance; the right half has light in one of 64 samples, with the

@@ -40,7 +40,8 @@ class BucketRendererTest {
   }
 
   private static Scene sceneSeenBy(Camera camera) {
-    return Scene.seenBy(camera)
+    return Scene.builder()
+        .seenBy(camera)
         .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
         .addBackground(Rgb.WHITE)
         .build();
@@ -247,7 +248,8 @@ class BucketRendererTest {
   @Test
   void transparencyIsTheShareOfSamplesThatMissed() throws InterruptedException {
     Scene glowing =
-        Scene.seenBy(pinhole())
+        Scene.builder()
+            .seenBy(pinhole())
             .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
             .addAmbient(Rgb.grey(Math.PI))
             .build();

@@ -25,7 +25,8 @@ class DepthCutTest {
   @Test
   void closedSphereCutsAPowerOfItsReflectance() throws InterruptedException {
     Scene room =
-        Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+        Scene.builder()
+            .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
             .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.grey(.5))))
             .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
             .build();
@@ -42,12 +43,13 @@ class DepthCutTest {
 
   @Test
   void darknessLacksNothing() throws InterruptedException {
-    Scene empty = Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60)).build();
+    Scene empty = Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60)).build();
     assertThat(DepthCut.of(empty, RenderSettings.DEFAULT)).isEqualTo(new DepthCut(0, 0));
   }
 
   private static Scene room(Camera camera, double reflectance) {
-    return Scene.seenBy(camera)
+    return Scene.builder()
+        .seenBy(camera)
         .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.grey(reflectance))))
         .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
         .build();

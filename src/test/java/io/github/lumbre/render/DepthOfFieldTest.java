@@ -104,7 +104,8 @@ class DepthOfFieldTest {
   private static Image picture(Camera camera, double depth, int samples)
       throws InterruptedException {
     Scene scene =
-        Scene.seenBy(camera)
+        Scene.builder()
+            .seenBy(camera)
             .addEmissive(
                 new Sphere(Transform.translation(new Vec3(0, 0, depth)), BALL),
                 new Emission(Texture.constant(Rgb.WHITE), true))

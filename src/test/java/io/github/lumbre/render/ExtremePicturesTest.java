@@ -95,7 +95,8 @@ class ExtremePicturesTest {
       throws InterruptedException {
     for (Camera camera : cameras(new Vec3(0, 0, -3), (double) width / height)) {
       Scene scene =
-          Scene.seenBy(camera)
+          Scene.builder()
+              .seenBy(camera)
               .addEmissive(new Sphere(Transform.IDENTITY, 1), glow(Rgb.WHITE))
               .addBackground(Rgb.WHITE)
               .build();
@@ -127,7 +128,8 @@ class ExtremePicturesTest {
   }
 
   private static SceneBuilder stillLife(Camera camera) {
-    return Scene.seenBy(camera)
+    return Scene.builder()
+        .seenBy(camera)
         .add(new Plane(Transform.IDENTITY, false), Matte.GREY)
         .add(new Sphere(at(-.8, .7, 0), .7), matte(new Rgb(.8, .3, .2)))
         .add(
@@ -146,7 +148,8 @@ class ExtremePicturesTest {
     double fov = 2 * Math.toDegrees(StrictMath.atan(1.5 / distance));
     Vec3 eye = new Vec3(.3, -.2, .5).plus(distance, new Vec3(0, 0, -1));
     Scene scene =
-        Scene.seenBy(new PinholeCamera(eye, Frame.WORLD, 1, fov))
+        Scene.builder()
+            .seenBy(new PinholeCamera(eye, Frame.WORLD, 1, fov))
             .addEmissive(new Sphere(at(.3, -.2, .5), 1), glow(Rgb.WHITE))
             .build();
     int replicates = 100;
@@ -178,7 +181,8 @@ class ExtremePicturesTest {
               .times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
       for (boolean redFirst : new boolean[] {true, false}) {
         Scene scene =
-            Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 20))
+            Scene.builder()
+                .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 20))
                 .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? RED : GREEN))
                 .addEmissive(new Rectangle(place, 8, 7, true), glow(redFirst ? GREEN : RED))
                 .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? GREEN : RED))
@@ -208,7 +212,8 @@ class ExtremePicturesTest {
     Transform end =
         tilt.times(at(0, 0, distance)).times(Transform.rotationDegrees(Vec3.X.times(90)));
     Scene scene =
-        Scene.seenBy(new PinholeCamera(eye, axes, 1, Math.min(fov * 10, 90)))
+        Scene.builder()
+            .seenBy(new PinholeCamera(eye, axes, 1, Math.min(fov * 10, 90)))
             .add(new Plane(tilt, true), matte(Rgb.WHITE))
             .add(new Plane(above, true), matte(Rgb.WHITE))
             .add(new Plane(end, true), matte(Rgb.BLACK))
@@ -246,7 +251,8 @@ class ExtremePicturesTest {
     // Facing the camera, and exactly as large as the frame at distance 1.
     Transform place = at(0, 0, 1).times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
     Scene scene =
-        Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90))
+        Scene.builder()
+            .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90))
             .addEmissive(
                 new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
             .build();
@@ -309,7 +315,8 @@ class ExtremePicturesTest {
   private static Scene lopsided(Transform all) {
     Camera camera = new PinholeCamera(new Vec3(0, 1, -5), Frame.WORLD, 1, 40);
     Transform lamp = at(2, 3, -1).times(Transform.rotationDegrees(new Vec3(180, 0, 20)));
-    return Scene.seenBy(camera)
+    return Scene.builder()
+        .seenBy(camera)
         .add(new Plane(all, false), Matte.GREY)
         .add(Mesh.baked(tetrahedron(), all.times(at(-.9, .1, 0))), matte(new Rgb(.2, .8, .4)))
         .add(new Sphere(all.times(at(1.1, .6, .4)), .6), Matte.GREY)
@@ -357,7 +364,8 @@ class ExtremePicturesTest {
       RenderSettings settings, List<Transform> places, Function<Transform, Shape> shape)
       throws InterruptedException {
     SceneBuilder scene =
-        Scene.seenBy(new PinholeCamera(new Vec3(0, 0, -8), Frame.WORLD, settings.aspect(), 40))
+        Scene.builder()
+            .seenBy(new PinholeCamera(new Vec3(0, 0, -8), Frame.WORLD, settings.aspect(), 40))
             .addAreaLight(new Sphere(at(3, 6, -6), 1), glow(Rgb.grey(9)))
             .addAreaLight(new Sphere(at(-5, 2, -7), .5), glow(Rgb.grey(9)));
     for (int i = 0; i < places.size(); i++) {

@@ -63,7 +63,7 @@ class FilmLayersTest {
   /** Returns a camera at z = -4 that looks along +z. */
   private static SceneBuilder scene() {
     Vec3 eye = new Vec3(0, 0, -4);
-    return Scene.seenBy(new PinholeCamera(eye, Frame.WORLD, (double) WIDTH / HEIGHT, 50));
+    return Scene.builder().seenBy(new PinholeCamera(eye, Frame.WORLD, (double) WIDTH / HEIGHT, 50));
   }
 
   /** Returns a scene with everything: mirror, glass, matte, lights in groups and without. */

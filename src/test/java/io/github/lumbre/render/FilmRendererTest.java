@@ -35,7 +35,8 @@ class FilmRendererTest {
 
   /** A scene whose pictures have noise everywhere and transparent corners. */
   private static final Scene SCENE =
-      Scene.seenBy(new FishEyeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 100))
+      Scene.builder()
+          .seenBy(new FishEyeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 100))
           .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
           .addBackground(Rgb.WHITE)
           .build();

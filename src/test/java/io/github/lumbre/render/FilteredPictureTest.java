@@ -30,7 +30,8 @@ class FilteredPictureTest {
   /** A black half plane in front of white, with a vertical edge in the center of the picture. */
   private static Scene edge(Camera camera) {
     Transform right = Transform.translation(new Vec3(500, 0, 5));
-    return Scene.seenBy(camera)
+    return Scene.builder()
+        .seenBy(camera)
         .add(new Box(right, 1000, 1000, 1), BLACK)
         .addBackground(Rgb.WHITE)
         .build();
@@ -98,7 +99,8 @@ class FilteredPictureTest {
   @EnumSource
   void polesAreNeitherDarkNorBlank(PixelFilter filter) throws InterruptedException {
     Scene scene =
-        Scene.seenBy(new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2))
+        Scene.builder()
+            .seenBy(new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2))
             .addBackground(Rgb.WHITE)
             .build();
     Image image = render(scene, filter, 8, 4);
@@ -112,7 +114,8 @@ class FilteredPictureTest {
   @Test
   void rimOfAFisheyeIsAsSoftAsTheFilterIsWide() throws InterruptedException {
     Scene scene =
-        Scene.seenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180))
+        Scene.builder()
+            .seenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180))
             .addBackground(Rgb.WHITE)
             .build();
     double before = 1;

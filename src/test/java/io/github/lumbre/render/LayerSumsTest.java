@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Tests what values become in the sums of layers. */
 class LayerSumsTest {
   private static final Scene SCENE =
-      Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 1)).build();
+      Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 1)).build();
 
   @ParameterizedTest
   @CsvSource({

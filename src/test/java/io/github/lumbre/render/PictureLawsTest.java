@@ -39,7 +39,7 @@ class PictureLawsTest {
   private static final int HEIGHT = 16;
 
   private static SceneBuilder empty() {
-    return Scene.seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1.5, 50));
+    return Scene.builder().seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1.5, 50));
   }
 
   /** Returns a scene with many bounces and saturated colors, modified by the given functions. */

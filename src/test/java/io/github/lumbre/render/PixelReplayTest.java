@@ -179,7 +179,8 @@ class PixelReplayTest {
         Rgb radiance =
             new Rgb(channel == 0 ? bad : 1, channel == 1 ? bad : 1, channel == 2 ? bad : 1);
         Scene scene =
-            Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+            Scene.builder()
+                .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
                 .addBackground(radiance)
                 .build();
         RenderSettings settings = new RenderSettings.Builder().size(4, 4).samples(7).build();
@@ -221,7 +222,8 @@ class PixelReplayTest {
   @Test
   void samplesThatTheCameraDoesNotImageAreBlack() {
     Scene scene =
-        Scene.seenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180))
+        Scene.builder()
+            .seenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180))
             .addBackground(Rgb.WHITE)
             .build();
     RenderSettings settings = new RenderSettings.Builder().size(20, 20).samples(4).build();

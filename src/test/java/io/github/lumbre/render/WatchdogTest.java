@@ -26,7 +26,8 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class WatchdogTest {
   private static final Scene SCENE =
-      Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+      Scene.builder()
+          .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
           .addBackground(Rgb.WHITE)
           .build();
 

@@ -37,7 +37,7 @@ class SceneTest {
   private final NearestHit hit = new NearestHit();
 
   private static SceneBuilder empty() {
-    return Scene.seenBy(CAMERA);
+    return Scene.builder().seenBy(CAMERA);
   }
 
   private static Sphere sphere(double x) {
@@ -70,7 +70,9 @@ class SceneTest {
     assertThat(scene.background(Vec3.X)).isEqualTo(Rgb.BLACK);
     assertThat(scene.intersect(from(0), hit)).isFalse();
     assertThat(scene.isOccluded(from(0), hit)).isFalse();
-    assertThatNullPointerException().isThrownBy(() -> Scene.seenBy(null)).withMessage("camera");
+    assertThatNullPointerException()
+        .isThrownBy(() -> Scene.builder().seenBy(null))
+        .withMessage("camera");
   }
 
   @Test
@@ -137,7 +139,6 @@ class SceneTest {
             .addAreaLight(sphere(5), glow(0))
             .addEmissive(sphere(9), glow(0))
             .addBackground(Rgb.BLACK);
-    assertThat(builder.emitterCount()).isZero();
     Scene scene = builder.build();
     assertThat(scene.lights()).isEmpty();
     assertThat(scene.emitters()).isEmpty();
@@ -158,8 +159,8 @@ class SceneTest {
   }
 
   @Test
-  void builderCountsWhatItHas() {
-    SceneBuilder builder = empty();
+  void assemblyCountsWhatItHas() {
+    SceneAssembly builder = new SceneAssembly(CAMERA);
     assertThat(builder.primitiveCount()).isZero();
     builder.add(sphere(0), Matte.GREY).add(point(1)).addEmissive(sphere(5), glow(1));
     assertThat(builder.primitiveCount()).isEqualTo(2);
@@ -169,7 +170,7 @@ class SceneTest {
   @Test
   void emittersAreFoundFromWhatIsHit() {
     Scene scene =
-        empty()
+        new SceneAssembly(CAMERA)
             .add(sphere(3), Matte.GREY)
             .add(point(1))
             .addEmissive(sphere(6), glow(1))
@@ -186,7 +187,7 @@ class SceneTest {
   @Test
   void emittersAreFoundFromLightsAndEnvironments() {
     Scene scene =
-        empty()
+        new SceneAssembly(CAMERA)
             .addEmissive(sphere(3), glow(1))
             .add(point(1))
             .addBackground(Rgb.WHITE)
@@ -304,8 +305,8 @@ class SceneTest {
     Scene scalar = scene.searchedBy(Kernel.SCALAR);
     assertSameContent(scalar, scene);
     assertThat(scalar.takes(Specialization.ONE_EMITTER)).isTrue();
-    assertThat(one().searchedBy(Kernel.SCALAR).kernel()).isEqualTo(Kernel.SCALAR);
-    assertThat(one().kernel()).isEqualTo(Kernel.AUTO);
+    assertThat(one().searchedBy(Kernel.SCALAR).build().kernel()).isEqualTo(Kernel.SCALAR);
+    assertThat(one().build().kernel()).isEqualTo(Kernel.AUTO);
   }
 
   @Test

@@ -56,7 +56,8 @@ class UnitsTest {
     RenderSettings settings =
         new RenderSettings.Builder().size(48, 40).samples(9).threads(1).bucketSize(16).build();
     Scene scene =
-        Scene.seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1.2, 50))
+        Scene.builder()
+            .seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1.2, 50))
             .addBackground(Rgb.WHITE)
             .build();
     FilmRenderer renderer = new FilmRenderer(settings, scene);
@@ -71,7 +72,8 @@ class UnitsTest {
     RenderSettings settings =
         new RenderSettings.Builder().size(20, 20).threads(1).crop(unit.tile()).build();
     Scene scene =
-        Scene.seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1, 50))
+        Scene.builder()
+            .seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1, 50))
             .addBackground(new Rgb(.1, 2, 3e5))
             .build();
     FilmRenderer renderer = new FilmRenderer(settings, scene);

@@ -88,7 +88,8 @@ final class PictureInvariants {
    */
   private static double enclosure(double reflectance, int depth) {
     Scene scene =
-        Scene.seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+        Scene.builder()
+            .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
             .add(
                 new Sphere(Transform.IDENTITY, 1),
                 new Matte(Texture.constant(Rgb.grey(reflectance))))
@@ -125,8 +126,8 @@ final class PictureInvariants {
     Transform whole = Transform.scale(new Vec3(scale, scale, scale));
     Texture<Rgb> white = Texture.constant(Rgb.WHITE);
     Texture<Rgb> grey = Texture.constant(Rgb.grey(.5));
-    return Scene.seenBy(
-            new PinholeCamera(new Vec3(0, 1, -4).times(scale), Frame.WORLD, 4.0 / 3, 50))
+    return Scene.builder()
+        .seenBy(new PinholeCamera(new Vec3(0, 1, -4).times(scale), Frame.WORLD, 4.0 / 3, 50))
         .add(new Rectangle(whole, 20, 20, false), new Matte(grey))
         .add(
             new Sphere(whole.times(at(-1, .7, .3)), .7),

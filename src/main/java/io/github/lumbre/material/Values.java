@@ -1,0 +1,43 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+
+/** Checks the plain values of materials and makes constant textures of them. */
+final class Values {
+  private Values() {}
+
+  /**
+   * Returns a constant texture of a reflectance.
+   *
+   * @throws IllegalArgumentException if a component is not in [0, 1]
+   */
+  static Texture<Rgb> reflectance(String name, Rgb color) {
+    boolean isInRange =
+        color.r() >= 0 && color.g() >= 0 && color.b() >= 0 && color.max() <= 1 && color.isFinite();
+    if (!isInRange) {
+      throw new IllegalArgumentException(
+          name + ": expected components from 0 to 1, found " + color);
+    }
+    return Texture.constant(color);
+  }
+
+  /**
+   * Returns a constant texture of a number.
+   *
+   * @throws IllegalArgumentException if the number is not in [low, high]
+   */
+  static ScalarTexture number(String name, double value, double low, double high) {
+    if (!(value >= low && value <= high)) {
+      throw new IllegalArgumentException(
+          name + ": expected a number from " + low + " to " + high + ", found " + value);
+    }
+    return ScalarTexture.constant(value);
+  }
+
+  /** Returns a constant index of refraction, from 1e-6 to 1e6. */
+  static ScalarTexture ior(double value) {
+    return number("ior", value, 1e-6, 1e6);
+  }
+}

@@ -1,0 +1,45 @@
+package io.github.lumbre.model;
+
+import io.github.lumbre.file.FileFailure;
+import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
+/**
+ * Reads the files in a folder and below.
+ *
+ * @param folder absolute and normalized
+ */
+record FileFolder(Path folder) implements ModelFolder {
+  @Override
+  public byte[] read(String name, String location) throws ModelFormatException, IOException {
+    String problem;
+    try {
+      Path path = folder.resolve(name).normalize();
+      if (!path.startsWith(folder) || !path.toRealPath().startsWith(folder.toRealPath())) {
+        problem = "expected a file inside the model's folder, found " + PrintableText.quoted(name);
+      } else if (Files.isRegularFile(path)) {
+        return Files.readAllBytes(path);
+      } else {
+        String found = Files.isDirectory(path) ? "a folder" : "no regular file";
+        problem = "expected a file, found " + found + " at " + PrintableText.quoted(name);
+      }
+    } catch (ClosedByInterruptException e) {
+      throw e;
+    } catch (NoSuchFileException e) {
+      problem = "expected a file, found none at " + PrintableText.quoted(name);
+    } catch (InvalidPathException e) {
+      problem = unreadable(name, FileFailure.reason(e));
+    } catch (IOException e) {
+      problem = unreadable(name, FileFailure.reason(e));
+    }
+    throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, problem);
+  }
+
+  private static String unreadable(String name, String reason) {
+    return "expected a readable file, found " + PrintableText.quoted(name) + ": " + reason;
+  }
+}

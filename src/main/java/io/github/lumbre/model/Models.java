@@ -1,0 +1,64 @@
+package io.github.lumbre.model;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** Reads model files for scenes that are built in code. Stateless. */
+public final class Models {
+  private Models() {}
+
+  /**
+   * Reads a glTF, OBJ, PLY or STL file and the files that it names.
+   *
+   * @throws ModelFormatException if the file is damaged, unsupported or too large
+   * @throws IOException if the file cannot be read
+   */
+  public static ModelFile read(Path file) throws ModelFormatException, IOException {
+    return read(file, ModelOptions.DEFAULT);
+  }
+
+  /** Reads a model file with options; see {@link #read(Path)}. */
+  public static ModelFile read(Path file, ModelOptions options)
+      throws ModelFormatException, IOException {
+    Path parent = file.toAbsolutePath().normalize().getParent();
+    return read(
+        file.getFileName().toString(), Files.readAllBytes(file), ModelFolder.of(parent), options);
+  }
+
+  /**
+   * Reads a model from the bytes of a file that names no other files, such as GLB, PLY and STL.
+   *
+   * @param name of the file; its ending chooses the format
+   * @throws ModelFormatException if the file is damaged, unsupported or too large, or names another
+   * @throws IOException if the thread is interrupted
+   */
+  public static ModelFile read(String name, byte[] content)
+      throws ModelFormatException, IOException {
+    return read(name, content, ModelFolder.NONE, ModelOptions.DEFAULT);
+  }
+
+  /**
+   * Reads a model from the bytes of a file.
+   *
+   * @param name of the file; its ending chooses the format
+   * @param folder reads other files that the model names
+   * @throws ModelFormatException if the file is damaged, unsupported or too large
+   * @throws IOException if the thread is interrupted
+   */
+  public static ModelFile read(
+      String name, byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    ModelFolder recording =
+        (other, location) -> {
+          byte[] bytes = folder.read(other, location);
+          files.put(other, bytes);
+          return bytes;
+        };
+    Model model = ModelReader.read(name, content, recording, options);
+    return new ModelFile(name, content.clone(), files, options, model);
+  }
+}

@@ -1,0 +1,196 @@
+package io.github.lumbre.scene;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.Unlit;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * The surfaces and lights of a scene in world space, in their order: what readers of files and
+ * {@link SceneBuilder} make. Mutable; the scene is immutable.
+ */
+public final class SceneAssembly {
+  final Camera camera;
+  final List<Primitive> primitives = new ArrayList<>();
+  final List<Light> lights = new ArrayList<>();
+  final List<Light> emitters = new ArrayList<>();
+  final Map<Integer, Integer> emitterOfPrimitive = new HashMap<>();
+  final List<String> objectNames = new ArrayList<>();
+  final List<String> materialNames = new ArrayList<>();
+  final List<String> groupOfPrimitive = new ArrayList<>();
+  final List<String> groupOfEmitter = new ArrayList<>();
+  Rgb ambient = Rgb.BLACK;
+  Optional<Rgb> backplate = Optional.empty();
+  private Optional<Kernel> kernel = Optional.empty();
+  private String objectName = "";
+  private String materialName = "";
+  private String lightGroup = "";
+
+  /** Creates an empty scene with a camera. */
+  public SceneAssembly(Camera camera) {
+    this.camera = Objects.requireNonNull(camera, "camera");
+  }
+
+  /**
+   * Names the surfaces that are added next. Surfaces with the same name form one matte.
+   *
+   * @param object name of the object; empty for a name by the number of the surface
+   * @param material name of the material; empty for a name by the number of the surface
+   */
+  public SceneAssembly named(String object, String material) {
+    objectName = Objects.requireNonNull(object, "object");
+    materialName = Objects.requireNonNull(material, "material");
+    return this;
+  }
+
+  /**
+   * Puts the lights that are added next into a light group; see {@link Layer#LIGHTS}.
+   *
+   * @param name letters, digits and underscores; empty for no group
+   * @throws IllegalArgumentException if the name has other characters
+   */
+  public SceneAssembly lightGroup(String name) {
+    LightGroups.require(name);
+    lightGroup = name;
+    return this;
+  }
+
+  /** Adds a surface that scatters light and does not emit any. */
+  public SceneAssembly add(Shape shape, Material material) {
+    add(new Primitive(shape, material, Optional.empty()));
+    return this;
+  }
+
+  private void add(Primitive primitive) {
+    primitives.add(primitive);
+    objectNames.add(objectName);
+    materialNames.add(materialName);
+    groupOfPrimitive.add(lightGroup);
+  }
+
+  private void addEmitter(Light light) {
+    emitters.add(light);
+    groupOfEmitter.add(lightGroup);
+  }
+
+  /**
+   * Adds a light without a surface, such as a point light or an environment light. Black lights are
+   * ignored.
+   */
+  public SceneAssembly add(Light light) {
+    if (!light.isBlack()) {
+      lights.add(light);
+      addEmitter(light);
+    }
+    return this;
+  }
+
+  /**
+   * Adds an area light: a surface that emits light, does not scatter any, and is sampled as a light
+   * in both modes.
+   */
+  public SceneAssembly addAreaLight(Shape shape, Emission emission) {
+    AreaLight light = new AreaLight(shape, emission);
+    addEmissive(shape, emission);
+    if (!light.isBlack()) {
+      lights.add(light);
+    }
+    return this;
+  }
+
+  /**
+   * Adds an emissive surface that does not scatter light. In path mode, it is also sampled as a
+   * light. An infinite plane cannot be sampled; it contributes only to paths that hit it.
+   */
+  public SceneAssembly addEmissive(Shape shape, Emission emission) {
+    return add(shape, Unlit.INSTANCE, emission);
+  }
+
+  /**
+   * Adds a surface that scatters and emits light. In path mode, it is also sampled as a light; see
+   * {@link #addEmissive}.
+   */
+  public SceneAssembly add(Shape shape, Material material, Emission emission) {
+    if (!emission.isBlack() && Double.isFinite(shape.area())) {
+      emitterOfPrimitive.put(primitives.size(), emitters.size());
+      addEmitter(new AreaLight(shape, emission));
+    }
+    add(new Primitive(shape, material, Optional.of(emission)));
+    return this;
+  }
+
+  /** Adds a uniform environment light, which lights surfaces in path mode. */
+  public SceneAssembly addBackground(Rgb radiance) {
+    if (!radiance.isBlack()) {
+      addEmitter(EnvironmentLight.uniform(radiance));
+    }
+    return this;
+  }
+
+  /**
+   * Adds ambient irradiance, which every diffuse surface receives uniformly from all directions.
+   */
+  public SceneAssembly addAmbient(Rgb irradiance) {
+    ambient = ambient.plus(irradiance);
+    return this;
+  }
+
+  /** Sets the color that the camera sees instead of environment lights, which still give light. */
+  public SceneAssembly backplate(Rgb radiance) {
+    backplate = Optional.of(radiance);
+    return this;
+  }
+
+  /**
+   * Sets the traversal kernel; the default is {@link Kernel#AUTO}. Renders of all kernels are
+   * bit-identical.
+   */
+  public SceneAssembly searchedBy(Kernel newKernel) {
+    kernel = Optional.of(newKernel);
+    return this;
+  }
+
+  /** Returns the current number of primitives. */
+  public int primitiveCount() {
+    return primitives.size();
+  }
+
+  /** Returns the current number of emitters. */
+  public int emitterCount() {
+    return emitters.size();
+  }
+
+  Kernel kernel() {
+    return kernel.orElse(Kernel.AUTO);
+  }
+
+  /**
+   * Returns the scene.
+   *
+   * @throws IllegalStateException if the kernel is not available
+   */
+  public Scene build() {
+    return new Scene(this, Optional.empty());
+  }
+
+  /**
+   * Returns the scene with what it was built from.
+   *
+   * @param origin a scene whose hierarchy is used if it has the same shapes
+   */
+  Scene build(SceneDescription description, Placements placements, Optional<Scene> origin) {
+    return new Scene(this, Optional.of(new Scene.Built(description, placements, origin)));
+  }
+}

@@ -1,0 +1,29 @@
+package io.github.lumbre.scene;
+
+import io.github.lumbre.camera.Viewpoint;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Material;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a scene was built from in code. Immutable.
+ *
+ * @param viewpoint of the camera; empty if the scene was given a camera for one aspect ratio
+ * @param nodes in the order in which they were added
+ * @param materialNames names of materials, by identity
+ * @param backplate what the camera sees instead of environment lights; empty if it sees these
+ */
+public record SceneDescription(
+    Optional<Viewpoint> viewpoint,
+    List<SceneNode> nodes,
+    Map<Material, String> materialNames,
+    Optional<Rgb> backplate) {
+  public SceneDescription {
+    nodes = List.copyOf(nodes);
+    materialNames = Collections.unmodifiableMap(new IdentityHashMap<>(materialNames));
+  }
+}
