@@ -26,4 +26,5 @@ module io.github.lumbre {
   exports io.github.lumbre.preview;
   exports io.github.lumbre.parser;
   exports io.github.lumbre.audit;
+  exports io.github.lumbre.compare;
 }

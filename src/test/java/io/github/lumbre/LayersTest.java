@@ -43,7 +43,7 @@ class LayersTest {
   private static final String LIBRARY =
       BASIC
           + " file text path material camera light scene model integrator render parser checkpoint"
-          + " denoise stopping preview audit";
+          + " denoise stopping preview audit compare";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -69,8 +69,9 @@ class LayersTest {
           Map.entry("stopping", "math image scene render"),
           Map.entry("preview", "image scene render checkpoint stopping"),
           Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),
+          Map.entry("compare", "math image render"),
           Map.entry("lab", "file image scene render parser"),
-          Map.entry("lab.metrics", "math image render"),
+          Map.entry("lab.metrics", "math image"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
           Map.entry("lab.report", "image scene render parser lab lab.metrics lab.perf"),
           Map.entry("lab.gallery", "image scene render denoise stopping parser lab lab.perf lab.report"),
@@ -78,7 +79,7 @@ class LayersTest {
           Map.entry(
               "lab.trade",
               "math image sampling geometry scene integrator render denoise stopping lab"
-                  + " lab.metrics lab.perf"),
+                  + " lab.metrics lab.perf compare"),
           Map.entry("cli.output", LIBRARY + " lab"),
           Map.entry("cli.run", LIBRARY + " lab cli.output"),
           Map.entry("cli.option", LIBRARY + " lab lab.perf cli.output cli.run"),

@@ -34,7 +34,7 @@ import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageFormat;
-import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.ModelSetup;
@@ -42,6 +42,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.stopping.Budget;
 import java.nio.file.Files;
@@ -263,7 +264,7 @@ final class RenderCommand implements Callable<Integer> {
       if (dryRun) {
         return estimate(file, report);
       }
-      MemoryEstimate.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+      MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
       picture.requireFits(file.settings());
       requireNoise(denoising, file);
       RunBudget budget =
@@ -337,7 +338,7 @@ final class RenderCommand implements Callable<Integer> {
     }
     report.putScene(file);
     report.putEstimate(estimate);
-    estimate.require();
+    MemoryCheck.require(estimate);
     return ExitCodes.OK;
   }
 

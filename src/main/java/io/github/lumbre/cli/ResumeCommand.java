@@ -27,7 +27,7 @@ import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
@@ -173,7 +173,7 @@ final class ResumeCommand implements Callable<Integer> {
         report.put("scene", path.toString());
         SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
         RunBudget budget = budget(notes, file.settings(), start, startup);
-        MemoryEstimate.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+        MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
         interruption.requireRender();
         setDamagedAside(loaded);
         keeper.begin(

@@ -4,7 +4,7 @@ import io.github.lumbre.fuzz.HostileScenes.Ending;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LinearReader;
-import io.github.lumbre.lab.metrics.PictureError;
+import io.github.lumbre.compare.PictureError;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HexFormat;

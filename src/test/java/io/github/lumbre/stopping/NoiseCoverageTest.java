@@ -3,7 +3,7 @@ package io.github.lumbre.stopping;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.lab.metrics.PictureError;
+import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.BucketRenderer;

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
 import java.nio.file.InvalidPathException;
 import java.util.List;

@@ -2,7 +2,7 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Markdown;
-import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;

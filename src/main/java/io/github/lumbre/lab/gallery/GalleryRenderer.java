@@ -5,7 +5,7 @@ import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.perf.SampleBudget;
@@ -86,7 +86,7 @@ public final class GalleryRenderer {
     SceneParser parser =
         new SceneParser().overriding(inScene -> overridden(inScene.toBuilder()).build());
     SceneFile file = host.read(scenes.file(scene), parser);
-    MemoryEstimate.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+    MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
     OptionalDouble rate = rate(file);
     return rate.isEmpty() ? Optional.empty() : render(scene, file, rate.getAsDouble());
   }

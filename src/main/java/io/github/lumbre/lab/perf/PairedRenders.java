@@ -2,7 +2,7 @@ package io.github.lumbre.lab.perf;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.metrics.Interval;
@@ -83,7 +83,7 @@ public final class PairedRenders {
       throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser = new SceneParser().overriding(plan.plain()::over);
     SceneFile file = host.read(scene, parser);
-    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
+    MemoryCheck.require(file.settings(), FilmLayers.NONE);
     Way plain = new Way(file.scene(), file.settings());
     RenderSettings settings =
         file.settings().toBuilder().adaptive(plan.adaptive()).split(plan.split()).build();

@@ -2,7 +2,7 @@ package io.github.lumbre.lab.perf;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -52,7 +52,7 @@ public final class PerfRunner {
     SceneParser parser = new SceneParser().overriding(plan::over);
     SceneFile file = plan.over(host.read(scene, parser));
     double loadSeconds = (System.nanoTime() - start) * 1e-9;
-    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
+    MemoryCheck.require(file.settings(), FilmLayers.NONE);
     try {
       return Optional.of(run(SceneFolder.name(scene), file, loadSeconds));
     } catch (Stopped e) {

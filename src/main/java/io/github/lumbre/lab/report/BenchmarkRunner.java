@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.report;
 
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.MemoryEstimate;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -57,7 +57,7 @@ public final class BenchmarkRunner {
     SceneParser ofRow = parser.inMode(row.mode()).overriding(inScene -> settings(row, inScene));
     SceneFile file = host.read(scenes.file(row.scene()), ofRow);
     double loadSeconds = secondsSince(start);
-    MemoryEstimate.require(file.settings(), FilmLayers.NONE);
+    MemoryCheck.require(file.settings(), FilmLayers.NONE);
 
     RenderSettings single = file.settings().toBuilder().samples(1).build();
     for (int i = 0; i < plan.warmup(); i++) {

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.lab.metrics.PictureError;
+import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassResult;

@@ -2,7 +2,7 @@ package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.metrics.ErrorMap;
+import io.github.lumbre.compare.ErrorMap;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -2,7 +2,7 @@ package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.metrics.Interval;
-import io.github.lumbre.lab.metrics.PictureError;
+import io.github.lumbre.compare.PictureError;
 import java.util.List;
 import java.util.stream.IntStream;
 

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.lab.metrics.PictureError;
+import io.github.lumbre.compare.PictureError;
 
 /**
  * One render of one setting with one seed, up to one number of samples.

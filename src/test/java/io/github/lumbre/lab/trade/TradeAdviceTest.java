@@ -3,8 +3,8 @@ package io.github.lumbre.lab.trade;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.lab.metrics.PictureError;
-import io.github.lumbre.lab.metrics.TestPictures;
+import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.compare.TestPictures;
 import io.github.lumbre.lab.trade.TradeRow.Bias;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import java.util.Collections;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.metrics.Interval;
-import io.github.lumbre.lab.metrics.PictureError;
-import io.github.lumbre.lab.metrics.TestPictures;
+import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.compare.TestPictures;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

@@ -1,4 +1,4 @@
-package io.github.lumbre.lab.metrics;
+package io.github.lumbre.compare;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

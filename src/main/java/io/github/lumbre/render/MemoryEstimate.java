@@ -1,11 +1,10 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.render;
 
-import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * An estimate of the heap that a render needs, made before it starts.
@@ -35,16 +34,16 @@ public record MemoryEstimate(
   private static final long MARGIN_BYTES = 8 << 20;
 
   /**
-   * Requires that a scene that has just been read can be rendered on this heap.
-   *
-   * @throws TaskException that states the needed and the available memory, if it cannot
+   * Returns the estimate for a scene that has just been read. Runs a full garbage collection only
+   * if the render does not fit beside the memory in use, much of which may be garbage.
    */
-  public static void require(RenderSettings settings, FilmLayers layers) throws TaskException {
-    long maxHeapBytes = Runtime.getRuntime().maxMemory();
-    if (!new MemoryEstimate(settings, layers, usedBytes(), maxHeapBytes).fits()) {
-      // Much of the used memory may be garbage from reading the scene.
-      measured(settings, layers).require();
-    }
+  public static MemoryEstimate of(RenderSettings settings, FilmLayers layers) {
+    MemoryEstimate quick = now(settings, layers);
+    return quick.fits() ? quick : measured(settings, layers);
+  }
+
+  private static MemoryEstimate now(RenderSettings settings, FilmLayers layers) {
+    return new MemoryEstimate(settings, layers, usedBytes(), Runtime.getRuntime().maxMemory());
   }
 
   /**
@@ -52,16 +51,14 @@ public record MemoryEstimate(
    * can then be saved while the other receives samples.
    */
   public static boolean leavesRoomForCopy(RenderSettings settings, FilmLayers layers) {
-    long maxHeapBytes = Runtime.getRuntime().maxMemory();
-    return new MemoryEstimate(settings, layers, usedBytes(), maxHeapBytes).fitsWithCopy()
+    return now(settings, layers).fitsWithCopy()
         || measured(settings, layers).fitsWithCopy();
   }
 
   /** Returns the estimate for a scene that has just been read. Runs a full garbage collection. */
   public static MemoryEstimate measured(RenderSettings settings, FilmLayers layers) {
-    Runtime runtime = Runtime.getRuntime();
-    runtime.gc();
-    return new MemoryEstimate(settings, layers, usedBytes(), runtime.maxMemory());
+    Runtime.getRuntime().gc();
+    return now(settings, layers);
   }
 
   private static long usedBytes() {
@@ -116,26 +113,21 @@ public record MemoryEstimate(
     return neededBytes() + copyBytes() <= maxHeapBytes;
   }
 
-  /**
-   * Requires that the heap is large enough.
-   *
-   * @throws TaskException that states the needed and the available memory, if it is not
-   */
-  public void require() throws TaskException {
-    if (!fits()) {
-      RenderSettings.Crop window = settings.window();
-      throw new TaskException(
-          Kind.LIMIT,
-          String.format(
-              Locale.ROOT,
-              "%dx%d pixels need %s of memory in addition to the scene's %s, but the maximum heap"
-                  + " size is %s; raise it with LUMBRE_JAVA_OPTS=-Xmx8g",
-              window.width(),
-              window.height(),
-              mebibytes(neededBytes() - sceneBytes),
-              mebibytes(sceneBytes),
-              mebibytes(maxHeapBytes)));
-    }
+  /** Returns a message that states the needed and the available memory, if it is too small. */
+  public Optional<String> refusal() {
+    RenderSettings.Crop window = settings.window();
+    return fits()
+        ? Optional.empty()
+        : Optional.of(
+            String.format(
+                Locale.ROOT,
+                "%dx%d pixels need %s of memory in addition to the scene's %s, but the maximum heap"
+                    + " size is %s",
+                window.width(),
+                window.height(),
+                mebibytes(neededBytes() - sceneBytes),
+                mebibytes(sceneBytes),
+                mebibytes(maxHeapBytes)));
   }
 
   /** Returns all numbers, one per line. */

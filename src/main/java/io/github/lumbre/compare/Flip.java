@@ -1,4 +1,4 @@
-package io.github.lumbre.lab.metrics;
+package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
@@ -11,9 +11,9 @@ import io.github.lumbre.math.Elementary;
  *
  * <p>Linear light is clamped to [0,1]. As in the paper, the viewer is 0.7 m from a screen that is
  * 0.7 m wide with 3840 pixels: 67 pixels per degree. Equation numbers and names of constants are
- * the paper's.
+ * the paper's. Stateless.
  */
-final class Flip {
+public final class Flip {
   private static final double PIXELS_PER_DEGREE = .7 * 3840 / .7 * Math.PI / 180;
 
   /** The white point CIE D65 of sRGB. */
@@ -36,10 +36,40 @@ final class Flip {
   private static final double LARGEST =
       Elementary.pow(distance(lab(new double[] {0, 1, 0}), lab(new double[] {0, 0, 1})), QC);
 
+  /** Heat colors of a difference picture, sRGB-encoded, evenly spaced from 0 to 1. */
+  private static final int[][] HEAT = {
+    {0, 0, 4}, {58, 12, 96}, {133, 33, 107}, {205, 64, 71}, {247, 125, 21}, {252, 255, 190}
+  };
+
   private Flip() {}
+
+  /**
+   * Returns the mean of the differences at all pixels.
+   *
+   * @throws IllegalArgumentException if the pictures have different sizes
+   */
+  public static double mean(Image test, Image reference) {
+    return map(test, reference).mean();
+  }
+
+  /**
+   * Returns a picture of the differences: black where the pictures look identical, purple, red,
+   * orange, pale yellow at 1.
+   *
+   * @throws IllegalArgumentException if the pictures have different sizes
+   */
+  public static Image picture(Image test, Image reference) {
+    Plane map = map(test, reference);
+    float[] rgb = new float[3 * map.values().length];
+    for (int i = 0; i < map.values().length; i++) {
+      HeatScale.paint(map.values()[i], HEAT, rgb, 3 * i);
+    }
+    return new Image(map.width(), map.height(), rgb, new float[0]);
+  }
 
   /** Returns the difference at every pixel of two pictures of the same size. */
   static Plane map(Image test, Image reference) {
+    requireSameSize(test, reference);
     Plane[] testOpponent = opponents(test);
     Plane[] referenceOpponent = opponents(reference);
     Plane colour = colourDifference(testOpponent, referenceOpponent);
@@ -48,6 +78,14 @@ final class Flip {
         colour.width(),
         colour.height(),
         i -> Elementary.pow(colour.values()[i], 1 - features.values()[i]));
+  }
+
+  static void requireSameSize(Image test, Image reference) {
+    if (test.width() != reference.width() || test.height() != reference.height()) {
+      throw new IllegalArgumentException(
+          "reference: expected %dx%d pixels, found %dx%d"
+              .formatted(test.width(), test.height(), reference.width(), reference.height()));
+    }
   }
 
   /** Returns the planes of YCxCz (sec. 4.1). */

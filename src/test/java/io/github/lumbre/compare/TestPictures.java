@@ -1,4 +1,4 @@
-package io.github.lumbre.lab.metrics;
+package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
 

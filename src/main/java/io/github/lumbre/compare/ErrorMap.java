@@ -1,7 +1,6 @@
-package io.github.lumbre.lab.metrics;
+package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.image.Srgb;
 import io.github.lumbre.math.Elementary;
 import java.util.Arrays;
 import java.util.List;
@@ -54,12 +53,6 @@ public final class ErrorMap {
 
   private static void paint(double error, float[] rgb, int at) {
     double decades = Elementary.log(Math.max(error, 1e-9)) / Elementary.log(10) + DECADES;
-    double place = Math.max(0, Math.min(decades / DECADES, 1)) * (COLOURS.length - 1);
-    int below = Math.min((int) place, COLOURS.length - 2);
-    for (int c = 0; c < 3; c++) {
-      double encoded =
-          COLOURS[below][c] + (place - below) * (COLOURS[below + 1][c] - COLOURS[below][c]);
-      rgb[at + c] = (float) Srgb.decode(encoded / 255);
-    }
+    HeatScale.paint(decades / DECADES, COLOURS, rgb, at);
   }
 }

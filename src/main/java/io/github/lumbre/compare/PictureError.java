@@ -1,4 +1,4 @@
-package io.github.lumbre.lab.metrics;
+package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.render.PixelHalves;
@@ -35,13 +35,9 @@ public record PictureError(
    * @throws IllegalArgumentException if their sizes differ
    */
   public static PictureError of(Image picture, Image reference) {
+    Flip.requireSameSize(picture, reference);
     double[] x = seen(picture);
     double[] r = seen(reference);
-    if (picture.width() != reference.width() || picture.height() != reference.height()) {
-      throw new IllegalArgumentException(
-          "reference: expected %dx%d pixels, found %dx%d"
-              .formatted(picture.width(), picture.height(), reference.width(), reference.height()));
-    }
     double squares = 0;
     double relative = 0;
     double signed = 0;
@@ -61,7 +57,7 @@ public record PictureError(
         absolute[(int) Math.ceil(.999 * absolute.length) - 1],
         absolute[absolute.length - 1],
         Ssim.of(picture, reference),
-        Flip.map(picture, reference).mean());
+        Flip.mean(picture, reference));
   }
 
   /** Returns a picture's values over black, three per pixel. */

@@ -1,10 +1,7 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatCode;
-import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
-import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import org.junit.jupiter.api.Test;
 
@@ -18,20 +15,17 @@ class MemoryEstimateTest {
   void picturesTooLargeForTheHeapAreRefusedWithAllFigures() {
     MemoryEstimate estimate =
         new MemoryEstimate(LARGE, FilmLayers.NONE, 100 * MEBIBYTE, 512 * MEBIBYTE);
-    TaskException thrown = catchThrowableOfType(TaskException.class, () -> estimate.require());
-    assertThat(thrown.kind()).isEqualTo(TaskException.Kind.LIMIT);
-    assertThat(thrown)
-        .hasMessageContaining("16384x16384 pixels need 20489 MiB")
-        .hasMessageContaining("in addition to the scene's 100 MiB")
-        .hasMessageContaining("maximum heap size is 512 MiB");
+    assertThat(estimate.refusal().orElseThrow())
+        .contains("16384x16384 pixels need 20489 MiB")
+        .contains("in addition to the scene's 100 MiB")
+        .contains("maximum heap size is 512 MiB");
   }
 
   @Test
   void onlyTheCropCounts() {
     RenderSettings cropped =
         LARGE.toBuilder().crop(new RenderSettings.Crop(9, 9, 100, 100)).build();
-    assertThatCode(() -> new MemoryEstimate(cropped, FilmLayers.NONE, 0, 64 * MEBIBYTE).require())
-        .doesNotThrowAnyException();
+    assertThat(new MemoryEstimate(cropped, FilmLayers.NONE, 0, 64 * MEBIBYTE).refusal()).isEmpty();
   }
 
   @Test
