@@ -42,7 +42,7 @@ class LayersTest {
   private static final String BASIC = "math image sampling texture geometry";
   private static final String LIBRARY =
       BASIC
-          + " file text path material camera light scene model integrator render parser checkpoint"
+          + " file text limit path material camera light scene model integrator render parser checkpoint"
           + " denoise stopping preview audit compare";
 
   /** The packages that each package may use, in addition to itself and Java. */
@@ -51,6 +51,7 @@ class LayersTest {
           Map.entry("math", ""),
           Map.entry("file", ""),
           Map.entry("text", ""),
+          Map.entry("limit", ""),
           Map.entry("image", "file"),
           Map.entry("path", "math image"),
           Map.entry("sampling", "math"),
@@ -61,9 +62,9 @@ class LayersTest {
           Map.entry("light", BASIC),
           Map.entry("scene", BASIC + " text material camera light"),
           Map.entry("integrator", BASIC + " path material camera light scene"),
-          Map.entry("render", "math image sampling geometry path camera scene integrator"),
-          Map.entry("model", BASIC + " file material camera light scene"),
-          Map.entry("parser", BASIC + " file text material camera light scene model"),
+          Map.entry("render", "limit math image sampling geometry path camera scene integrator"),
+          Map.entry("model", BASIC + " file limit material camera light scene"),
+          Map.entry("parser", BASIC + " file text limit material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
           Map.entry("denoise", "image sampling scene render"),
           Map.entry("stopping", "math image scene render"),

@@ -75,8 +75,8 @@ final class ExrReader {
   }
 
   /** Reads the picture of a file that {@link #startsIn} recognizes. */
-  static Image read(byte[] file) throws ImageFormatException {
-    return intact(() -> new ExrReader(file, true).readPicture());
+  static Image read(byte[] file, long maxPixels) throws ImageFormatException {
+    return intact(() -> new ExrReader(file, true).readPicture(maxPixels));
   }
 
   /** Reads all channels of a file that {@link #startsIn} recognizes. */
@@ -112,7 +112,8 @@ final class ExrReader {
     }
   }
 
-  private Image readPicture() throws ImageFormatException, DataFormatException {
+  private Image readPicture(long maxPixels) throws ImageFormatException, DataFormatException {
+    ImageReader.checkPixels(header.width(), header.height(), maxPixels);
     float[] rgb = LinearReader.raster(header.width(), header.height(), 3);
     float[] alpha =
         header.hasAlpha() ? LinearReader.raster(header.width(), header.height(), 1) : new float[0];

@@ -41,15 +41,15 @@ final class HdrReader {
   }
 
   /** Reads a file that {@link #startsIn} recognizes. */
-  static Image read(byte[] file) throws ImageFormatException {
+  static Image read(byte[] file, long maxPixels) throws ImageFormatException {
     try {
-      return new HdrReader(file).read();
+      return new HdrReader(file).read(maxPixels);
     } catch (ArrayIndexOutOfBoundsException e) {
       throw malformed("Radiance HDR ends too early");
     }
   }
 
-  private Image read() throws ImageFormatException {
+  private Image read(long maxPixels) throws ImageFormatException {
     nextLine();
     for (String text = nextLine(); !text.isEmpty(); text = nextLine()) {
       readVariable(text);
@@ -64,6 +64,7 @@ final class HdrReader {
     int width = hasColumns ? lines : length;
     int height = hasColumns ? length : lines;
     ImageReader.checkSize(width, height);
+    ImageReader.checkPixels(width, height, maxPixels);
     if (4L * width * height > MAX_INFLATION * (file.length - at)) {
       throw malformed("Radiance HDR ends too early");
     }

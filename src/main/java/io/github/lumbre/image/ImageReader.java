@@ -41,14 +41,25 @@ public final class ImageReader {
    *     kilobytes; the interrupt status stays set
    */
   public static Pixels decode(byte[] file) throws ImageFormatException {
+    return decode(file, MAX_PIXELS);
+  }
+
+  /**
+   * Returns the picture in a file's bytes; see {@link #decode(byte[])}.
+   *
+   * @param maxPixels a limit below {@link #MAX_PIXELS}, checked before the picture is decoded
+   */
+  public static Pixels decode(byte[] file, long maxPixels) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
     if (PngFile.startsIn(file)) {
       PngFile png = PngFile.read(file);
+      checkPixels(png.width(), png.height(), maxPixels);
       checkMemory(png.width(), png.height(), 1, Runtime.getRuntime().maxMemory());
       return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0)));
     }
     if (JpegFile.startsIn(file)) {
       JpegFile jpeg = JpegFile.read(file);
+      checkPixels(jpeg.width(), jpeg.height(), maxPixels);
       checkMemory(jpeg.width(), jpeg.height(), 1, Runtime.getRuntime().maxMemory());
       return decode(
           "JPEG",
@@ -87,6 +98,16 @@ public final class ImageReader {
           ImageFormatException.Kind.TOO_LARGE,
           "the picture has %dx%d pixels, expected at most %d per side and %d in total"
               .formatted(w, h, MAX_SIDE, MAX_PIXELS));
+    }
+  }
+
+  /** Checks that a picture has at most a number of pixels. */
+  static void checkPixels(int width, int height, long maxPixels) throws ImageFormatException {
+    if ((long) width * height > maxPixels) {
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE,
+          "the picture has %dx%d pixels, expected at most %d in total"
+              .formatted(width, height, maxPixels));
     }
   }
 

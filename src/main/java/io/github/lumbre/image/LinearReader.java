@@ -47,18 +47,28 @@ public final class LinearReader {
    *     interrupt status stays set
    */
   public static Image decode(byte[] file) throws ImageFormatException {
+    return decode(file, ImageReader.MAX_PIXELS);
+  }
+
+  /**
+   * Returns the picture in a file's bytes; see {@link #decode(byte[])}.
+   *
+   * @param maxPixels a limit below {@link ImageReader#MAX_PIXELS}, checked before the picture is
+   *     decoded
+   */
+  public static Image decode(byte[] file, long maxPixels) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
     if (ExrReader.startsIn(file)) {
-      return ExrReader.read(file);
+      return ExrReader.read(file, maxPixels);
     }
     if (HdrReader.startsIn(file)) {
-      return HdrReader.read(file);
+      return HdrReader.read(file, maxPixels);
     }
     if (PfmReader.startsIn(file)) {
-      return PfmReader.read(file);
+      return PfmReader.read(file, maxPixels);
     }
     if (PngFile.startsIn(file) || JpegFile.startsIn(file)) {
-      return decoded(ImageReader.decode(file));
+      return decoded(ImageReader.decode(file, maxPixels));
     }
     throw malformed(
         "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found none of them");

@@ -29,11 +29,11 @@ final class PfmReader {
   }
 
   /** Reads a file that {@link #startsIn} recognizes. */
-  static Image read(byte[] file) throws ImageFormatException {
-    return new PfmReader(file).read();
+  static Image read(byte[] file, long maxPixels) throws ImageFormatException {
+    return new PfmReader(file).read(maxPixels);
   }
 
-  private Image read() throws ImageFormatException {
+  private Image read(long maxPixels) throws ImageFormatException {
     int channels = file[1] == 'F' ? 3 : 1;
     try {
       int width = Integer.parseInt(token());
@@ -43,6 +43,7 @@ final class PfmReader {
         throw malformed("PFM: its header is damaged");
       }
       ImageReader.checkSize(width, height);
+      ImageReader.checkPixels(width, height, maxPixels);
       // One white-space character ends the header.
       position = Math.min(position + 1, file.length);
       if (file.length - position != 4L * channels * width * height) {

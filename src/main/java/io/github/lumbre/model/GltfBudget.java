@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException.Kind;
 
 /** Limits on the memory that the content of one glTF file may use. Mutable. */
@@ -28,6 +29,8 @@ final class GltfBudget {
   private static final long BYTES_PER_TOKEN = 160;
 
   private final long maxBytes;
+  private final Limits limits;
+  private long triangles;
   private long bytes;
   private long vertices;
   private long indices;
@@ -38,12 +41,24 @@ final class GltfBudget {
    * @param maxBytes of arrays and objects that are made of the file
    */
   GltfBudget(long maxBytes) {
-    this.maxBytes = maxBytes;
+    this(maxBytes, Limits.NONE);
   }
 
-  /** Returns the limits that suit the heap of this process. */
-  static GltfBudget ofHeap() {
-    return new GltfBudget(Runtime.getRuntime().maxMemory() / 4 * 3);
+  private GltfBudget(long maxBytes, Limits limits) {
+    this.maxBytes = maxBytes;
+    this.limits = limits;
+  }
+
+  /** Returns the limits that suit the heap of this process, and the given ones. */
+  static GltfBudget within(Limits limits) {
+    long ofHeap = Runtime.getRuntime().maxMemory() / 4 * 3;
+    return new GltfBudget(Math.min(ofHeap, limits.memory()), limits);
+  }
+
+  /** Adds the triangles of a part, whose arrays {@link #allocate} counts. */
+  void addTriangles(String location, long count) throws ModelFormatException {
+    triangles += count;
+    ModelLimits.requireTriangles(location, triangles, limits);
   }
 
   /** Adds a token of JSON, and the bytes that it needs. */

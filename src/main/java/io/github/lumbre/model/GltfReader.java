@@ -61,7 +61,7 @@ final class GltfReader {
    */
   static Model read(byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
-    return read(content, folder, options, GltfBudget.ofHeap());
+    return read(content, folder, options, GltfBudget.within(options.limits()));
   }
 
   static Model read(byte[] content, ModelFolder folder, ModelOptions options, GltfBudget budget)
@@ -143,6 +143,7 @@ final class GltfReader {
       return;
     }
     ModelGeometry geometry = found.get();
+    document.budget().addTriangles(location, geometry.triangleCount());
     if (isSkinned) {
       GltfSkin skin = skin(node.skin().getAsInt());
       geometry = skin.applied(primitive, geometry, toWorld.isMirroring());

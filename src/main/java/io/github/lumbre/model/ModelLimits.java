@@ -1,6 +1,8 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import java.util.Optional;
 
 /** Limits that are checked before memory is allocated. Stateless. */
 final class ModelLimits {
@@ -16,13 +18,14 @@ final class ModelLimits {
   private ModelLimits() {}
 
   /**
-   * Checks that a mesh fits into the heap.
+   * Checks that a mesh fits into the heap, and the memory that the limits allow.
    *
    * @param bytes that the mesh needs at least
    * @throws ModelFormatException if it does not
    */
-  static void requireMemory(String location, long bytes) throws ModelFormatException {
-    long max = Runtime.getRuntime().maxMemory();
+  static void requireMemory(String location, long bytes, Limits limits)
+      throws ModelFormatException {
+    long max = limits.heap();
     if (bytes > max) {
       throw new ModelFormatException(
           Kind.TOO_LARGE,
@@ -31,6 +34,19 @@ final class ModelLimits {
               + max
               + " bytes of memory, found one that needs "
               + bytes);
+    }
+  }
+
+  /**
+   * Checks the number of triangles.
+   *
+   * @throws ModelFormatException if there are more than the limits allow
+   */
+  static void requireTriangles(String location, long found, Limits limits)
+      throws ModelFormatException {
+    Optional<String> excess = Limits.excess("triangles", limits.triangles(), found);
+    if (excess.isPresent()) {
+      throw new ModelFormatException(Kind.TOO_LARGE, location, excess.get());
     }
   }
 }

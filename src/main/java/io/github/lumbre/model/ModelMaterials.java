@@ -28,24 +28,28 @@ import java.util.Optional;
 /** Makes the materials of a model; each picture is decoded once. */
 final class ModelMaterials {
   private final double unit;
+  private final long maxTexels;
+  private long texels;
   private final Map<ModelImage, Pixels> pictures;
   private final Map<ModelMaterial, Map<Boolean, Material>> made = new IdentityHashMap<>();
 
   /**
    * @param toWorld from the model's world space to the scene's
+   * @param maxTexels the largest number of texels of all pictures
    */
-  ModelMaterials(Transform toWorld) {
-    this(toWorld, Collections.synchronizedMap(new IdentityHashMap<>()));
+  ModelMaterials(Transform toWorld, long maxTexels) {
+    this(toWorld, maxTexels, Collections.synchronizedMap(new IdentityHashMap<>()));
   }
 
-  private ModelMaterials(Transform toWorld, Map<ModelImage, Pixels> pictures) {
+  private ModelMaterials(Transform toWorld, long maxTexels, Map<ModelImage, Pixels> pictures) {
     unit = toWorld.vector(Vec3.X).length();
+    this.maxTexels = maxTexels;
     this.pictures = pictures;
   }
 
   /** Returns the materials of the model at another place, with the same textures. */
   ModelMaterials at(Transform toWorld) {
-    return new ModelMaterials(toWorld, pictures);
+    return new ModelMaterials(toWorld, maxTexels, pictures);
   }
 
   /**
@@ -62,6 +66,11 @@ final class ModelMaterials {
       both.put(isClosed, known);
     }
     return known;
+  }
+
+  /** Returns the number of texels of the pictures decoded so far. */
+  long texels() {
+    return texels;
   }
 
   private Material material(ModelMaterial m, boolean isClosed) throws ModelFormatException {
@@ -200,11 +209,15 @@ final class ModelMaterials {
     Pixels pixels = pictures.get(source.image());
     if (pixels == null) {
       try {
-        pixels = ImageReader.decode(source.image().encoded());
+        pixels = ImageReader.decode(source.image().encoded(), maxTexels - texels);
       } catch (ImageFormatException e) {
+        boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
         throw new ModelFormatException(
-            ModelFormatException.Kind.ASSET, source.image().location(), e.getMessage());
+            tooLarge ? ModelFormatException.Kind.TOO_LARGE : ModelFormatException.Kind.ASSET,
+            source.image().location(),
+            e.getMessage());
       }
+      texels += (long) pixels.width() * pixels.height();
       pictures.put(source.image(), pixels);
     }
     return new SampledTexture(

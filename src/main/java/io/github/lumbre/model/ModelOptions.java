@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
@@ -12,8 +13,10 @@ import java.util.Optional;
  * @param variant the name of the material variant; empty for the default materials
  * @param up the up axis of formats that state none: STL, PLY and OBJ
  * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
+ * @param limits for the model, its textures and its other files
  */
-public record ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
+public record ModelOptions(
+    Optional<Pose> pose, Optional<String> variant, Up up, double unit, Limits limits) {
   /** The rest pose, default materials, +Y up, unit 1. */
   public static final ModelOptions DEFAULT =
       new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, 1);
@@ -39,9 +42,20 @@ public record ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up,
     Objects.requireNonNull(pose, "pose");
     Objects.requireNonNull(variant, "variant");
     Objects.requireNonNull(up, "up");
+    Objects.requireNonNull(limits, "limits");
     if (!(unit > 0 && Double.isFinite(unit))) {
       throw new IllegalArgumentException("unit: expected a finite number > 0, found " + unit);
     }
+  }
+
+  /** Creates options without limits of their own. */
+  public ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
+    this(pose, variant, up, unit, Limits.NONE);
+  }
+
+  /** Returns these options with limits. */
+  public ModelOptions limitedTo(Limits newLimits) {
+    return new ModelOptions(pose, variant, up, unit, newLimits);
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */

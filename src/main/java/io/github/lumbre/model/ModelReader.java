@@ -26,7 +26,7 @@ public final class ModelReader {
       throws ModelFormatException, IOException {
     String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
     try {
-      return switch (ending) {
+      Model model = switch (ending) {
         case "gltf", "glb" -> GltfReader.read(content, folder, options);
         case "obj" -> ObjModelReader.read(content, folder, options);
         case "ply" -> PlyReader.read(content, options);
@@ -37,6 +37,12 @@ public final class ModelReader {
                 "",
                 "no reader of ." + PrintableText.shortened(ending) + " files");
       };
+      long triangles = 0;
+      for (ModelPart part : model.parts()) {
+        triangles += part.geometry().triangleCount();
+        ModelLimits.requireTriangles(part.location(), triangles, options.limits());
+      }
+      return model;
     } catch (CancellationException e) {
       throw (IOException) new InterruptedIOException(e.getMessage()).initCause(e);
     }

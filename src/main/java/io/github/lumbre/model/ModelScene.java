@@ -63,12 +63,13 @@ public final class ModelScene {
   /**
    * @param toWorld from the model's world space to the scene's, invertible
    * @param kernel traversal kernel of shared meshes
+   * @param maxTexels the largest number of texels of all pictures
    */
-  public ModelScene(Model model, Transform toWorld, Kernel kernel) {
+  public ModelScene(Model model, Transform toWorld, Kernel kernel, long maxTexels) {
     this.model = Objects.requireNonNull(model, "model");
     this.toWorld = Objects.requireNonNull(toWorld, "toWorld");
     this.kernel = Objects.requireNonNull(kernel, "kernel");
-    materials = new ModelMaterials(toWorld);
+    materials = new ModelMaterials(toWorld, maxTexels);
     meshes = new ConcurrentHashMap<>();
     shared = Collections.synchronizedMap(new IdentityHashMap<>());
     sharesAll = false;
@@ -134,6 +135,11 @@ public final class ModelScene {
       }
     }
     return surfaces;
+  }
+
+  /** Returns the number of texels of the pictures that {@link #surfaces} has decoded. */
+  public long texels() {
+    return materials.texels();
   }
 
   private TriangleMesh mesh(ModelPart part) {

@@ -1,5 +1,7 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Limits;
+
 /**
  * The number of positions, texture coordinates, normals and triangles in an OBJ text.
  *
@@ -12,10 +14,12 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
   private static final long BYTES_PER_VECTOR = 3L * Double.BYTES;
 
   /**
-   * @throws ModelFormatException if the mesh does not fit into memory
+   * @throws ModelFormatException if the mesh does not fit into memory, or exceeds the limits
    */
-  static ObjCensus of(byte[] text) throws ModelFormatException {
-    return of(text, Runtime.getRuntime().maxMemory());
+  static ObjCensus of(byte[] text, Limits limits) throws ModelFormatException {
+    ObjCensus census = of(text, limits.heap());
+    ModelLimits.requireTriangles("", census.triangles, limits);
+    return census;
   }
 
   static ObjCensus of(byte[] text, long maxHeapBytes) throws ModelFormatException {

@@ -66,7 +66,7 @@ final class ObjModelReader {
   private ObjModelReader(byte[] text, ModelFolder folder, ModelOptions options)
       throws ModelFormatException {
     scanner = new TextScanner(text);
-    faces = new ObjFaces(scanner, ObjCensus.of(text), true);
+    faces = new ObjFaces(scanner, ObjCensus.of(text, options.limits()), true);
     this.folder = folder;
     this.options = options;
   }
@@ -202,7 +202,7 @@ final class ObjModelReader {
     Set<String> used = new HashSet<>();
     parts.keySet().forEach(key -> used.add(key.material()));
     Map<String, ModelMaterial> materials = new LinkedHashMap<>();
-    ObjTextures textures = new ObjTextures(folder);
+    ObjTextures textures = new ObjTextures(folder, options.limits());
     for (Map.Entry<String, String> library : libraries.entrySet()) {
       byte[] text;
       try {

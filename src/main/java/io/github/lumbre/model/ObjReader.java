@@ -1,5 +1,7 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Limits;
+
 /**
  * Reads the geometry of Wavefront OBJ as one mesh: {@code v}, {@code vt}, {@code vn} and {@code f}.
  * Polygons become triangle fans. All other statements are ignored. Stateless.
@@ -14,7 +16,12 @@ public final class ObjReader {
    *     or is too large
    */
   public static ObjMesh read(byte[] text) throws ModelFormatException {
-    ObjCensus census = ObjCensus.of(text);
+    return read(text, Limits.NONE);
+  }
+
+  /** Returns the mesh in an OBJ text within limits; see {@link #read(byte[])}. */
+  public static ObjMesh read(byte[] text, Limits limits) throws ModelFormatException {
+    ObjCensus census = ObjCensus.of(text, limits);
     TextScanner scanner = new TextScanner(text);
     ObjFaces faces = new ObjFaces(scanner, census, false);
     ObjSurface surface = new ObjSurface(Math.toIntExact(census.triangles()));

@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.HashMap;
@@ -14,11 +15,13 @@ final class ObjTextures {
   private static final int CHECKED = 64;
 
   private final ModelFolder folder;
+  private final Limits limits;
   private final Map<String, ModelImage> images = new HashMap<>();
   private long bytes;
 
-  ObjTextures(ModelFolder folder) {
+  ObjTextures(ModelFolder folder, Limits limits) {
     this.folder = folder;
+    this.limits = limits;
   }
 
   /** Returns the texture of a statement. */
@@ -33,7 +36,7 @@ final class ObjTextures {
     }
     byte[] encoded = folder.read(map.file(), map.location());
     bytes += encoded.length;
-    if (bytes > Runtime.getRuntime().maxMemory()) {
+    if (bytes > limits.heap()) {
       throw new ModelFormatException(
           Kind.TOO_LARGE, map.location(), "expected pictures that fit into memory");
     }
@@ -64,7 +67,7 @@ final class ObjTextures {
   boolean isHeightMap(MtlMap map) throws ModelFormatException, IOException {
     Pixels pixels;
     try {
-      pixels = ImageReader.decode(image(map).encoded());
+      pixels = ImageReader.decode(image(map).encoded(), limits.texels());
     } catch (ImageFormatException e) {
       return false;
     }

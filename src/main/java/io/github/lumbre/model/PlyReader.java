@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 final class PlyReader {
   private static final List<String> INDEX_NAMES = List.of("vertex_indices", "vertex_index");
 
+  private final ModelOptions options;
   private final PlyHeader header;
   private final PlyBody body;
   private final List<String> warnings = new ArrayList<>();
@@ -22,7 +23,8 @@ final class PlyReader {
   private final int vertexCount;
   private TriangleList triangles = new TriangleList(0);
 
-  private PlyReader(byte[] file) throws ModelFormatException {
+  private PlyReader(byte[] file, ModelOptions options) throws ModelFormatException {
+    this.options = options;
     header = PlyHeader.read(file, warnings);
     body =
         header.format() == PlyHeader.Format.TEXT
@@ -36,12 +38,12 @@ final class PlyReader {
     }
     requireFaces();
     vertexCount = vertex.get().count();
-    vertices = new PlyVertices(vertex.get(), warnings);
+    vertices = new PlyVertices(vertex.get(), options.limits(), warnings);
   }
 
   /** Returns the triangles of a PLY file. */
   static Model read(byte[] file, ModelOptions options) throws ModelFormatException {
-    return new PlyReader(file).read(options);
+    return new PlyReader(file, options).read();
   }
 
   /** Checks that the file is as large as its header requires, before memory is allocated. */
@@ -78,7 +80,7 @@ final class PlyReader {
         : Optional.empty();
   }
 
-  private Model read(ModelOptions options) throws ModelFormatException {
+  private Model read() throws ModelFormatException {
     for (PlyElement element : header.elements()) {
       if (element.isVertex()) {
         vertices.read(body);
@@ -132,7 +134,9 @@ final class PlyReader {
               .collect(Collectors.toList());
       warnIgnored(element, ignored, warnings);
       // Most meshes consist of triangles or of quadrilaterals, and 12 bytes are few.
-      ModelLimits.requireMemory("element face", 12L * element.count());
+      // A face has at least one triangle, unless it is empty.
+      ModelLimits.requireTriangles("element face", isStrip ? 0 : element.count(), options.limits());
+      ModelLimits.requireMemory("element face", 12L * element.count(), options.limits());
       triangles = triangles.count() == 0 ? new TriangleList(element.count()) : triangles;
     }
     for (int i = 0; i < element.count(); i++) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.image.Srgb;
+import io.github.lumbre.limit.Limits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -45,7 +46,8 @@ final class PlyVertices {
   /**
    * @throws ModelFormatException if the element has no positions, or too many vertices
    */
-  PlyVertices(PlyElement element, List<String> warnings) throws ModelFormatException {
+  PlyVertices(PlyElement element, Limits limits, List<String> warnings)
+      throws ModelFormatException {
     this.element = element;
     attributes = new int[element.properties().size()];
     Arrays.fill(attributes, NONE);
@@ -59,7 +61,7 @@ final class PlyVertices {
     int count = element.count();
     long perVertex =
         24 + (has[NORMAL] ? 24 : 0) + (has[UV] ? 16 : 0) + (has[COLOR] || has[ALPHA] ? 16 : 0);
-    ModelLimits.requireMemory("element vertex", perVertex * count);
+    ModelLimits.requireMemory("element vertex", perVertex * count, limits);
     positions = new double[3 * count];
     normals = new double[has[NORMAL] && has[NORMAL + 1] && has[NORMAL + 2] ? 3 * count : 0];
     uvs = new double[has[UV] && has[UV + 1] ? 2 * count : 0];

@@ -25,7 +25,7 @@ final class StlReader {
     List<StlSolid> solids =
         claimed != file.length && StlText.startsIn(file)
             ? StlText.read(file, warnings)
-            : List.of(readBinary(file, claimed, warnings));
+            : List.of(readBinary(file, claimed, options, warnings));
     List<ModelPart> parts = new ArrayList<>();
     for (StlSolid solid : solids) {
       solid.part(options, warnings).ifPresent(parts::add);
@@ -46,7 +46,8 @@ final class StlReader {
     return HEADER_BYTES + Integer.BYTES + FACET_BYTES * triangles;
   }
 
-  private static StlSolid readBinary(byte[] file, long claimed, List<String> warnings)
+  private static StlSolid readBinary(
+      byte[] file, long claimed, ModelOptions options, List<String> warnings)
       throws ModelFormatException {
     if (claimed == 0) {
       throw new ModelFormatException(
@@ -65,7 +66,8 @@ final class StlReader {
     if (claimed < file.length) {
       warnings.add("ignored " + (file.length - claimed) + " bytes after the last triangle");
     }
-    ModelLimits.requireMemory("", 12 * triangles);
+    ModelLimits.requireTriangles("", triangles, options.limits());
+    ModelLimits.requireMemory("", 12 * triangles, options.limits());
     StlSolid solid = new StlSolid("", "", (int) triangles);
     ByteBuffer in = little(file);
     double[] facet = new double[12];

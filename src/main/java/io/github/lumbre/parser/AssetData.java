@@ -43,6 +43,7 @@ final class AssetData {
 
   private final Path sceneFile;
   private final MessageDigest digest;
+  private final Allowance allowance;
   private final Map<String, String> hashes = new TreeMap<>();
 
   /** Files that need not exist: their bytes by the names that assets use. */
@@ -51,18 +52,26 @@ final class AssetData {
   /**
    * @param sceneFile path of the scene file; relative asset paths start in its folder
    * @param digest receives the bytes of all files that are read
+   * @param allowance what may be read
    */
-  AssetData(Path sceneFile, MessageDigest digest) {
-    this(sceneFile, digest, Map.of());
+  AssetData(Path sceneFile, MessageDigest digest, Allowance allowance) {
+    this(sceneFile, digest, allowance, Map.of());
   }
 
   /**
    * @param inMemory bytes of files that are not read from the folder, by their names
    */
-  AssetData(Path sceneFile, MessageDigest digest, Map<String, byte[]> inMemory) {
+  AssetData(
+      Path sceneFile, MessageDigest digest, Allowance allowance, Map<String, byte[]> inMemory) {
     this.sceneFile = sceneFile;
     this.digest = digest;
+    this.allowance = allowance;
     this.inMemory = Map.copyOf(inMemory);
+  }
+
+  /** Returns what may be read of the scene. */
+  Allowance allowance() {
+    return allowance;
   }
 
   /** The bytes of an asset, and the key at which their errors are reported. */
@@ -232,6 +241,9 @@ final class AssetData {
   private byte[] bytes(String name) throws Unusable {
     try {
       byte[] known = inMemory.get(name);
+      if (known != null) {
+        requireBytes(known.length);
+      }
       byte[] bytes = known != null ? known : fileBytes(name);
       hash(bytes);
       hashes.put(name, Sha256.of(bytes));
@@ -257,7 +269,7 @@ final class AssetData {
   }
 
   /** Checks that a path is a file small enough to be read. */
-  private static void requireFile(String name, Path path) throws IOException, Unusable {
+  private void requireFile(String name, Path path) throws IOException, Unusable {
     if (!Files.readAttributes(path, BasicFileAttributes.class).isRegularFile()) {
       String found = Files.isDirectory(path) ? "a folder" : "no regular file";
       throw new Unusable(
@@ -266,6 +278,14 @@ final class AssetData {
     if (Files.size(path) > MAX_BYTES) {
       throw new Unusable(
           Kind.LIMIT, "expected at most " + MAX_BYTES + " bytes, found " + Files.size(path));
+    }
+    requireBytes(Files.size(path));
+  }
+
+  private void requireBytes(long bytes) throws Unusable {
+    Optional<String> excess = allowance.addBytes(bytes);
+    if (excess.isPresent()) {
+      throw new Unusable(Kind.LIMIT, excess.get());
     }
   }
 

@@ -4,6 +4,7 @@ import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
+import io.github.lumbre.limit.Limits;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -65,7 +66,12 @@ final class JsonTree {
    *     than fit into the heap
    */
   static JsonNode read(byte[] text, Problems problems) throws SceneFormatException {
-    return read(text, problems, maxTokens(Runtime.getRuntime().maxMemory()));
+    return read(text, problems, maxTokens(Limits.NONE.heap()));
+  }
+
+  /** Returns the outermost value, whose nodes fit into the memory that limits allow. */
+  static JsonNode read(byte[] text, Problems problems, Limits limits) throws SceneFormatException {
+    return read(text, problems, maxTokens(limits.heap()));
   }
 
   static JsonNode read(byte[] text, Problems problems, long maxTokens) throws SceneFormatException {

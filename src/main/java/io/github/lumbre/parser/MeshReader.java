@@ -64,13 +64,14 @@ final class MeshReader {
   private Optional<TriangleMesh> decoded(AssetData.Content content) {
     ObjMesh obj;
     try {
-      obj = ObjReader.read(content.bytes());
+      obj = ObjReader.read(content.bytes(), data.allowance().left());
     } catch (ModelFormatException e) {
       content.error(
           e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET,
           e.getMessage());
       return Optional.empty();
     }
+    data.allowance().addTriangles(obj.indices().length / 3);
     TriangleMesh mesh = TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
     if (mesh.droppedTriangles() > 0) {
       content

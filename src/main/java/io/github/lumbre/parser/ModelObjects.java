@@ -91,7 +91,9 @@ final class ModelObjects {
       Model model = ModelReader.read(name, content.bytes(), data.folderOf(name), options(node));
       model.warnings().forEach(warning -> node.warn("file", name + ": " + warning));
       Transform toWorld = object.toWorld().times(ModelScene.TO_LEFT_HANDED);
-      return parts(node, name, new ModelScene(model, toWorld, kernel), overrides(node));
+      long maxTexels = data.allowance().texelsLeft();
+      return parts(
+          node, name, new ModelScene(model, toWorld, kernel, maxTexels), overrides(node));
     } catch (ModelFormatException e) {
       report(node, name, e);
     } catch (IOException e) {
@@ -106,10 +108,13 @@ final class ModelObjects {
       JsonNode node, String name, ModelScene scene, Map<String, Surface> overrides)
       throws ModelFormatException {
     List<Part> parts = new ArrayList<>();
-    for (ModelSurface surface : scene.surfaces()) {
+    List<ModelSurface> surfaces = scene.surfaces();
+    data.allowance().addTexels(scene.texels());
+    for (ModelSurface surface : surfaces) {
       ModelPart part = surface.part();
       count++;
       triangles += part.geometry().triangleCount();
+      data.allowance().addTriangles(part.geometry().triangleCount());
       Optional<Surface> other = Optional.ofNullable(overrides.get(part.material().name()));
       if (ShapeReader.isMeasurable(node, surface.shape())) {
         parts.add(
@@ -153,7 +158,7 @@ final class ModelObjects {
     }
   }
 
-  private static ModelOptions options(JsonNode node) {
+  private ModelOptions options(JsonNode node) {
     Optional<Pose> pose =
         node.has("pose")
             ? node.string("pose")
@@ -161,7 +166,11 @@ final class ModelObjects {
             : Optional.empty();
     Optional<String> variant = node.has("variant") ? node.string("variant") : Optional.empty();
     return new ModelOptions(
-        pose, variant, node.choice("up", UPS, Up.Y), node.number("unit", 1, Range.POSITIVE));
+        pose,
+        variant,
+        node.choice("up", UPS, Up.Y),
+        node.number("unit", 1, Range.POSITIVE),
+        data.allowance().left());
   }
 
   /** Returns the surfaces that replace materials of the model, by the names of these. */

@@ -6,6 +6,7 @@ import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.Model;
@@ -80,6 +81,8 @@ public record ModelSetup(
 
   private static final double GROUND_GRAY = .6;
 
+  private static final String BYTES = "bytes in all files";
+
   /**
    * A direction to look from.
    *
@@ -139,6 +142,21 @@ public record ModelSetup(
         camera, view, fov, sky, skyIntensity, skyRotation, ground, Optional.empty(), true, options);
   }
 
+  /** Returns this setup with limits for the model. */
+  public ModelSetup limitedTo(Limits limits) {
+    return new ModelSetup(
+        camera,
+        view,
+        fov,
+        sky,
+        skyIntensity,
+        skyRotation,
+        ground,
+        background,
+        transparent,
+        options.limitedTo(limits));
+  }
+
   /** Returns whether a file is a model, by the ending of its name. */
   public static boolean isModel(Path file) {
     String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
@@ -179,8 +197,15 @@ public record ModelSetup(
       problems.error(Kind.INVALID, () -> "$", "expected a model file, found none");
       throw problems.exception();
     }
-    return sceneOf(
-        folder, file, Files.readAllBytes(file), ModelFolder.of(file.getParent()), aspect);
+    long bytes = Files.size(file);
+    Optional<String> excess = Limits.excess(BYTES, options.limits().bytes(), bytes);
+    if (excess.isPresent()) {
+      Problems problems = new Problems(name);
+      problems.error(Kind.LIMIT, () -> "$", excess.get());
+      throw problems.exception();
+    }
+    ModelFolder files = ModelFolder.of(file.getParent(), options.limits().bytes() - bytes);
+    return sceneOf(folder, file, Files.readAllBytes(file), files, aspect);
   }
 
   /**
@@ -196,6 +221,7 @@ public record ModelSetup(
     Problems problems = new Problems(name);
     JsonObject scene;
     try {
+      requireBytes(content.length);
       Model model = ModelReader.read(name, content, files, options);
       scene = scene(model, folder.relativize(file), folder, aspect);
     } catch (ModelFormatException e) {
@@ -206,6 +232,14 @@ public record ModelSetup(
     // One line, which the header of a checkpoint file can hold.
     String text = new GsonBuilder().disableHtmlEscaping().create().toJson(scene);
     return new SceneText(text.getBytes(StandardCharsets.UTF_8), folder.resolve(name));
+  }
+
+  private void requireBytes(long bytes) throws ModelFormatException {
+    Optional<String> excess =
+        Limits.excess(BYTES, options.limits().bytes(), bytes);
+    if (excess.isPresent()) {
+      throw new ModelFormatException(ModelFormatException.Kind.TOO_LARGE, "", excess.get());
+    }
   }
 
   /** Returns the absolute paths of the model and, if it is a file, the sky. */

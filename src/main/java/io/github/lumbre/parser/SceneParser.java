@@ -2,6 +2,8 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.limit.TimeLimit;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
@@ -9,6 +11,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ImageTexture;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -40,10 +43,12 @@ public final class SceneParser {
   static final Set<String> KEYS =
       Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
 
+  private static final Limits DEFAULT_LIMITS = Limits.NONE.withPixels(MAX_PIXELS);
+
   private final boolean lenient;
   private final Optional<RenderSettings.Mode> mode;
   private final UnaryOperator<RenderSettings> change;
-  private final int maxPixels;
+  private final Limits limits;
   private final TextureChange textures;
   private final boolean decodesUnused;
   private final Optional<Kernel> kernel;
@@ -54,7 +59,7 @@ public final class SceneParser {
         false,
         Optional.empty(),
         UnaryOperator.identity(),
-        MAX_PIXELS,
+        DEFAULT_LIMITS,
         TextureChange.NONE,
         false,
         Optional.empty());
@@ -64,14 +69,14 @@ public final class SceneParser {
       boolean lenient,
       Optional<RenderSettings.Mode> mode,
       UnaryOperator<RenderSettings> change,
-      int maxPixels,
+      Limits limits,
       TextureChange textures,
       boolean decodesUnused,
       Optional<Kernel> kernel) {
     this.lenient = lenient;
     this.mode = mode;
     this.change = change;
-    this.maxPixels = maxPixels;
+    this.limits = limits;
     this.textures = textures;
     this.decodesUnused = decodesUnused;
     this.kernel = kernel;
@@ -79,13 +84,13 @@ public final class SceneParser {
 
   /** Returns a parser that reports references to missing assets as warnings, not errors. */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change, maxPixels, textures, decodesUnused, kernel);
+    return new SceneParser(true, mode, change, limits, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that overrides the render mode of the file. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
     return new SceneParser(
-        lenient, Optional.of(newMode), change, maxPixels, textures, decodesUnused, kernel);
+        lenient, Optional.of(newMode), change, limits, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that applies a function to the file's settings before it uses them. */
@@ -94,7 +99,7 @@ public final class SceneParser {
         lenient,
         mode,
         Objects.requireNonNull(newChange, "newChange"),
-        maxPixels,
+        limits,
         textures,
         decodesUnused,
         kernel);
@@ -111,19 +116,30 @@ public final class SceneParser {
     if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
       throw new IllegalArgumentException("pixels: expected 1 to 2^29, found " + newMaxPixels);
     }
-    return new SceneParser(lenient, mode, change, newMaxPixels, textures, decodesUnused, kernel);
+    return limitedTo(limits.withPixels(newMaxPixels));
+  }
+
+  /**
+   * Returns a parser that rejects what exceeds limits, as early as possible: files before they are
+   * read, pictures and meshes before memory is allocated for them.
+   *
+   * @param newLimits of one scene with all its assets; pixels in addition at most {@link
+   *     #MAX_PIXELS_EVER}
+   */
+  public SceneParser limitedTo(Limits newLimits) {
+    return new SceneParser(lenient, mode, change, newLimits, textures, decodesUnused, kernel);
   }
 
   /** Returns a parser that overrides the filter of all textures. */
   public SceneParser filtering(ImageTexture.Filter filter) {
     TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
+    return new SceneParser(lenient, mode, change, limits, changed, decodesUnused, kernel);
   }
 
   /** Returns a parser whose textures increment a counter at each lookup. */
   public SceneParser countingTextures(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, mode, change, maxPixels, changed, decodesUnused, kernel);
+    return new SceneParser(lenient, mode, change, limits, changed, decodesUnused, kernel);
   }
 
   /**
@@ -131,13 +147,13 @@ public final class SceneParser {
    * scene is the same.
    */
   public SceneParser decodingUnused() {
-    return new SceneParser(lenient, mode, change, maxPixels, textures, true, kernel);
+    return new SceneParser(lenient, mode, change, limits, textures, true, kernel);
   }
 
   /** Returns a parser whose scenes use a traversal kernel; the default is {@link Kernel#AUTO}. */
   public SceneParser searchedBy(Kernel newKernel) {
     return new SceneParser(
-        lenient, mode, change, maxPixels, textures, decodesUnused, Optional.of(newKernel));
+        lenient, mode, change, limits, textures, decodesUnused, Optional.of(newKernel));
   }
 
   /**
@@ -150,18 +166,12 @@ public final class SceneParser {
    */
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
-    try {
-      return parse(file, read(file, problems), Optional.empty(), Map.of(), problems);
-    } catch (OutOfMemoryError e) {
-      // What was to hold the scene is free again, and nothing else was touched.
-      problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
-      throw problems.exception();
-    } catch (CancellationException | ClosedByInterruptException e) {
-      InterruptedIOException interrupted =
-          new InterruptedIOException("reading the scene was interrupted");
-      interrupted.initCause(e);
-      throw interrupted;
-    }
+    return timed(
+        problems,
+        () -> {
+          byte[] text = read(file, problems, limits.bytes());
+          return parse(file, text, Optional.empty(), Map.of(), problems);
+        });
   }
 
   /**
@@ -170,11 +180,16 @@ public final class SceneParser {
    *
    * @param model path of a glTF, OBJ, PLY or STL file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
-   * @throws IOException if the model exists but cannot be read
+   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
   public SceneFile parse(Path model, ModelSetup setup) throws SceneFormatException, IOException {
-    SceneText text = setup.sceneOf(model, modelAspect());
-    return parse(text.json(), text.path());
+    Problems problems = new Problems(String.valueOf(model.getFileName()));
+    return timed(
+        problems,
+        () -> {
+          SceneText text = setup.limitedTo(limits).sceneOf(model, modelAspect());
+          return parse(text.path(), text.json(), Optional.of(text), Map.of(), problems);
+        });
   }
 
   /**
@@ -194,8 +209,15 @@ public final class SceneParser {
       throw new IllegalArgumentException(
           "name: expected a name without folders, found " + Problems.quoted(name));
     }
-    SceneText text = setup.sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
-    return parse(text, Map.of(name, model));
+    Problems problems = new Problems(name);
+    return timed(
+        problems,
+        () -> {
+          ModelSetup limited = setup.limitedTo(limits);
+          SceneText text =
+              limited.sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
+          return parse(text.path(), text.json(), Optional.of(text), Map.of(name, model), problems);
+        });
   }
 
   private OptionalDouble modelAspect() {
@@ -214,6 +236,7 @@ public final class SceneParser {
    * @param file path of the scene file, which need not exist; asset paths start in its folder, and
    *     messages contain its name
    * @throws SceneFormatException if the scene cannot be used; it lists the errors
+   * @throws CancellationException if the calling thread is interrupted
    */
   public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
     return parse(new SceneText(content, file), Map.of());
@@ -228,11 +251,46 @@ public final class SceneParser {
     Path file = text.path();
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     try {
-      return parse(file, text.json(), Optional.of(text), files, problems);
-    } catch (OutOfMemoryError e) {
-      // What was to hold the scene is free again, and nothing else was touched.
-      problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
-      throw problems.exception();
+      return timed(
+          problems,
+          () -> parse(file, text.json(), Optional.of(text), files, problems));
+    } catch (InterruptedIOException e) {
+      CancellationException cancelled = new CancellationException(e.getMessage());
+      cancelled.initCause(e);
+      throw cancelled;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e); // The content is in memory.
+    }
+  }
+
+  /** A way to read a scene. */
+  @FunctionalInterface
+  private interface Reading {
+    SceneFile read() throws SceneFormatException, IOException;
+  }
+
+  /** Reads a scene within the time limit, and turns exceptions into those of this class. */
+  private SceneFile timed(Problems problems, Reading reading)
+      throws SceneFormatException, IOException {
+    try (TimeLimit time = TimeLimit.start(limits.time())) {
+      try {
+        return reading.read();
+      } catch (OutOfMemoryError e) {
+        // What was to hold the scene is free again, and nothing else was touched.
+        problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
+        throw problems.exception();
+      } catch (CancellationException | ClosedByInterruptException | InterruptedIOException e) {
+        if (time.hasPassed()) {
+          String limit = limits.time().toMillis() / 1e3 + " s";
+          problems.error(
+              Kind.LIMIT, () -> "$", "expected a scene that is read within " + limit);
+          throw problems.exception();
+        }
+        InterruptedIOException interrupted =
+            new InterruptedIOException("reading the scene was interrupted");
+        interrupted.initCause(e);
+        throw interrupted;
+      }
     }
   }
 
@@ -244,7 +302,8 @@ public final class SceneParser {
    * @throws IOException if the file exists but cannot be read
    */
   public static Set<Path> files(Path file) throws SceneFormatException, IOException {
-    return files(read(file, new Problems(String.valueOf(file.getFileName()))), file);
+    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    return files(read(file, problems, MAX_BYTES), file);
   }
 
   /**
@@ -261,20 +320,19 @@ public final class SceneParser {
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
-    AssetData data = new AssetData(file, Sha256.digest());
+    AssetData data = new AssetData(file, Sha256.digest(), Allowance.unlimited());
     Set<Path> files = new LinkedHashSet<>(data.files(root.objects("assets")));
     files.addAll(data.modelFiles(ObjectTree.of(root).models()));
     return files;
   }
 
-  private static byte[] read(Path file, Problems problems)
+  private static byte[] read(Path file, Problems problems, long maxBytes)
       throws SceneFormatException, IOException {
     try {
-      if (Files.size(file) > MAX_BYTES) {
-        problems.error(
-            Kind.LIMIT,
-            () -> "$",
-            "expected at most " + MAX_BYTES + " bytes, found " + Files.size(file));
+      long max = Math.min(MAX_BYTES, maxBytes);
+      Optional<String> excess = Limits.excess("bytes", max, Files.size(file));
+      if (excess.isPresent()) {
+        problems.error(Kind.LIMIT, () -> "$", excess.get());
         throw problems.exception();
       }
       return Files.readAllBytes(file);
@@ -291,7 +349,13 @@ public final class SceneParser {
       Map<String, byte[]> files,
       Problems problems)
       throws SceneFormatException {
-    JsonNode root = JsonTree.read(text, problems);
+    Allowance allowance = new Allowance(limits);
+    Optional<String> excess = allowance.addBytes(text.length);
+    if (excess.isPresent()) {
+      problems.error(Kind.LIMIT, () -> "$", excess.get());
+      throw problems.exception();
+    }
+    JsonNode root = JsonTree.read(text, problems, limits);
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
@@ -303,7 +367,7 @@ public final class SceneParser {
     digest.update(text);
     String ownHash = Sha256.soFar(digest);
     AssetTable assets = new AssetTable(root, lenient);
-    AssetData data = new AssetData(file, digest, files);
+    AssetData data = new AssetData(file, digest, allowance, files);
     SceneReader world =
         new SceneReader(
             root,
@@ -344,18 +408,17 @@ public final class SceneParser {
       return inFile;
     }
     RenderSettings used = change.apply(inFile);
-    if ((long) used.width() * used.height() > maxPixels) {
-      boolean isInFile = used.width() == inFile.width() && used.height() == inFile.height();
+    boolean isInFile = used.width() == inFile.width() && used.height() == inFile.height();
+    if ((long) used.width() * used.height() > limits.pixels()) {
+      String where = isInFile ? "$.renderOptions" : "the size that overrides $.renderOptions";
+      String found = used.width() + "x" + used.height();
       problems.error(
           Kind.LIMIT,
-          () -> isInFile ? "$.renderOptions" : "the size that overrides $.renderOptions",
-          "expected width x height <= "
-              + maxPixels
-              + ", found "
-              + used.width()
-              + "x"
-              + used.height());
+          () -> where,
+          "expected width x height <= " + limits.pixels() + ", found " + found);
     }
+    Limits.excess("samples per pixel", limits.samples(), used.samples())
+        .ifPresent(excess -> problems.error(Kind.LIMIT, () -> "$.renderOptions", excess));
     return used;
   }
 }

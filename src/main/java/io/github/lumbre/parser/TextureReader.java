@@ -169,12 +169,14 @@ final class TextureReader {
     return change.watched(picture.as(role));
   }
 
-  private static Optional<Picture> picture(AssetData.Content content, Filter filter) {
+  private Optional<Picture> picture(AssetData.Content content, Filter filter) {
     if (!LinearReader.isLinear(content.bytes())) {
       return decoded(content).map(pixels -> new Picture.Decoded(pixels, filter));
     }
     try {
-      return positive(content, LinearReader.decode(content.bytes())).map(Picture.Linear::new);
+      Image image = LinearReader.decode(content.bytes(), data.allowance().texelsLeft());
+      data.allowance().addTexels((long) image.width() * image.height());
+      return positive(content, image).map(Picture.Linear::new);
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
@@ -202,9 +204,10 @@ final class TextureReader {
     return Optional.of(image);
   }
 
-  private static Optional<Pixels> decoded(AssetData.Content content) {
+  private Optional<Pixels> decoded(AssetData.Content content) {
     try {
-      Pixels pixels = ImageReader.decode(content.bytes());
+      Pixels pixels = ImageReader.decode(content.bytes(), data.allowance().texelsLeft());
+      data.allowance().addTexels((long) pixels.width() * pixels.height());
       warnOfBomb(content, pixels);
       warnOfColorSpace(content);
       return Optional.of(pixels);

@@ -2,10 +2,12 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 
 /**
  * Renders scenes to pictures in passes of increasing length (see {@link Passes}). Use {@link
@@ -15,10 +17,37 @@ import java.util.Optional;
  */
 public final class BucketRenderer {
   private final RenderSettings settings;
+  private final Optional<Executor> executor;
+  private final Limits limits;
 
   /** Creates a renderer. */
   public BucketRenderer(RenderSettings settings) {
+    this(settings, Optional.empty(), Limits.NONE);
+  }
+
+  private BucketRenderer(RenderSettings settings, Optional<Executor> executor, Limits limits) {
     this.settings = Objects.requireNonNull(settings, "settings");
+    this.executor = executor;
+    this.limits = limits;
+  }
+
+  /**
+   * Returns the same renderer on the threads of an executor, such as the pool of a server; see
+   * {@link FilmRenderer#on}.
+   */
+  public BucketRenderer on(Executor newExecutor) {
+    Objects.requireNonNull(newExecutor, "newExecutor");
+    return new BucketRenderer(settings, Optional.of(newExecutor), limits);
+  }
+
+  /**
+   * Returns the same renderer with limits. Before it allocates memory, it refuses pixels, samples
+   * and memory beyond them with an {@link IllegalArgumentException}. When the time has passed, it
+   * ends with a partial picture, as if the render were cancelled.
+   */
+  public BucketRenderer limitedTo(Limits newLimits) {
+    Objects.requireNonNull(newLimits, "newLimits");
+    return new BucketRenderer(settings, executor, newLimits);
   }
 
   /**
@@ -32,13 +61,36 @@ public final class BucketRenderer {
   }
 
   /**
-   * * Renders a scene. *
+   * Renders a scene.
    *
    * @throws InterruptedException if the calling thread is interrupted; all workers have then ended
    * @throws RenderException if a worker failed
    */
   public RenderResult render(Scene scene, Progress progress) throws InterruptedException {
-    return render(new FilmRenderer(settings, scene), progress);
+    requireLimits(FilmLayers.of(settings, scene));
+    FilmRenderer renderer = new FilmRenderer(settings, scene);
+    return render(executor.map(renderer::on).orElse(renderer), timed(progress));
+  }
+
+  private void requireLimits(FilmLayers layers) {
+    long pixels = (long) settings.width() * settings.height();
+    MemoryEstimate estimate = new MemoryEstimate(settings, layers, 0, limits.memory());
+    Limits.excess("pixels", limits.pixels(), pixels)
+        .or(() -> Limits.excess("samples per pixel", limits.samples(), settings.samples()))
+        .or(() -> Limits.excess("bytes", limits.memory(), estimate.neededBytes()))
+        .ifPresent(
+            excess -> {
+              throw new IllegalArgumentException("settings: " + excess);
+            });
+  }
+
+  private Progress timed(Progress progress) {
+    if (limits.time().equals(Limits.NO_TIME_LIMIT)) {
+      return progress;
+    }
+    long start = System.nanoTime();
+    long allowed = limits.time().toNanos();
+    return progress.cancelledAlsoIf(() -> System.nanoTime() - start > allowed);
   }
 
   RenderResult render(Scene scene, Integrator integrator, Progress progress)

@@ -8,12 +8,7 @@ import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
+import java.util.concurrent.Executor;
 import java.util.function.LongFunction;
 import java.util.function.UnaryOperator;
 
@@ -41,13 +36,12 @@ public final class FilmRenderer implements PassRenderer {
    */
   public static final int ADAPTIVE_PILOT = AdaptiveSchedule.PILOT;
 
-  private static final long SECONDS_PER_LOOK = 5;
-
   private final RenderSettings settings;
   private final Scene scene;
   private final Integrator integrator;
   private final LongFunction<Sampler> samplers;
   private final UnaryOperator<List<Bucket>> order;
+  private final Crew crew;
   private final boolean hasAlpha;
   private final FilmLayers layers;
 
@@ -74,7 +68,7 @@ public final class FilmRenderer implements PassRenderer {
   @SuppressWarnings("exports") // internal
   public FilmRenderer(
       RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
-    this(settings, scene, integrator, samplers, UnaryOperator.identity());
+    this(settings, scene, integrator, samplers, UnaryOperator.identity(), new OwnThreads());
   }
 
   private FilmRenderer(
@@ -82,9 +76,11 @@ public final class FilmRenderer implements PassRenderer {
       Scene scene,
       Integrator integrator,
       LongFunction<Sampler> samplers,
-      UnaryOperator<List<Bucket>> order) {
+      UnaryOperator<List<Bucket>> order,
+      Crew crew) {
     this.samplers = Objects.requireNonNull(samplers, "samplers");
     this.order = order;
+    this.crew = crew;
     this.settings = Objects.requireNonNull(settings, "settings");
     this.scene = scene.framed(settings.aspect());
     this.integrator = Objects.requireNonNull(integrator, "integrator");
@@ -97,7 +93,21 @@ public final class FilmRenderer implements PassRenderer {
    * default is row by row from the top.
    */
   FilmRenderer inOrder(UnaryOperator<List<Bucket>> newOrder) {
-    return new FilmRenderer(settings, scene, integrator, samplers, newOrder);
+    return new FilmRenderer(settings, scene, integrator, samplers, newOrder, crew);
+  }
+
+  /**
+   * Returns the same renderer on the threads of an executor, such as the pool of a server. The
+   * default starts threads for each pass. The calling thread renders, too, and up to one thread
+   * less than {@link RenderSettings#threads} of the executor helps it; no pass waits for a thread
+   * that is not free. The bits of the film do not depend on it. {@link Progress#stalled} is not
+   * called.
+   *
+   * @param executor runs tasks that end with the pass; it may reject them
+   */
+  public FilmRenderer on(Executor executor) {
+    Crew shared = new SharedThreads(Objects.requireNonNull(executor, "executor"));
+    return new FilmRenderer(settings, scene, integrator, samplers, order, shared);
   }
 
   /** Returns whether the films of this renderer have alpha. */
@@ -169,7 +179,7 @@ public final class FilmRenderer implements PassRenderer {
       workers.add(new BucketWorker(settings, scene, integrator, sampler(), film, target, queue));
     }
     double start = seconds();
-    run(workers, queue, progress);
+    crew.run(workers, queue, progress);
     RenderStatistics statistics = statistics(workers);
     double processorSeconds = (seconds() - start) * workers.size();
     if (statistics.samples() > 0) {
@@ -224,65 +234,8 @@ public final class FilmRenderer implements PassRenderer {
     return buckets;
   }
 
-  private static void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
-      throws InterruptedException {
-    List<Thread> threads = new ArrayList<>();
-    ExecutorService pool =
-        Executors.newFixedThreadPool(
-            workers.size(),
-            task -> {
-              Thread thread = new Thread(task, "lumbre-render-" + (threads.size() + 1));
-              thread.setDaemon(true);
-              threads.add(thread);
-              return thread;
-            });
-    try {
-      List<Future<?>> futures = new ArrayList<>();
-      workers.forEach(worker -> futures.add(pool.submit(worker)));
-      Watchdog watchdog = new Watchdog(workers, seconds(), progress);
-      for (Future<?> future : futures) {
-        await(future, watchdog);
-      }
-    } catch (ExecutionException e) {
-      throw new RenderException("rendering failed: " + e.getCause(), e.getCause());
-    } finally {
-      queue.stop();
-      pool.shutdown();
-      awaitEnd(threads);
-    }
-  }
-
-  private static void await(Future<?> future, Watchdog watchdog)
-      throws InterruptedException, ExecutionException {
-    while (true) {
-      try {
-        future.get(SECONDS_PER_LOOK, TimeUnit.SECONDS);
-        return;
-      } catch (TimeoutException e) {
-        watchdog.look(seconds());
-      }
-    }
-  }
-
   private static double seconds() {
     return System.nanoTime() * 1e-9;
-  }
-
-  /** Waits for the threads, which end shortly, and restores the interrupt status. */
-  private static void awaitEnd(List<Thread> threads) {
-    boolean interrupted = Thread.interrupted();
-    for (Thread thread : threads) {
-      while (thread.isAlive()) {
-        try {
-          thread.join();
-        } catch (InterruptedException e) {
-          interrupted = true;
-        }
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
   }
 
   private static RenderStatistics statistics(List<BucketWorker> workers) {

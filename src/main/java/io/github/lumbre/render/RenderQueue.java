@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 final class RenderQueue {
   private final List<Bucket> buckets;
   private final Progress progress;
+  private volatile Optional<Thread> owner = Optional.empty();
   private final AtomicInteger next = new AtomicInteger();
   private final AtomicInteger finished = new AtomicInteger();
   private final AtomicBoolean stopped = new AtomicBoolean();
@@ -34,13 +35,20 @@ final class RenderQueue {
     progress.advanced(samples);
   }
 
+  /** Makes all workers stop soon after a thread is interrupted. */
+  void stopIfInterrupted(Thread thread) {
+    owner = Optional.of(thread);
+  }
+
   /** Makes all workers stop soon. */
   void stop() {
     stopped.set(true);
   }
 
   boolean isStopped() {
-    return stopped.get() || progress.isCancelled();
+    return stopped.get()
+        || owner.isPresent() && owner.get().isInterrupted()
+        || progress.isCancelled();
   }
 
   /** Returns whether all buckets are finished. */

@@ -1,0 +1,55 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.limit.Limits;
+import java.util.Optional;
+
+/** What is left of the limits while one scene is read. Mutable; confined to one thread. */
+final class Allowance {
+  private final Limits limits;
+  private long bytes;
+  private long texels;
+  private long triangles;
+
+  Allowance(Limits limits) {
+    this.limits = limits;
+  }
+
+  /** Returns an allowance without limits. */
+  static Allowance unlimited() {
+    return new Allowance(Limits.NONE);
+  }
+
+  /**
+   * Adds bytes of a file that is about to be read. Returns what to say if they are too many; they
+   * are then not added.
+   */
+  Optional<String> addBytes(long more) {
+    Optional<String> excess = Limits.excess("bytes in all files", limits.bytes(), bytes + more);
+    if (excess.isEmpty()) {
+      bytes += more;
+    }
+    return excess;
+  }
+
+  /** Adds the texels of a picture that was decoded with {@link #texelsLeft} as its limit. */
+  void addTexels(long more) {
+    texels += more;
+  }
+
+  /** Returns the largest number of texels of the next picture. */
+  long texelsLeft() {
+    return Math.max(0, limits.texels() - texels);
+  }
+
+  /** Adds the triangles of a mesh that was read within {@link #left}. */
+  void addTriangles(long more) {
+    triangles += more;
+  }
+
+  /** Returns the limits for the next mesh or model. */
+  Limits left() {
+    return limits
+        .withTriangles(Math.max(0, limits.triangles() - triangles))
+        .withTexels(texelsLeft());
+  }
+}
