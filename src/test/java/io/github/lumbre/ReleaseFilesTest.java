@@ -1,0 +1,73 @@
+package io.github.lumbre;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** The files that packages are made from agree with the build. */
+class ReleaseFilesTest {
+  private static final Path CATALOG = Path.of("jbang-catalog.json");
+  private static final String VECTORS = "--add-modules=jdk.incubator.vector";
+
+  private static String first(String file, String pattern) throws IOException {
+    return Pattern.compile(pattern)
+        .matcher(Files.readString(Path.of(file)))
+        .results()
+        .findFirst()
+        .map(found -> found.group(1))
+        .orElseThrow(() -> new AssertionError(file + " holds nothing like " + pattern));
+  }
+
+  private static JsonObject alias() throws IOException {
+    return JsonParser.parseString(Files.readString(CATALOG))
+        .getAsJsonObject()
+        .getAsJsonObject("aliases")
+        .getAsJsonObject("lumbre");
+  }
+
+  @Test
+  void allFilesStateTheSameVersion() throws IOException {
+    String version = first("pom.xml", "(?m)^  <version>(.+)</version>$");
+    assertThat(first("spark/pom.xml", "(?m)^  <version>(.+)</version>$")).isEqualTo(version);
+    assertThat(first("README.md", "<version>(.+)</version>")).isEqualTo(version);
+    assertThat(first("CITATION.cff", "(?m)^version: (.+)$")).isEqualTo(version);
+    assertThat(alias().get("script-ref").getAsString())
+        .isEqualTo("io.github.lumbre:lumbre:" + version + ":cli");
+  }
+
+  @Test
+  void catalogPassesTheOptionsOfTheLaunchers() throws IOException {
+    List<String> options;
+    try (Stream<String> lines = Files.lines(Path.of("src", "main", "jvm", "options"))) {
+      options = lines.filter(line -> line.startsWith("-")).toList();
+    }
+    JsonArray passed = alias().getAsJsonArray("runtime-options");
+    assertThat(passed.asList())
+        .extracting(JsonElement::getAsString)
+        .containsExactlyElementsOf(Stream.concat(Stream.of(VECTORS), options.stream()).toList());
+  }
+
+  /** No file names a place that nobody has chosen yet. */
+  @Test
+  void projectLivesWhereWhoeverReleasesItSays() throws IOException {
+    assertThat(first("pom.xml", "<lumbre.url>(.+)</lumbre.url>")).startsWith("https://");
+    List<MatchResult> urls =
+        Pattern.compile("(?m)^  <url>(.+)</url>$")
+            .matcher(Files.readString(Path.of("pom.xml")))
+            .results()
+            .toList();
+    assertThat(urls).hasSize(1);
+    assertThat(urls.get(0).group(1)).isEqualTo("${lumbre.url}");
+  }
+}
