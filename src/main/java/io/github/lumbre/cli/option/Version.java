@@ -18,6 +18,10 @@ public final class Version implements IVersionProvider {
 
   /** Returns the default traversal kernel and the reason for it. */
   private static String kernel() {
+    if (Boolean.getBoolean("lumbre.kernel.deferred")) {
+      // The launcher of the runtime image prints the version without loading the vector module.
+      return "vector, if this processor supports vectors of 8 floats; otherwise scalar";
+    }
     return Kernel.vectorObstacle()
         .map(obstacle -> "scalar, because " + obstacle)
         .orElse("vector, because Java and this processor support vectors of 8 floats");
