@@ -50,7 +50,6 @@ import picocli.CommandLine.Spec;
       "  lumbre render scenes/cornell-box.json",
       "  lumbre render helmet.glb --view iso",
       "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
-      "  lumbre view helmet.glb",
       "  lumbre resume night.film",
       "  lumbre check scene.json",
       "  lumbre audit scene.json",
@@ -69,7 +68,6 @@ public final class Lumbre implements Runnable {
 
   static {
     COMMANDS.put("render", RenderCommand.class);
-    COMMANDS.put("view", ViewCommand.class);
     COMMANDS.put("resume", ResumeCommand.class);
     COMMANDS.put("merge", MergeCommand.class);
     COMMANDS.put("develop", DevelopCommand.class);

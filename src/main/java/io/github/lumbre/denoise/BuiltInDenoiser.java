@@ -21,7 +21,7 @@ public final class BuiltInDenoiser {
   private static final double FIRST_COLOR = 1;
   private static final double SECOND_COLOR = .7;
   private static final double FIRST_FEATURE = .6;
-  private static final double SECOND_FEATURE = 1.5;
+  private static final double SECOND_FEATURE = 4;
 
   /** More light counts as this much, so that squares and their sums are finite floats. */
   private static final float BRIGHTEST = 1e15f;
@@ -123,7 +123,8 @@ public final class BuiltInDenoiser {
   private Estimates filteredGuide(Estimates guide) throws InterruptedException {
     Raster none = new Raster(guide.first().width(), guide.first().height(), 0);
     Raster variance = variance(guide, 1).blurred(1).times(2);
-    return crossed(guide, none, none, variance, FIRST_COLOR, 1, GUIDE_WINDOW, false);
+    return crossed(
+        guide, none, none, variance, new Similarity.Scales(FIRST_COLOR, 1), GUIDE_WINDOW, false);
   }
 
   /** Filters each half with weights from the other one. */
@@ -132,17 +133,14 @@ public final class BuiltInDenoiser {
       Raster features,
       Raster featureVariance,
       Raster variance,
-      double colorScale,
-      double featureScale,
+      Similarity.Scales scales,
       int radius,
       boolean isFirstOrder)
       throws InterruptedException {
     Raster first = halves.first();
     Raster second = halves.second();
-    Similarity bySecond =
-        new Similarity(second, variance, features, featureVariance, colorScale, featureScale);
-    Similarity byFirst =
-        new Similarity(first, variance, features, featureVariance, colorScale, featureScale);
+    Similarity bySecond = Similarity.of(second, variance, features, featureVariance, scales);
+    Similarity byFirst = Similarity.of(first, variance, features, featureVariance, scales);
     return new Estimates(
         new LocalRegression(bySecond, radius, isFirstOrder).of(first, threads),
         new LocalRegression(byFirst, radius, isFirstOrder).of(second, threads));
@@ -176,18 +174,16 @@ public final class BuiltInDenoiser {
             features,
             featureVariance,
             variance.times(2),
-            FIRST_COLOR,
-            FIRST_FEATURE,
+            new Similarity.Scales(FIRST_COLOR, FIRST_FEATURE),
             WINDOW,
             true);
     Similarity byPilot =
-        new Similarity(
+        Similarity.of(
             pilot.mean(),
             variance(pilot, 2),
             features,
             featureVariance,
-            SECOND_COLOR,
-            SECOND_FEATURE);
+            new Similarity.Scales(SECOND_COLOR, SECOND_FEATURE));
     Raster both =
         new LocalRegression(byPilot, WINDOW, true)
             .of(light.first().beside(light.second()), threads);

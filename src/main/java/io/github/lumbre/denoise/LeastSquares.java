@@ -10,22 +10,26 @@ final class LeastSquares {
   private final int count;
   private final int targets;
 
-  /** The upper triangle of the matrix, and the right-hand sides behind it. */
-  private final double[][] rows;
+  /** Number of elements in a row. */
+  private final int stride;
+
+  /** Rows of the upper triangle of the matrix, each with its right-hand sides behind it. */
+  private final double[] rows;
 
   private final double[] terms;
+  private final double[] values;
 
   LeastSquares(int count, int targets) {
     this.count = count;
     this.targets = targets;
-    rows = new double[count][count + targets];
-    terms = new double[count];
+    stride = count + targets;
+    rows = new double[count * stride];
+    terms = new double[stride];
+    values = new double[targets];
   }
 
   void clear() {
-    for (double[] row : rows) {
-      Arrays.fill(row, 0);
-    }
+    Arrays.fill(rows, 0);
   }
 
   /** Returns the terms of the next equation or value, which the caller sets. */
@@ -35,51 +39,57 @@ final class LeastSquares {
 
   /** Adds an equation with the current terms; its targets start at an index. */
   void add(double weight, float[] values, int first) {
+    for (int t = 0; t < targets; t++) {
+      terms[count + t] = values[first + t];
+    }
     for (int r = 0; r < count; r++) {
-      double[] row = rows[r];
+      int row = r * stride;
       double factor = weight * terms[r];
-      for (int c = r; c < count; c++) {
-        row[c] += factor * terms[c];
-      }
-      for (int t = 0; t < targets; t++) {
-        row[count + t] += factor * values[first + t];
+      for (int c = r; c < stride; c++) {
+        rows[row + c] += factor * terms[c];
       }
     }
   }
 
   /** Adds the square of a coefficient, times a factor, to what is minimized. */
   void addRidge(int term, double factor) {
-    rows[term][term] += factor;
+    rows[term * stride + term] += factor;
   }
 
   /** Replaces the right-hand sides by the coefficients. The matrix must be positive definite. */
   void solve() {
     for (int r = 0; r < count; r++) {
+      int row = r * stride;
       for (int below = r + 1; below < count; below++) {
         // The matrix is symmetric: the element below the diagonal is the one beside it.
-        double factor = rows[r][below] / rows[r][r];
-        for (int c = below; c < count + targets; c++) {
-          rows[below][c] -= factor * rows[r][c];
+        double factor = rows[row + below] / rows[row + r];
+        for (int c = below; c < stride; c++) {
+          rows[below * stride + c] -= factor * rows[row + c];
         }
       }
     }
     for (int r = count - 1; r >= 0; r--) {
-      for (int t = count; t < count + targets; t++) {
-        double rest = rows[r][t];
+      int row = r * stride;
+      for (int t = count; t < stride; t++) {
+        double rest = rows[row + t];
         for (int c = r + 1; c < count; c++) {
-          rest -= rows[r][c] * rows[c][t];
+          rest -= rows[row + c] * rows[c * stride + t];
         }
-        rows[r][t] = rest / rows[r][r];
+        rows[row + t] = rest / rows[row + r];
       }
     }
   }
 
-  /** Returns a target's value for the current terms, after {@link #solve}. */
-  double value(int target) {
-    double value = 0;
+  /** Returns the targets' values for the current terms, after {@link #solve}; overwritten later. */
+  double[] values() {
+    Arrays.fill(values, 0);
     for (int r = 0; r < count; r++) {
-      value += terms[r] * rows[r][count + target];
+      int row = r * stride + count;
+      double term = terms[r];
+      for (int t = 0; t < targets; t++) {
+        values[t] += term * rows[row + t];
+      }
     }
-    return value;
+    return values;
   }
 }

@@ -23,13 +23,12 @@ import java.util.concurrent.ExecutorService;
 record LocalRegression(Similarity similarity, int radius, boolean isFirstOrder) {
   private static final int STRIDE = 4;
 
-  /** Rows of anchors that one task explains. */
-  private static final int ROWS = 8;
+  /** Rows of pixels whose anchors one task explains. */
+  private static final int ROWS = 32;
 
   /** Pixels with less weight than this become anchors too. */
   private static final float ENOUGH = 3;
 
-  private static final double LEAST_WEIGHT = 1e-4;
   private static final double RIDGE = 1e-3;
   private static final double FEATURE_RIDGE = 1e-2;
 
@@ -61,7 +60,7 @@ record LocalRegression(Similarity similarity, int radius, boolean isFirstOrder) 
       throws InterruptedException {
     int height = target.height();
     List<Callable<Stripe>> tasks = new ArrayList<>();
-    for (int first = 0; first < height; first += ROWS * STRIDE) {
+    for (int first = 0; first < height; first += ROWS) {
       int top = first;
       tasks.add(() -> stripe(target, explained, isGrid, top));
     }
@@ -88,30 +87,45 @@ record LocalRegression(Similarity similarity, int radius, boolean isFirstOrder) 
       throws InterruptedException {
     int width = target.width();
     int height = target.height();
-    int bottom = Math.min(height, top + ROWS * STRIDE);
+    int bottom = Math.min(height, top + ROWS);
     int start = Math.max(0, top - radius);
     int end = Math.min(height, bottom + radius);
     int channels = target.channels() + 1;
     Stripe stripe =
         new Stripe(start * width * channels, new float[(end - start) * width * channels]);
     LeastSquares model = new LeastSquares(features(), target.channels());
-    double[] weights = new double[(2 * radius + 1) * (2 * radius + 1)];
-    for (int y = top; y < bottom; y++) {
+    Neighborhoods near = new Neighborhoods(similarity, radius);
+    for (int y = top; y < bottom; y += Neighborhoods.TILE_HEIGHT) {
       if (Thread.interrupted()) {
         throw new InterruptedException();
       }
-      for (int x = 0; x < width; x++) {
-        boolean isAnchor =
-            isGrid
-                ? y % STRIDE == STRIDE / 2 && x % STRIDE == STRIDE / 2
-                : explained.value(x, y, 0) < ENOUGH;
-        if (isAnchor) {
-          fit(target, model, weights, x, y);
-          add(model, weights, x, y, channels, stripe);
+      for (int x = 0; x < width; x += Neighborhoods.TILE_WIDTH) {
+        findAnchors(near, explained, isGrid, x, y);
+        near.weigh();
+        for (int k = 0; k < near.count(); k++) {
+          fit(target, model, near, k);
+          add(model, near, k, channels, stripe);
         }
       }
     }
     return stripe;
+  }
+
+  private static void findAnchors(
+      Neighborhoods near, Raster explained, boolean isGrid, int left, int top) {
+    near.start(top);
+    int right = Math.min(explained.width(), left + Neighborhoods.TILE_WIDTH);
+    int bottom = Math.min(explained.height(), top + Neighborhoods.TILE_HEIGHT);
+    for (int y = top; y < bottom; y++) {
+      for (int x = left; x < right; x++) {
+        if (isGrid
+            ? y % STRIDE == STRIDE / 2 && x % STRIDE == STRIDE / 2
+            : explained.value(x, y, 0) < ENOUGH) {
+          near.add(x);
+        }
+      }
+      near.endRow();
+    }
   }
 
   /** Returns the number of terms of the linear function. */
@@ -119,18 +133,17 @@ record LocalRegression(Similarity similarity, int radius, boolean isFirstOrder) 
     return 1 + similarity.features().channels() + (isFirstOrder ? 2 : 0);
   }
 
-  private void fit(Raster target, LeastSquares model, double[] weights, int px, int py) {
+  private void fit(Raster target, LeastSquares model, Neighborhoods near, int anchor) {
     int width = target.width();
+    int px = near.x(anchor);
+    int py = near.y(anchor);
     model.clear();
-    Arrays.fill(weights, 0);
     double sum = 0;
-    for (int qy = Math.max(0, py - radius);
-        qy <= Math.min(target.height() - 1, py + radius);
-        qy++) {
+    int bottom = Math.min(target.height() - 1, py + radius);
+    for (int qy = Math.max(0, py - radius); qy <= bottom; qy++) {
       for (int qx = Math.max(0, px - radius); qx <= Math.min(width - 1, px + radius); qx++) {
-        double weight = qx == px && qy == py ? 1 : similarity.weight(px, py, qx, qy);
-        if (weight >= LEAST_WEIGHT) {
-          weights[index(qx - px, qy - py)] = weight;
+        float weight = near.weight(anchor, qx - px, qy - py);
+        if (weight != 0) {
           sum += weight;
           setTerms(model.terms(), px, py, qx, qy);
           model.add(weight, target.values(), (qy * width + qx) * target.channels());
@@ -138,10 +151,6 @@ record LocalRegression(Similarity similarity, int radius, boolean isFirstOrder) 
       }
     }
     solve(model, py * width + px, sum);
-  }
-
-  private int index(int dx, int dy) {
-    return (dy + radius) * (2 * radius + 1) + dx + radius;
   }
 
   /** Solves with a ridge: terms that are noisy or hardly vary have small coefficients. */
@@ -173,20 +182,23 @@ record LocalRegression(Similarity similarity, int radius, boolean isFirstOrder) 
   }
 
   private void add(
-      LeastSquares model, double[] weights, int px, int py, int channels, Stripe stripe) {
+      LeastSquares model, Neighborhoods near, int anchor, int channels, Stripe stripe) {
     Raster features = similarity.features();
     int width = features.width();
+    int px = near.x(anchor);
+    int py = near.y(anchor);
     int last = Math.min(features.height() - 1, py + radius);
     for (int qy = Math.max(0, py - radius); qy <= last; qy++) {
       for (int qx = Math.max(0, px - radius); qx <= Math.min(width - 1, px + radius); qx++) {
-        double weight = weights[index(qx - px, qy - py)];
+        float weight = near.weight(anchor, qx - px, qy - py);
         if (weight != 0) {
           setTerms(model.terms(), px, py, qx, qy);
           int at = (qy * width + qx) * channels - stripe.first;
+          double[] values = model.values();
           for (int c = 0; c < channels - 1; c++) {
-            stripe.sums[at + c] += (float) (weight * model.value(c));
+            stripe.sums[at + c] += (float) (weight * values[c]);
           }
-          stripe.sums[at + channels - 1] += (float) weight;
+          stripe.sums[at + channels - 1] += weight;
         }
       }
     }

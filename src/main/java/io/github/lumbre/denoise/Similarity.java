@@ -10,45 +10,106 @@ package io.github.lumbre.denoise;
  * @param variance of the color
  * @param features further values that must be similar; may have no channels
  * @param featureVariance variance of the features
- * @param colorScale larger values make more pixels similar
- * @param featureScale larger values make more pixels similar
+ * @param scales tolerances
+ * @param slack what two values contribute to the denominator of their distance, for each value of
+ *     the color
  */
 record Similarity(
     Raster color,
     Raster variance,
     Raster features,
     Raster featureVariance,
-    double colorScale,
-    double featureScale) {
-  private static final int PATCH = 2;
+    Scales scales,
+    Raster slack) {
+  /** Half of the side of the compared squares. */
+  static final int PATCH = 2;
+
+  /** Distances beyond this one have weight 0. */
+  static final double LARGEST = 8;
 
   /** Differences of this share of the color do not count. */
   private static final float COLOR_FLOOR = 1e-4f;
 
   private static final double FEATURE_FLOOR = 1e-3;
 
-  /** Distances beyond this one have weight 0. */
-  private static final double LARGEST = 8;
+  /**
+   * Tolerances: larger values make more pixels similar.
+   *
+   * @param color in standard deviations of the color
+   * @param feature in standard deviations of the features
+   */
+  record Scales(double color, double feature) {}
 
-  /** Returns the weight of pixel q for pixel p. */
-  double weight(int px, int py, int qx, int qy) {
-    double ofFeatures = featureDistance(py * color.width() + px, qy * color.width() + qx);
-    if (ofFeatures >= LARGEST) {
-      return 0;
+  static Similarity of(
+      Raster color, Raster variance, Raster features, Raster featureVariance, Scales scales) {
+    float scale = (float) (scales.color * scales.color);
+    Raster slack =
+        color.with(variance, (value, of) -> COLOR_FLOOR * (.5 + value * value) + scale * of);
+    return new Similarity(color, variance, features, featureVariance, scales, slack);
+  }
+
+  /** Buffers for {@link #distances}: loops over them can use vector instructions. */
+  static final class Rows {
+    private final float[][] rows;
+
+    /**
+     * @param most largest number of values
+     */
+    Rows(int most) {
+      rows = new float[6][most];
     }
-    double distance = Math.max(ofFeatures, colorDistance(px, py, qx, qy));
+  }
+
+  /**
+   * Computes distances between values of the color and others, which are shifted by an offset.
+   *
+   * @param first index of the first value
+   * @param shift what to add to the index of a value to get that of the other
+   * @param count number of values
+   * @param rows buffers, overwritten
+   * @param result gets the distances
+   */
+  void distances(int first, int shift, int count, Rows rows, float[] result) {
+    float[] a = copied(color, first, count, rows.rows[0]);
+    float[] b = copied(color, first + shift, count, rows.rows[1]);
+    float[] ofA = copied(variance, first, count, rows.rows[2]);
+    float[] ofB = copied(variance, first + shift, count, rows.rows[3]);
+    float[] slackA = copied(slack, first, count, rows.rows[4]);
+    float[] slackB = copied(slack, first + shift, count, rows.rows[5]);
+    for (int i = 0; i < count; i++) {
+      float difference = a[i] - b[i];
+      float beyondNoise = difference * difference - (ofA[i] + Math.min(ofA[i], ofB[i]));
+      result[i] = beyondNoise / (slackA[i] + slackB[i]);
+    }
+  }
+
+  private static float[] copied(Raster raster, int first, int count, float[] row) {
+    System.arraycopy(raster.values(), first, row, 0, count);
+    return row;
+  }
+
+  /**
+   * Returns the weight of pixel q for pixel p.
+   *
+   * @param distance mean of the distances of the values around them
+   */
+  float weight(int p, int q, float distance) {
     if (distance >= LARGEST) {
       return 0;
     }
+    double largest = Math.max(Math.max(0, distance), featureDistance(p, q));
+    if (largest >= LARGEST) {
+      return 0;
+    }
     // Close to exp(-distance), but with the same bits everywhere.
-    double root = 1 - distance / LARGEST;
+    double root = 1 - largest / LARGEST;
     double square = root * root;
     double fourth = square * square;
-    return fourth * fourth;
+    return (float) (fourth * fourth);
   }
 
   private double featureDistance(int p, int q) {
-    double scale = featureScale * featureScale;
+    double scale = scales.feature * scales.feature;
     int count = features.channels();
     double largest = 0;
     for (int c = 0; c < count; c++) {
@@ -56,38 +117,12 @@ record Similarity(
       double ofQ = featureVariance.values()[q * count + c];
       double difference = features.values()[p * count + c] - features.values()[q * count + c];
       double beyondNoise = difference * difference - (ofP + Math.min(ofP, ofQ));
-      largest = Math.max(largest, beyondNoise / (scale * (FEATURE_FLOOR + ofP + ofQ)));
-    }
-    return largest;
-  }
-
-  private double colorDistance(int px, int py, int qx, int qy) {
-    int width = color.width();
-    int height = color.height();
-    int left = -Math.min(PATCH, Math.min(px, qx));
-    int right = Math.min(PATCH, width - 1 - Math.max(px, qx));
-    int top = -Math.min(PATCH, Math.min(py, qy));
-    int bottom = Math.min(PATCH, height - 1 - Math.max(py, qy));
-    float scale = (float) (colorScale * colorScale);
-    float[] values = color.values();
-    float[] variances = variance.values();
-    int count = 3 * (right - left + 1) * (bottom - top + 1);
-    // No summand is below -1/scale: noise explains at most all of a difference.
-    double farthest = count * (LARGEST + 1 / scale);
-    double sum = 0;
-    for (int y = top; y <= bottom && sum < farthest; y++) {
-      int i = 3 * ((py + y) * width + px + left);
-      int shift = 3 * ((qy - py) * width + qx - px);
-      for (int end = i + 3 * (right - left + 1); i < end; i++) {
-        float a = values[i];
-        float b = values[i + shift];
-        float ofA = variances[i];
-        float ofB = variances[i + shift];
-        float difference = a - b;
-        float beyondNoise = difference * difference - (ofA + Math.min(ofA, ofB));
-        sum += beyondNoise / (COLOR_FLOOR * (1 + a * a + b * b) + scale * (ofA + ofB));
+      double slack = scale * (FEATURE_FLOOR + ofP + ofQ);
+      // Divisions are slow, and most are not needed.
+      if (beyondNoise > largest * slack) {
+        largest = beyondNoise / slack;
       }
     }
-    return Math.max(0, sum / count);
+    return largest;
   }
 }
