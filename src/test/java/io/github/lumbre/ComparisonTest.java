@@ -19,7 +19,7 @@ class ComparisonTest {
   @TempDir private Path classes;
 
   @ParameterizedTest
-  @ValueSource(strings = {"RenderServer.java", "KernelServer.java"})
+  @ValueSource(strings = {"RenderServer.java", "KernelServer.java", "DenoiserMeter.java"})
   void compilesAgainstTheLibraryAlone(String source) throws Exception {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter messages = new StringWriter();
