@@ -9,10 +9,9 @@ import java.util.concurrent.ForkJoinTask;
  * Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies". Mutable; each
  * instance builds one tree.
  *
- * <p>Items are numbered. Items below {@code triangles} are triangles, the others are shapes; a leaf
- * holds items of one kind. Large ranges are built in parallel by the fork-join pool in which {@link
- * #build} is called, or by the common pool. Each task owns a fixed range of the order, so the tree
- * does not depend on the number of threads.
+ * <p>A leaf holds triangles or other shapes, not both. Large ranges are built in parallel by the
+ * fork-join pool in which {@link #build} is called, or by the common pool. Each task owns a fixed
+ * range of the order, so the tree does not depend on the number of threads.
  *
  * <p>If the calling thread is interrupted, the build stops at the next large range.
  */
@@ -32,9 +31,10 @@ final class BvhBuilder {
   /** Ranges with fewer items do not get their own task. */
   private static final int MIN_TASK = 4096;
 
-  private final double[] boxes;
-  private final int[] order;
-  private final int triangles;
+  /** Coordinates of ranges with a smaller extent are set again, at a finer resolution. */
+  private static final int MIN_EXTENT = 1 << 14;
+
+  private final BuildItems items;
   private final LeafCost costs;
 
   /** The thread whose interrupt cancels the build; every task checks its status. */
@@ -42,72 +42,75 @@ final class BvhBuilder {
 
   private volatile boolean cancelled;
 
-  /**
-   * @param boxes six doubles per item: minimum and maximum on x, y, z; finite; reordered in place
-   * @param triangles the number of triangles, which are the first items
-   */
-  BvhBuilder(double[] boxes, int triangles, LeafCost costs) {
-    this.boxes = boxes;
-    this.triangles = triangles;
+  /** Creates a builder of the tree over items; there must be at least one. */
+  BvhBuilder(BvhItems items, LeafCost costs) {
+    if (items.count() > MAX_ITEMS) {
+      throw new IllegalArgumentException(
+          "items: expected at most 2^26 - 1, found " + items.count());
+    }
+    this.items = new BuildItems(items, costs);
     this.costs = costs;
-    int items = boxes.length / 6;
-    if (items > MAX_ITEMS) {
-      throw new IllegalArgumentException("items: expected at most 2^26 - 1, found " + items);
-    }
-    order = new int[items];
-    for (int i = 0; i < items; i++) {
-      order[i] = i;
-    }
   }
 
   /**
-   * Returns the tree over all items; there must be at least one.
+   * Returns the tree over all items.
    *
    * @throws CancellationException if the thread that created this builder is interrupted
    */
   BvhNode build() {
-    return build(0, order.length, 0, newSplitter());
+    return build(0, items.count(), 0, newSplitter());
   }
 
   /** Returns the item numbers in leaf order; valid after {@link #build}. */
   int[] order() {
-    return order;
+    return items.order();
   }
 
   private BvhSplitter newSplitter() {
-    return new BvhSplitter(boxes, order, triangles, costs);
+    return new BvhSplitter(items.array(), costs);
   }
 
   private BvhNode build(int first, int end, int depth, BvhSplitter splitter) {
-    double[] box = splitter.measure(first, end);
     if (end - first == 1) {
-      return new BvhNode.Leaf(box, first, end);
+      return leaf(first, end);
     }
+    measure(first, end, splitter);
     int middle = depth < MAX_SAH_DEPTH ? splitter.split(first, end) : first;
     if (middle == first && splitter.fitsLeaf()) {
-      middle = splitter.partitionKinds(first, end);
+      middle = items.partitionKinds(first, end);
       if (middle == first || middle == end) {
-        return new BvhNode.Leaf(box, first, end);
+        return leaf(first, end);
       }
     } else if (middle == first) {
       middle = (first + end) >>> 1;
     }
-    return buildInner(box, first, middle, end, depth + 1, splitter);
+    return buildInner(first, middle, end, depth + 1, splitter);
   }
 
-  private BvhNode buildInner(
-      double[] box, int first, int middle, int end, int depth, BvhSplitter splitter) {
+  private BvhNode leaf(int first, int end) {
+    return new BvhNode.Leaf(items.box(first, end), first, end);
+  }
+
+  private void measure(int first, int end, BvhSplitter splitter) {
+    splitter.measure(first, end);
+    if (splitter.extent() < MIN_EXTENT) {
+      items.quantize(first, end);
+      splitter.measure(first, end);
+    }
+  }
+
+  private BvhNode buildInner(int first, int middle, int end, int depth, BvhSplitter splitter) {
     if (end - first >= MIN_TASK) {
       checkInterrupt();
     }
     if (Math.min(middle - first, end - middle) < MIN_TASK) {
       BvhNode left = build(first, middle, depth, splitter);
-      return new BvhNode.Inner(box, left, build(middle, end, depth, splitter));
+      return new BvhNode.Inner(left, build(middle, end, depth, splitter));
     }
     ForkJoinTask<BvhNode> right =
         ForkJoinTask.adapt(() -> build(middle, end, depth, newSplitter())).fork();
     BvhNode left = build(first, middle, depth, splitter);
-    return new BvhNode.Inner(box, left, joined(right));
+    return new BvhNode.Inner(left, joined(right));
   }
 
   /** Waits for a task. Unlike {@code join}, this passes an interrupt on to the other tasks. */

@@ -24,64 +24,84 @@ final class BvhItems {
   private final int[] triangleElement;
   private final List<Integer> bounded = new ArrayList<>();
   private final List<Integer> unbounded = new ArrayList<>();
-  private final double[] boxes;
-  private final double[] scratch = new double[9];
+
+  /** The triangles of each shape; null for shapes that are no meshes. */
+  private final TriangleMesh[] meshes;
+
+  /** The boxes of the bounded shapes, six doubles each. */
+  private final double[] shapeBoxes;
 
   BvhItems(List<Shape> all) {
     this.all = all;
+    meshes = new TriangleMesh[all.size()];
     int triangles = 0;
     for (int i = 0; i < all.size(); i++) {
-      if (all.get(i) instanceof Mesh mesh) {
-        triangles = Math.addExact(triangles, mesh.triangles().triangleCount());
-      } else if (!all.get(i).bounds().isEmpty()) {
-        (all.get(i).bounds().isFinite() ? bounded : unbounded).add(i);
+      Shape shape = all.get(i);
+      if (shape instanceof Mesh mesh) {
+        meshes[i] = mesh.triangles();
+        triangles = Math.addExact(triangles, meshes[i].triangleCount());
+      } else {
+        Bounds3 box = shape.bounds();
+        if (!box.isEmpty()) {
+          (box.isFinite() ? bounded : unbounded).add(i);
+        }
       }
     }
     triangleShape = new int[triangles];
     triangleElement = new int[triangles];
-    boxes = new double[Math.multiplyExact(6, triangles + bounded.size())];
-    addTriangles();
+    numberTriangles();
+    shapeBoxes = new double[6 * bounded.size()];
     for (int i = 0; i < bounded.size(); i++) {
       Bounds3 box = all.get(bounded.get(i)).bounds();
-      store(triangles + i, box.min(), box.max());
+      store(6 * i, box.min(), box.max());
     }
   }
 
-  private void addTriangles() {
+  private void numberTriangles() {
     int item = 0;
-    for (int shape = 0; shape < all.size(); shape++) {
-      if (all.get(shape) instanceof Mesh mesh) {
-        TriangleMesh data = mesh.triangles();
-        for (int element = 0; element < data.triangleCount(); element++, item++) {
-          triangleShape[item] = shape;
-          triangleElement[item] = element;
-          data.copyVertices(element, scratch);
-          storeTriangle(item);
-        }
+    for (int shape = 0; shape < meshes.length; shape++) {
+      int count = meshes[shape] == null ? 0 : meshes[shape].triangleCount();
+      for (int element = 0; element < count; element++, item++) {
+        triangleShape[item] = shape;
+        triangleElement[item] = element;
       }
     }
   }
 
-  /** Stores the box of the triangle whose vertices are in {@code scratch}. */
-  private void storeTriangle(int item) {
-    double size = 0;
-    for (double coordinate : scratch) {
-      size = Math.max(size, Math.abs(coordinate));
-    }
+  private void store(int at, Vec3 min, Vec3 max) {
+    double pad = MARGIN * Math.max(min.maxAbs(), max.maxAbs());
     for (int axis = 0; axis < 3; axis++) {
-      double p = scratch[axis];
-      double q = scratch[axis + 3];
-      double r = scratch[axis + 6];
-      boxes[6 * item + 2 * axis] = Math.min(p, Math.min(q, r)) - MARGIN * size;
-      boxes[6 * item + 2 * axis + 1] = Math.max(p, Math.max(q, r)) + MARGIN * size;
+      shapeBoxes[at + 2 * axis] = min.get(axis) - pad;
+      shapeBoxes[at + 2 * axis + 1] = max.get(axis) + pad;
     }
   }
 
-  private void store(int item, Vec3 min, Vec3 max) {
-    double pad = MARGIN * Math.max(min.maxAbs(), max.maxAbs());
+  /** Copies the box of an item: minimum and maximum on x, y, z. */
+  void copyBox(int item, double[] target) {
+    if (item >= triangleCount()) {
+      System.arraycopy(shapeBoxes, 6 * (item - triangleCount()), target, 0, 6);
+      return;
+    }
+    TriangleMesh mesh = meshes[triangleShape[item]];
+    double[] positions = mesh.positions();
+    int a = 3 * mesh.vertex(triangleElement[item], 0);
+    int b = 3 * mesh.vertex(triangleElement[item], 1);
+    int c = 3 * mesh.vertex(triangleElement[item], 2);
+    double size = 0;
     for (int axis = 0; axis < 3; axis++) {
-      boxes[6 * item + 2 * axis] = min.get(axis) - pad;
-      boxes[6 * item + 2 * axis + 1] = max.get(axis) + pad;
+      double p = positions[a + axis];
+      double q = positions[b + axis];
+      double r = positions[c + axis];
+      double min = Math.min(p, Math.min(q, r));
+      double max = Math.max(p, Math.max(q, r));
+      target[2 * axis] = min;
+      target[2 * axis + 1] = max;
+      size = Math.max(size, Math.max(-min, max));
+    }
+    double pad = MARGIN * size;
+    for (int k = 0; k < 6; k += 2) {
+      target[k] -= pad;
+      target[k + 1] += pad;
     }
   }
 
@@ -91,7 +111,7 @@ final class BvhItems {
 
   /** Returns the number of items. */
   int count() {
-    return boxes.length / 6;
+    return triangleCount() + bounded.size();
   }
 
   /** Returns whether the box of all items has a finite size. */
@@ -105,9 +125,11 @@ final class BvhItems {
    */
   boolean suitFloats() {
     double least = MIN_SIZE * extent();
+    double[] box = new double[6];
     int large = 0;
     for (int item = 0; item < count(); item++) {
-      if (size(6 * item) >= least) {
+      copyBox(item, box);
+      if (longest(box) >= least) {
         large++;
       }
     }
@@ -115,29 +137,17 @@ final class BvhItems {
   }
 
   private double extent() {
-    double extent = 0;
-    for (int axis = 0; axis < 6; axis += 2) {
-      double low = Double.POSITIVE_INFINITY;
-      double high = Double.NEGATIVE_INFINITY;
-      for (int at = axis; at < boxes.length; at += 6) {
-        low = Math.min(low, boxes[at]);
-        high = Math.max(high, boxes[at + 1]);
-      }
-      extent = Math.max(extent, high - low);
+    double[] all = BvhNode.EMPTY.clone();
+    double[] box = new double[6];
+    for (int item = 0; item < count(); item++) {
+      copyBox(item, box);
+      BvhNode.grow(all, box);
     }
-    return extent;
+    return Math.max(0, longest(all));
   }
 
-  private double size(int at) {
-    double x = boxes[at + 1] - boxes[at];
-    double y = boxes[at + 3] - boxes[at + 2];
-    double z = boxes[at + 5] - boxes[at + 4];
-    return Math.max(x, Math.max(y, z));
-  }
-
-  /** Returns six doubles per item: minimum and maximum on x, y, z. */
-  double[] boxes() {
-    return boxes;
+  private static double longest(double[] box) {
+    return Math.max(box[1] - box[0], Math.max(box[3] - box[2], box[5] - box[4]));
   }
 
   /** Returns the number of triangles, which are the first items. */
@@ -147,18 +157,11 @@ final class BvhItems {
 
   /** Copies the nine coordinates of the triangle with the given item number. */
   void copyVertices(int item, double[] target) {
-    Mesh mesh = (Mesh) all.get(triangleShape[item]);
-    mesh.triangles().copyVertices(triangleElement[item], target);
+    meshes[triangleShape[item]].copyVertices(triangleElement[item], target);
   }
 
   /** Returns the triangles in the given order of item numbers. */
   Triangles triangles(int[] order) {
-    TriangleMesh[] meshes = new TriangleMesh[all.size()];
-    for (int i = 0; i < meshes.length; i++) {
-      if (all.get(i) instanceof Mesh mesh) {
-        meshes[i] = mesh.triangles();
-      }
-    }
     int[] shape = new int[order.length];
     int[] element = new int[order.length];
     for (int i = 0; i < order.length; i++) {
@@ -179,7 +182,11 @@ final class BvhItems {
 
   /** Returns the unbounded shapes. */
   LeafShapes unbounded() {
-    return leafShapes(unbounded.stream().mapToInt(Integer::intValue).toArray());
+    int[] numbers = new int[unbounded.size()];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = unbounded.get(i);
+    }
+    return leafShapes(numbers);
   }
 
   private LeafShapes leafShapes(int[] numbers) {

@@ -12,5 +12,27 @@ sealed interface BvhNode {
   record Leaf(double[] box, int first, int end) implements BvhNode {}
 
   /** An inner node with two children. */
-  record Inner(double[] box, BvhNode left, BvhNode right) implements BvhNode {}
+  record Inner(double[] box, BvhNode left, BvhNode right) implements BvhNode {
+    /** Creates a node with the smallest box around its children. */
+    Inner(BvhNode left, BvhNode right) {
+      this(left.box().clone(), left, right);
+      grow(box, right.box());
+    }
+  }
+
+  /** Grows a box so that it contains another one. */
+  static void grow(double[] box, double[] by) {
+    for (int k = 0; k < 6; k += 2) {
+      box[k] = Math.min(box[k], by[k]);
+      box[k + 1] = Math.max(box[k + 1], by[k + 1]);
+    }
+  }
+
+  /** Returns half the surface area of a box; 0 for an empty box. */
+  static double halfArea(double[] box) {
+    double x = box[1] - box[0];
+    double y = box[3] - box[2];
+    double z = box[5] - box[4];
+    return x >= 0 ? x * y + y * z + z * x : 0;
+  }
 }

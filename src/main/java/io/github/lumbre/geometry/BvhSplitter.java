@@ -3,73 +3,88 @@ package io.github.lumbre.geometry;
 import java.util.Arrays;
 
 /**
- * Finds where to split ranges of a builder's items, and reorders the items. Mutable; one instance
- * per thread, which works only on its own range of the shared arrays.
+ * Finds where to split ranges of {@link BuildItems}, and reorders the items. Mutable; one instance
+ * per thread, which works only on its own range of the shared items.
+ *
+ * <p>All bounds are integers, whose minimum and maximum take no branch.
  */
 final class BvhSplitter {
   private static final int BINS = 16;
 
-  private final double[] boxes;
-  private final int[] order;
-  private final int triangles;
+  private static final int SIZE = BuildItems.SIZE;
+
+  /** The empty boxes of one axis' bins. */
+  private static final int[] EMPTY_BINS = emptyBins();
+
+  private final int[] items;
   private final LeafCost costs;
 
-  /** The box of the last measured range, the box of its items' centers, and its weight. */
-  private final double[] range = new double[6];
+  /** The box of the last measured range, and its weight. */
+  private final int[] range = new int[6];
 
-  private final double[] centres = new double[6];
   private int weight;
 
-  // Bins for each axis.
+  /** Minimum and maximum on x, y, z of the items' centers in that range, times two. */
+  private final int[] centres = new int[6];
+
+  /** The boxes of each axis' bins, and their weights. Bins that are not in use hold old values. */
+  private final int[] binBox = new int[3 * BINS * SIZE];
+
   private final int[] binWeight = new int[3 * BINS];
-  private final double[] binBox = new double[3 * BINS * 6];
   private final double[] rightCost = new double[BINS];
-  private final double[] scales = new double[3];
-  private final double[] side = new double[6];
+  private final int[] side = new int[6];
   private int bins;
 
-  BvhSplitter(double[] boxes, int[] order, int triangles, LeafCost costs) {
-    this.boxes = boxes;
-    this.order = order;
-    this.triangles = triangles;
+  /**
+   * Creates a splitter.
+   *
+   * @param items the array of {@link BuildItems}
+   */
+  BvhSplitter(int[] items, LeafCost costs) {
+    this.items = items;
     this.costs = costs;
   }
 
-  /** Returns the box of a range and selects this range for the other methods. */
-  double[] measure(int first, int end) {
-    clear(range, 0);
-    clear(centres, 0);
+  /** Selects a range for the other methods. */
+  void measure(int first, int end) {
     weight = 0;
-    for (int i = first; i < end; i++) {
-      grow(range, 0, 6 * i);
-      weight += weight(i);
-      for (int axis = 0; axis < 6; axis += 2) {
-        double c = centre(i, axis);
-        if (c < centres[axis]) {
-          centres[axis] = c;
-        }
-        if (c > centres[axis + 1]) {
-          centres[axis + 1] = c;
-        }
-      }
+    for (int axis = 0; axis < 6; axis += 2) {
+      measure(first, end, axis);
     }
-    return range.clone();
+    for (int at = SIZE * first + BuildItems.WEIGHT; at < SIZE * end; at += SIZE) {
+      weight += items[at];
+    }
+  }
+
+  /** Measures along one axis, 0, 2 or 4, in local variables, so that the JIT uses registers. */
+  private void measure(int first, int end, int axis) {
+    int[] all = items;
+    int low = Integer.MAX_VALUE;
+    int high = Integer.MIN_VALUE;
+    int lowCentre = Integer.MAX_VALUE;
+    int highCentre = Integer.MIN_VALUE;
+    for (int at = SIZE * first + axis; at < SIZE * end; at += SIZE) {
+      int min = all[at];
+      int max = all[at + 1];
+      low = Math.min(low, min);
+      high = Math.max(high, max);
+      lowCentre = Math.min(lowCentre, min + max);
+      highCentre = Math.max(highCentre, min + max);
+    }
+    range[axis] = low;
+    range[axis + 1] = high;
+    centres[axis] = lowCentre;
+    centres[axis + 1] = highCentre;
+  }
+
+  /** Returns the longest edge of the measured range's box. */
+  int extent() {
+    return Math.max(range[1] - range[0], Math.max(range[3] - range[2], range[5] - range[4]));
   }
 
   /** Returns whether the measured range may become one leaf, or two leaves of different kinds. */
   boolean fitsLeaf() {
     return costs.units(weight) <= costs.maxUnits();
-  }
-
-  /** Moves triangles before shapes; returns the position of the first shape. */
-  int partitionKinds(int first, int end) {
-    int middle = first;
-    for (int i = first; i < end; i++) {
-      if (order[i] < triangles) {
-        swap(i, middle++);
-      }
-    }
-    return middle;
   }
 
   /**
@@ -81,26 +96,31 @@ final class BvhSplitter {
     fillBins(first, end);
     double best =
         fitsLeaf()
-            ? halfArea(range, 0) * (costs.units(weight) - costs.nodeCost())
+            ? halfArea(range) * (costs.units(weight) - costs.nodeCost())
             : Double.POSITIVE_INFINITY;
     int bestAxis = -1;
     int bestBin = 0;
     for (int axis = 0; axis < 3; axis++) {
       fillRightCosts(axis);
-      clear(side, 0);
+      clear(side);
       int left = 0;
-      for (int bin = 0; bin < bins - 1; bin++) {
-        if (binWeight[BINS * axis + bin] == 0) {
+      int last = -1;
+      for (int bin = 0; bin < bins; bin++) {
+        int added = binWeight[BINS * axis + bin];
+        if (added == 0) {
           continue;
         }
-        growByBin(axis, bin);
-        left += binWeight[BINS * axis + bin];
-        double cost = costs.units(left) * halfArea(side, 0) + rightCost[bin + 1];
-        if (left < weight && cost < best) {
-          best = cost;
-          bestAxis = axis;
-          bestBin = bin;
+        if (last >= 0) {
+          double cost = costs.units(left) * halfArea(side) + rightCost[bin];
+          if (cost < best) {
+            best = cost;
+            bestAxis = axis;
+            bestBin = last;
+          }
         }
+        growByBin(axis, bin);
+        left += added;
+        last = bin;
       }
     }
     return bestAxis < 0 ? first : partition(first, end, bestAxis, bestBin);
@@ -109,36 +129,58 @@ final class BvhSplitter {
   private void fillBins(int first, int end) {
     Arrays.fill(binWeight, 0);
     for (int axis = 0; axis < 3; axis++) {
-      scales[axis] = binScale(axis);
-      for (int bin = 0; bin < bins; bin++) {
-        clear(binBox, 6 * (BINS * axis + bin));
-      }
+      System.arraycopy(EMPTY_BINS, 0, binBox, SIZE * BINS * axis, SIZE * bins);
     }
-    for (int i = first; i < end; i++) {
-      int weight = weight(i);
-      for (int axis = 0; axis < 3; axis++) {
-        int bin = BINS * axis + bin(i, axis);
-        binWeight[bin] += weight;
-        grow(binBox, 6 * bin, 6 * i);
-      }
+    int[] all = items;
+    int lowX = centres[0];
+    int lowY = centres[2];
+    int lowZ = centres[4];
+    long scaleX = binScale(0);
+    long scaleY = binScale(1);
+    long scaleZ = binScale(2);
+    for (int at = SIZE * first; at < SIZE * end; at += SIZE) {
+      int minX = all[at];
+      int maxX = all[at + 1];
+      int minY = all[at + 2];
+      int maxY = all[at + 3];
+      int minZ = all[at + 4];
+      int maxZ = all[at + 5];
+      int added = all[at + BuildItems.WEIGHT];
+      add(bin(minX + maxX - lowX, scaleX), added, minX, maxX, minY, maxY, minZ, maxZ);
+      add(BINS + bin(minY + maxY - lowY, scaleY), added, minX, maxX, minY, maxY, minZ, maxZ);
+      add(2 * BINS + bin(minZ + maxZ - lowZ, scaleZ), added, minX, maxX, minY, maxY, minZ, maxZ);
     }
   }
 
-  /** Sets, for each bin of an axis, the cost of a leaf that holds it and all later bins. */
+  /** Adds an item, given by its weight and box, to a bin. */
+  private void add(int bin, int added, int minX, int maxX, int minY, int maxY, int minZ, int maxZ) {
+    int[] box = binBox;
+    int at = SIZE * bin;
+    binWeight[bin] += added;
+    box[at] = Math.min(box[at], minX);
+    box[at + 1] = Math.max(box[at + 1], maxX);
+    box[at + 2] = Math.min(box[at + 2], minY);
+    box[at + 3] = Math.max(box[at + 3], maxY);
+    box[at + 4] = Math.min(box[at + 4], minZ);
+    box[at + 5] = Math.max(box[at + 5], maxZ);
+  }
+
+  /** Sets, for each bin with items of an axis, the cost of a leaf that holds it and later bins. */
   private void fillRightCosts(int axis) {
-    clear(side, 0);
+    clear(side);
     int right = 0;
     for (int bin = bins - 1; bin > 0; bin--) {
-      if (binWeight[BINS * axis + bin] > 0) {
+      int added = binWeight[BINS * axis + bin];
+      if (added > 0) {
         growByBin(axis, bin);
-        right += binWeight[BINS * axis + bin];
+        right += added;
+        rightCost[bin] = costs.units(right) * halfArea(side);
       }
-      rightCost[bin] = costs.units(right) * halfArea(side, 0);
     }
   }
 
   private void growByBin(int axis, int bin) {
-    int at = 6 * (BINS * axis + bin);
+    int at = SIZE * (BINS * axis + bin);
     for (int k = 0; k < 6; k += 2) {
       side[k] = Math.min(side[k], binBox[at + k]);
       side[k + 1] = Math.max(side[k + 1], binBox[at + k + 1]);
@@ -146,79 +188,56 @@ final class BvhSplitter {
   }
 
   private int partition(int first, int end, int axis, int lastLeft) {
-    int middle = first;
-    for (int i = first; i < end; i++) {
-      if (bin(i, axis) <= lastLeft) {
-        swap(i, middle++);
+    int[] all = items;
+    int low = centres[2 * axis];
+    long scale = binScale(axis);
+    int left = SIZE * first;
+    int right = SIZE * (end - 1);
+    while (true) {
+      int at = 2 * axis;
+      while (left <= right && bin(all[left + at] + all[left + at + 1] - low, scale) <= lastLeft) {
+        left += SIZE;
       }
-    }
-    return middle;
-  }
-
-  /**
-   * Returns the bins per unit of length. If the centers coincide, returns 0, which selects the
-   * first bin for all items.
-   */
-  private double binScale(int axis) {
-    double length = centres[2 * axis + 1] - centres[2 * axis];
-    return length > 0 ? bins / length : 0;
-  }
-
-  private int bin(int i, int axis) {
-    return Math.min(bins - 1, (int) ((centre(i, 2 * axis) - centres[2 * axis]) * scales[axis]));
-  }
-
-  /**
-   * Returns the center of an item along an axis.
-   *
-   * @param at 0, 2 or 4 for x, y or z
-   */
-  private double centre(int i, int at) {
-    return .5 * boxes[6 * i + at] + .5 * boxes[6 * i + at + 1];
-  }
-
-  private int weight(int i) {
-    return costs.weight(order[i] < triangles);
-  }
-
-  private void swap(int i, int j) {
-    if (i == j) {
-      return;
-    }
-    int item = order[i];
-    order[i] = order[j];
-    order[j] = item;
-    for (int k = 0; k < 6; k++) {
-      double bound = boxes[6 * i + k];
-      boxes[6 * i + k] = boxes[6 * j + k];
-      boxes[6 * j + k] = bound;
-    }
-  }
-
-  private static void clear(double[] box, int at) {
-    for (int axis = 0; axis < 6; axis += 2) {
-      box[at + axis] = Double.POSITIVE_INFINITY;
-      box[at + axis + 1] = Double.NEGATIVE_INFINITY;
-    }
-  }
-
-  private void grow(double[] box, int at, int by) {
-    for (int axis = 0; axis < 6; axis += 2) {
-      // These branches are well predicted, and so faster here than Math.min.
-      if (boxes[by + axis] < box[at + axis]) {
-        box[at + axis] = boxes[by + axis];
+      while (left < right && bin(all[right + at] + all[right + at + 1] - low, scale) > lastLeft) {
+        right -= SIZE;
       }
-      if (boxes[by + axis + 1] > box[at + axis + 1]) {
-        box[at + axis + 1] = boxes[by + axis + 1];
+      if (left >= right) {
+        return left / SIZE;
       }
+      BuildItems.swap(all, left, right);
+      left += SIZE;
+      right -= SIZE;
     }
   }
 
-  /** Returns half the surface area of a box; 0 for an empty box. */
-  static double halfArea(double[] box, int at) {
-    double x = box[at + 1] - box[at];
-    double y = box[at + 3] - box[at + 2];
-    double z = box[at + 5] - box[at + 4];
-    return x >= 0 ? x * y + y * z + z * x : 0;
+  /** Returns the bins per unit of twice the length, times 2^32, rounded down. */
+  private long binScale(int axis) {
+    long length = centres[2 * axis + 1] - centres[2 * axis];
+    return ((long) bins << 32) / (length + 1);
+  }
+
+  private static int bin(int distance, long scale) {
+    return (int) (distance * scale >>> 32);
+  }
+
+  private static int[] emptyBins() {
+    int[] boxes = new int[SIZE * BINS];
+    for (int k = 0; k < boxes.length; k += 2) {
+      boxes[k] = Integer.MAX_VALUE;
+      boxes[k + 1] = Integer.MIN_VALUE;
+    }
+    return boxes;
+  }
+
+  private static void clear(int[] box) {
+    System.arraycopy(EMPTY_BINS, 0, box, 0, box.length);
+  }
+
+  /** Returns half the surface area of a box that is not empty. */
+  private static double halfArea(int[] box) {
+    long x = box[1] - box[0];
+    long y = box[3] - box[2];
+    long z = box[5] - box[4];
+    return x * y + y * z + z * x;
   }
 }

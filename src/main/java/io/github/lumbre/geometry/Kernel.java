@@ -42,10 +42,10 @@ public enum Kernel {
       return Traversal.NONE;
     }
     if (!usesVectors(items)) {
-      BvhBuilder builder = builder(items, BinaryTraversal.COSTS);
+      BvhBuilder builder = new BvhBuilder(items, BinaryTraversal.COSTS);
       return new BinaryTraversal(builder.build(), builder.order(), items);
     }
-    BvhBuilder builder = builder(items, WideTree.COSTS);
+    BvhBuilder builder = new BvhBuilder(items, WideTree.COSTS);
     return Vectors.over(new WideTree(builder.build(), builder.order(), items));
   }
 
@@ -54,24 +54,22 @@ public enum Kernel {
     if (items.isEmpty()) {
       return Traversal.NONE;
     }
-    BvhBuilder builder = builder(items, BinaryTraversal.COSTS);
+    BvhBuilder builder = new BvhBuilder(items, BinaryTraversal.COSTS);
     return new CountingTraversal(builder.build(), builder.order(), items, visits);
   }
 
-  private static BvhBuilder builder(BvhItems items, LeafCost costs) {
-    return new BvhBuilder(items.boxes(), items.triangleCount(), costs);
-  }
-
   private boolean usesVectors(BvhItems items) {
-    Optional<String> obstacle = vectorObstacle();
-    if (this == VECTOR && obstacle.isPresent()) {
-      throw new IllegalStateException("the vector kernel is not available: " + obstacle.get());
+    if (this == SCALAR) {
+      return false;
     }
-    return switch (this) {
-      case SCALAR -> false;
-      case VECTOR -> items.hasFiniteExtent();
-      case AUTO -> KernelChange.isCompiled() && suitVectors(items);
-    };
+    if (this == AUTO) {
+      return KernelChange.isCompiled() && suitVectors(items);
+    }
+    if (vectorObstacle().isPresent()) {
+      throw new IllegalStateException(
+          "the vector kernel is not available: " + vectorObstacle().get());
+    }
+    return items.hasFiniteExtent();
   }
 
   /** Returns whether a hierarchy starts with plain Java but may change to vectors. */
@@ -80,8 +78,8 @@ public enum Kernel {
   }
 
   private static boolean suitVectors(BvhItems items) {
-    return vectorObstacle().isEmpty()
-        && items.count() >= MIN_ITEMS
+    return items.count() >= MIN_ITEMS
+        && vectorObstacle().isEmpty()
         && items.hasFiniteExtent()
         && items.suitFloats();
   }

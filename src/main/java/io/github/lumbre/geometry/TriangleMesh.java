@@ -306,7 +306,10 @@ public final class TriangleMesh {
   /** Copies the nine coordinates of a triangle. */
   void copyVertices(int triangle, double[] target) {
     for (int corner = 0; corner < 3; corner++) {
-      System.arraycopy(positions, 3 * vertex(triangle, corner), target, 3 * corner, 3);
+      int at = 3 * vertex(triangle, corner);
+      target[3 * corner] = positions[at];
+      target[3 * corner + 1] = positions[at + 1];
+      target[3 * corner + 2] = positions[at + 2];
     }
   }
 

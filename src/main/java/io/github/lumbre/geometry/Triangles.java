@@ -1,8 +1,7 @@
 package io.github.lumbre.geometry;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 
 /**
  * Triangles in the order of a hierarchy's leaves, in flat arrays. Their test is the renderer's
@@ -14,6 +13,9 @@ import java.util.Objects;
  * same sheared vertices, and both get its exact sign.
  */
 final class Triangles {
+  /** The maximum number of triangles that one task prepares. */
+  private static final int MAX_PART = 1 << 14;
+
   /** The vertex coordinates of all meshes. */
   private final double[] positions;
 
@@ -41,12 +43,19 @@ final class Triangles {
     }
     positions = joined(meshes, end);
     corners = new int[Math.multiplyExact(3, shape.length)];
-    for (int k = 0; k < corners.length; k++) {
-      int i = k / 3;
-      corners[k] = start[shape[i]] + 3 * meshes[shape[i]].vertex(element[i], k % 3);
-    }
     this.shape = shape;
     this.element = element;
+    ParallelRange.run(
+        shape.length, MAX_PART, (first, last) -> setCorners(first, last, meshes, start));
+  }
+
+  private void setCorners(int first, int last, TriangleMesh[] meshes, int[] start) {
+    for (int i = first; i < last; i++) {
+      TriangleMesh mesh = meshes[shape[i]];
+      for (int corner = 0; corner < 3; corner++) {
+        corners[3 * i + corner] = start[shape[i]] + 3 * mesh.vertex(element[i], corner);
+      }
+    }
   }
 
   /**
@@ -54,8 +63,12 @@ final class Triangles {
    * returns its own array.
    */
   private static double[] joined(TriangleMesh[] meshes, int length) {
-    List<double[]> parts =
-        Arrays.stream(meshes).filter(Objects::nonNull).map(TriangleMesh::positions).toList();
+    List<double[]> parts = new ArrayList<>();
+    for (TriangleMesh mesh : meshes) {
+      if (mesh != null) {
+        parts.add(mesh.positions());
+      }
+    }
     if (parts.size() == 1) {
       return parts.get(0);
     }

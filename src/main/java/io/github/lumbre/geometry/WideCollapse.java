@@ -35,8 +35,11 @@ final class WideCollapse {
   private final int[] numbers = new int[WIDTH];
   private int filled;
 
+  /** For each depth, the results of {@link #weigh} for a left and a right child. */
+  private final double[][] weights = new double[2 * (BvhBuilder.MAX_DEPTH + 1)][WIDTH + 1];
+
   WideCollapse(BvhNode tree) {
-    weigh(tree);
+    weigh(tree, new double[WIDTH + 1], 0);
   }
 
   /** A kept node of the binary hierarchy, and its number. */
@@ -52,7 +55,9 @@ final class WideCollapse {
     filled = 0;
     fill(parent.node(), parent.number(), WIDTH);
     Kept[] children = new Kept[filled];
-    Arrays.setAll(children, lane -> new Kept(lanes[lane], numbers[lane]));
+    for (int lane = 0; lane < filled; lane++) {
+      children[lane] = new Kept(lanes[lane], numbers[lane]);
+    }
     return children;
   }
 
@@ -72,41 +77,46 @@ final class WideCollapse {
   /**
    * Numbers the inner nodes of a subtree and chooses their shares.
    *
-   * @return at index n, from 1 on, the least total surface of kept nodes if this node and its
-   *     descendants have n places; index 0 is unused
+   * @param least set at index n, from 1 on, to the least total surface of kept nodes if this node
+   *     and its descendants have n places; index 0 is unused
+   * @param depth the depth of the node
    */
-  private double[] weigh(BvhNode node) {
-    double[] least = new double[WIDTH + 1];
+  private void weigh(BvhNode node, double[] least, int depth) {
     if (!(node instanceof BvhNode.Inner inner)) {
-      return least;
+      Arrays.fill(least, 0);
+      return;
     }
     int number = count++;
     if (count > shares.length) {
       shares = Arrays.copyOf(shares, 2 * count);
       rights = Arrays.copyOf(rights, 2 * count);
     }
-    double[] left = weigh(inner.left());
+    double[] left = weights[2 * depth];
+    double[] right = weights[2 * depth + 1];
+    weigh(inner.left(), left, depth + 1);
     rights[number] = count;
-    double[] right = weigh(inner.right());
+    weigh(inner.right(), right, depth + 1);
     int chosen = 0;
     for (int places = WIDTH; places > 1; places--) {
       int best = 1;
+      double sum = left[1] + right[places - 1];
       for (int share = 2; share < places; share++) {
-        if (left[share] + right[places - share] < left[best] + right[places - best]) {
+        double other = left[share] + right[places - share];
+        if (other < sum) {
+          sum = other;
           best = share;
         }
       }
-      least[places] = left[best] + right[places - best];
       if (places == WIDTH) {
-        least[1] = BvhSplitter.halfArea(node.box(), 0) + least[WIDTH];
+        least[1] = BvhNode.halfArea(node.box()) + sum;
       }
-      if (least[1] < least[places]) {
-        least[places] = least[1];
+      if (least[1] < sum) {
+        sum = least[1];
         best = 0;
       }
+      least[places] = sum;
       chosen |= best << BITS * (places - 1);
     }
     shares[number] = chosen;
-    return least;
   }
 }

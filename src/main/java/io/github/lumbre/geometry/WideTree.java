@@ -1,7 +1,6 @@
 package io.github.lumbre.geometry;
 
 import java.util.Arrays;
-import java.util.Comparator;
 
 /**
  * A hierarchy of nodes with up to eight children each, and its triangles, as floats in the order
@@ -25,16 +24,10 @@ final class WideTree {
    */
   static final int TRIANGLE_SIZE = 13;
 
-  static final LeafCost COSTS = new LeafCost(WIDTH, 1, .2);
+  /** The maximum number of nodes whose leaves one task stores. */
+  private static final int MAX_PART = 2048;
 
-  /**
-   * The order of a node's children. A traversal for any hit visits the last child first: leaves,
-   * which may end it at once, then nodes with larger boxes, in which a hit is more likely (Nah
-   * &amp; Manocha 2014, "SATO: Surface Area Traversal Order for Shadow Ray Tracing").
-   */
-  private static final Comparator<WideCollapse.Kept> LIKELIEST_LAST =
-      Comparator.comparing((WideCollapse.Kept kept) -> kept.node() instanceof BvhNode.Leaf)
-          .thenComparingDouble(kept -> BvhSplitter.halfArea(kept.node().box(), 0));
+  static final LeafCost COSTS = new LeafCost(WIDTH, 1, .2);
 
   private final UnitSpace space;
   private final Triangles triangles;
@@ -47,8 +40,12 @@ final class WideTree {
     space = new UnitSpace(tree.box());
     LeafOrder leafOrder = new LeafOrder(order, items.triangleCount());
     leaves = new float[items.triangleCount() * TRIANGLE_SIZE + WIDTH];
-    store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder, items);
+    store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder);
     nodes = Arrays.copyOf(nodes, size);
+    ParallelRange.run(
+        size / NODE_SIZE,
+        MAX_PART,
+        (first, end) -> storeLeaves(first, end, leafOrder.triangles(), items));
     triangles = items.triangles(leafOrder.triangles());
     shapes = items.shapes(leafOrder.shapes());
   }
@@ -84,26 +81,50 @@ final class WideTree {
     return shapes;
   }
 
-  private int store(
-      WideCollapse.Kept node, WideCollapse collapse, LeafOrder leafOrder, BvhItems items) {
+  private int store(WideCollapse.Kept node, WideCollapse collapse, LeafOrder leafOrder) {
     int start = size;
     size += NODE_SIZE;
     if (size > nodes.length) {
       nodes = Arrays.copyOf(nodes, nodes.length * 2);
     }
     WideCollapse.Kept[] lanes = collapse.children(node);
-    Arrays.sort(lanes, LIKELIEST_LAST);
+    sortLikeliestLast(lanes);
     for (int lane = 0; lane < WIDTH; lane++) {
       storeBox(start + lane, lane < lanes.length ? lanes[lane].node().box() : BvhNode.EMPTY);
     }
     for (int lane = 0; lane < lanes.length; lane++) {
       int child =
           lanes[lane].node() instanceof BvhNode.Leaf leaf
-              ? storeLeaf(leaf, leafOrder, items)
-              : store(lanes[lane], collapse, leafOrder, items);
+              ? leafOrder.add(leaf)
+              : store(lanes[lane], collapse, leafOrder);
       nodes[start + CHILDREN + lane] = child;
     }
     return start;
+  }
+
+  /**
+   * Sorts a node's children. A traversal for any hit visits the last child first: leaves, which may
+   * end it at once, then nodes with larger boxes, in which a hit is more likely (Nah &amp; Manocha
+   * 2014, "SATO: Surface Area Traversal Order for Shadow Ray Tracing").
+   */
+  private static void sortLikeliestLast(WideCollapse.Kept[] lanes) {
+    for (int lane = 1; lane < lanes.length; lane++) {
+      WideCollapse.Kept moved = lanes[lane];
+      int place = lane;
+      while (place > 0 && isLikelier(lanes[place - 1].node(), moved.node())) {
+        lanes[place] = lanes[place - 1];
+        place--;
+      }
+      lanes[place] = moved;
+    }
+  }
+
+  private static boolean isLikelier(BvhNode node, BvhNode other) {
+    boolean isLeaf = node instanceof BvhNode.Leaf;
+    if (isLeaf != other instanceof BvhNode.Leaf) {
+      return isLeaf;
+    }
+    return BvhNode.halfArea(node.box()) > BvhNode.halfArea(other.box());
   }
 
   private void storeBox(int at, double[] box) {
@@ -114,51 +135,58 @@ final class WideTree {
     }
   }
 
-  private int storeLeaf(BvhNode.Leaf leaf, LeafOrder leafOrder, BvhItems items) {
-    int reference = leafOrder.add(leaf);
-    if (!LeafRef.isOfShapes(reference)) {
-      int count = LeafRef.count(reference);
-      double[] vertices = new double[9];
-      for (int lane = 0; lane < count; lane++) {
-        int place = LeafRef.first(reference) + lane;
-        items.copyVertices(leafOrder.triangles()[place], vertices);
-        storeTriangle(LeafRef.first(reference) * TRIANGLE_SIZE + lane, count, vertices);
+  /** Stores the triangles of the leaves below nodes with numbers in [first, end). */
+  private void storeLeaves(int first, int end, int[] order, BvhItems items) {
+    double[] vertices = new double[9];
+    for (int node = first; node < end; node++) {
+      for (int lane = 0; lane < WIDTH; lane++) {
+        int child = nodes[node * NODE_SIZE + CHILDREN + lane];
+        if (child < 0 && !LeafRef.isOfShapes(child)) {
+          int place = LeafRef.first(child);
+          int count = LeafRef.count(child);
+          for (int i = 0; i < count; i++) {
+            items.copyVertices(order[place + i], vertices);
+            storeTriangle(place * TRIANGLE_SIZE + i, count, vertices);
+          }
+        }
       }
     }
-    return reference;
   }
 
-  private void storeTriangle(int at, int stride, double[] vertices) {
-    for (int k = 0; k < 3; k++) {
-      leaves[at + k * stride] = space.nearest(k, vertices[k]);
-      int next = (k + 1) % 3;
-      int last = (k + 2) % 3;
-      leaves[at + (3 + k) * stride] = (float) edge(vertices, 1, k);
-      leaves[at + (6 + k) * stride] = (float) edge(vertices, 2, k);
-      leaves[at + (9 + k) * stride] =
-          (float)
-              (edge(vertices, 1, next) * edge(vertices, 2, last)
-                  - edge(vertices, 1, last) * edge(vertices, 2, next));
-    }
-    leaves[at + 12 * stride] = Math.nextUp((float) spread(vertices));
-  }
-
-  /**
-   * Returns a coordinate of the edge from the first vertex to another vertex, in the tree's space.
-   */
-  private double edge(double[] vertices, int vertex, int axis) {
-    return (vertices[3 * vertex + axis] - vertices[axis]) * space.scale;
+  private void storeTriangle(int at, int stride, double[] v) {
+    double scale = space.scale;
+    double bx = (v[3] - v[0]) * scale;
+    double by = (v[4] - v[1]) * scale;
+    double bz = (v[5] - v[2]) * scale;
+    double cx = (v[6] - v[0]) * scale;
+    double cy = (v[7] - v[1]) * scale;
+    double cz = (v[8] - v[2]) * scale;
+    leaves[at] = space.nearest(0, v[0]);
+    leaves[at + stride] = space.nearest(1, v[1]);
+    leaves[at + 2 * stride] = space.nearest(2, v[2]);
+    leaves[at + 3 * stride] = (float) bx;
+    leaves[at + 4 * stride] = (float) by;
+    leaves[at + 5 * stride] = (float) bz;
+    leaves[at + 6 * stride] = (float) cx;
+    leaves[at + 7 * stride] = (float) cy;
+    leaves[at + 8 * stride] = (float) cz;
+    leaves[at + 9 * stride] = (float) (by * cz - bz * cy);
+    leaves[at + 10 * stride] = (float) (bz * cx - bx * cz);
+    leaves[at + 11 * stride] = (float) (bx * cy - by * cx);
+    leaves[at + 12 * stride] = Math.nextUp((float) spread(v));
   }
 
   /**
    * Returns E + E²/2, where E is the longest extent of an edge along an axis, in the tree's space.
    * The errors of a triangle's edge functions are proportional to it.
    */
-  private double spread(double[] vertices) {
-    double longest = 0;
-    for (int k = 0; k < 9; k++) {
-      longest = Math.max(longest, Math.abs(vertices[k] - vertices[(k + 3) % 9]));
-    }
+  private double spread(double[] v) {
+    double longest =
+        Math.max(
+            Axes.largest(v[0] - v[3], v[1] - v[4], v[2] - v[5]),
+            Math.max(
+                Axes.largest(v[3] - v[6], v[4] - v[7], v[5] - v[8]),
+                Axes.largest(v[6] - v[0], v[7] - v[1], v[8] - v[2])));
     double extent = longest * space.scale;
     return extent + .5 * extent * extent;
   }

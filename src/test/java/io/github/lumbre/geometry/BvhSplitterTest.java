@@ -23,17 +23,21 @@ class BvhSplitterTest {
       List.of(
           BinaryTraversal.COSTS, WideTree.COSTS, new LeafCost(1, 16, 3), new LeafCost(4, 2, .5));
 
-  /** Returns boxes of random sizes whose centers are the integers from 0 on, in random order. */
-  private static double[] boxes(Random random, int range) {
-    double[] boxes = new double[6 * (BEFORE + range + AFTER)];
+  private static final int SIZE = BuildItems.SIZE;
+
+  /**
+   * Returns boxes of random sizes whose centers are different multiples of four, in random order.
+   */
+  private static int[] boxes(Random random, int range) {
+    int[] boxes = new int[6 * (BEFORE + range + AFTER)];
     for (int axis = 0; axis < 3; axis++) {
       List<Integer> places = new ArrayList<>(IntStream.range(0, range).boxed().toList());
       Collections.shuffle(places, random);
-      double stretch = 1 + random.nextInt(4);
+      int stretch = 4 * (1 + random.nextInt(4));
       for (int i = 0; i < boxes.length / 6; i++) {
         boolean isInside = i >= BEFORE && i < BEFORE + range;
-        double centre = isInside ? stretch * places.get(i - BEFORE) - 3 : 1000;
-        double half = random.nextInt(8) / 4.0;
+        int centre = isInside ? stretch * places.get(i - BEFORE) + 16 : 4000;
+        int half = random.nextInt(8);
         boxes[6 * i + 2 * axis] = centre - half;
         boxes[6 * i + 2 * axis + 1] = centre + half;
       }
@@ -43,24 +47,27 @@ class BvhSplitterTest {
 
   /** A splitter of a copy of some boxes. */
   private static final class Subject {
-    final double[] boxes;
-    final double[] reordered;
-    final int[] order;
+    final int[] boxes;
+    final int[] array;
     final int triangles;
     final LeafCost costs;
     final BvhSplitter splitter;
 
-    Subject(double[] boxes, int triangles, LeafCost costs) {
+    Subject(int[] boxes, int triangles, LeafCost costs) {
       this.boxes = boxes;
       this.triangles = triangles;
       this.costs = costs;
-      reordered = boxes.clone();
-      order = IntStream.range(0, boxes.length / 6).toArray();
-      splitter = new BvhSplitter(reordered, order, triangles, costs);
+      array = new int[SIZE * (boxes.length / 6)];
+      for (int i = 0; i < boxes.length / 6; i++) {
+        System.arraycopy(boxes, 6 * i, array, SIZE * i, 6);
+        array[SIZE * i + BuildItems.NUMBER] = i;
+        array[SIZE * i + BuildItems.WEIGHT] = costs.weight(i < triangles);
+      }
+      splitter = new BvhSplitter(array, costs);
     }
 
-    double[] around(List<Integer> items) {
-      double[] box = BvhNode.EMPTY.clone();
+    int[] around(List<Integer> items) {
+      int[] box = {9999, -9999, 9999, -9999, 9999, -9999};
       for (int item : items) {
         for (int k = 0; k < 6; k += 2) {
           box[k] = Math.min(box[k], boxes[6 * item + k]);
@@ -76,24 +83,30 @@ class BvhSplitterTest {
 
     /** The expected cost of a leaf, up to the probability that a ray meets the whole. */
     double cost(List<Integer> items) {
-      double[] box = around(items);
+      int[] box = around(items);
       double x = box[1] - box[0];
       double y = box[3] - box[2];
       double z = box[5] - box[4];
       return units(items) * (x * y + y * z + z * x);
     }
 
+    int number(int place) {
+      return array[SIZE * place + BuildItems.NUMBER];
+    }
+
     List<Integer> range(int first, int end) {
-      return Arrays.stream(order, first, end).boxed().toList();
+      return IntStream.range(first, end).map(this::number).boxed().toList();
     }
 
     /** Checks that each box has moved with its item, and that other ranges are as they were. */
     void assertReorderedWithin(int first, int end) {
-      for (int i = 0; i < order.length; i++) {
-        double[] expected = Arrays.copyOfRange(boxes, 6 * order[i], 6 * order[i] + 6);
-        assertThat(Arrays.copyOfRange(reordered, 6 * i, 6 * i + 6)).isEqualTo(expected);
+      for (int i = 0; i < boxes.length / 6; i++) {
+        int[] expected = Arrays.copyOfRange(boxes, 6 * number(i), 6 * number(i) + 6);
+        assertThat(Arrays.copyOfRange(array, SIZE * i, SIZE * i + 6)).isEqualTo(expected);
+        assertThat(array[SIZE * i + BuildItems.WEIGHT])
+            .isEqualTo(costs.weight(number(i) < triangles));
         if (i < first || i >= end) {
-          assertThat(order[i]).isEqualTo(i);
+          assertThat(number(i)).isEqualTo(i);
         }
       }
       assertThat(range(first, end))
@@ -126,7 +139,10 @@ class BvhSplitterTest {
                   subject.cost(sorted.subList(0, k)) + subject.cost(sorted.subList(k, range)));
         }
       }
-      assertThat(subject.splitter.measure(BEFORE, end)).isEqualTo(subject.around(all));
+      subject.splitter.measure(BEFORE, end);
+      int[] box = subject.around(all);
+      assertThat(subject.splitter.extent())
+          .isEqualTo(Math.max(box[1] - box[0], Math.max(box[3] - box[2], box[5] - box[4])));
       boolean mayBeLeaf = subject.units(all) <= costs.maxUnits();
       assertThat(subject.splitter.fitsLeaf()).isEqualTo(mayBeLeaf);
       int middle = subject.splitter.split(BEFORE, end);
@@ -151,9 +167,9 @@ class BvhSplitterTest {
   /** Boxes around one center cannot be separated by it. */
   @Test
   void concentricBoxesAreNotSplit() {
-    double[] boxes = new double[6 * 20];
+    int[] boxes = new int[6 * 20];
     for (int k = 0; k < boxes.length; k++) {
-      boxes[k] = (k % 2 == 0 ? -1 : 1) * (1 + k / 6);
+      boxes[k] = 50 + (k % 2 == 0 ? -1 : 1) * (1 + k / 6);
     }
     Subject subject = new Subject(boxes, 0, BinaryTraversal.COSTS);
     subject.splitter.measure(0, 20);
@@ -166,9 +182,9 @@ class BvhSplitterTest {
   @Test
   void rowsOfBoxesAreSplitInTheMiddle() {
     for (int axis = 0; axis < 3; axis++) {
-      double[] boxes = new double[6 * 64];
+      int[] boxes = new int[6 * 64];
       for (int k = 0; k < boxes.length; k++) {
-        boxes[k] = (k % 2 == 0 ? -.5 : .5) + (k % 6 / 2 == axis ? 7 * (k / 6) : 0);
+        boxes[k] = k % 2 + (k % 6 / 2 == axis ? 7 * (k / 6) : 0);
       }
       Subject subject = new Subject(boxes, 0, BinaryTraversal.COSTS);
       subject.splitter.measure(0, 64);
@@ -176,29 +192,5 @@ class BvhSplitterTest {
       subject.assertReorderedWithin(0, 64);
       assertThat(subject.range(0, 32)).allMatch(item -> item < 32);
     }
-  }
-
-  @Test
-  void kindsAreSeparated() {
-    Random random = new Random(2);
-    for (int round = 0; round < 50; round++) {
-      int triangles = BEFORE + random.nextInt(9);
-      Subject subject = new Subject(boxes(random, 8), triangles, BinaryTraversal.COSTS);
-      int end = BEFORE + 8;
-      subject.splitter.measure(BEFORE, end);
-      subject.splitter.split(BEFORE, end);
-      int middle = subject.splitter.partitionKinds(BEFORE, end);
-      subject.assertReorderedWithin(BEFORE, end);
-      assertThat(middle).isEqualTo(triangles);
-      assertThat(subject.range(BEFORE, middle)).allMatch(item -> item < triangles);
-    }
-  }
-
-  @Test
-  void halfAreasAreThoseOfBoxes() {
-    double[] boxes = {9, 9, 0, 2, 1, 4, -5, 0};
-    assertThat(BvhSplitter.halfArea(boxes, 2)).isEqualTo(2 * 3 + 3 * 5 + 5 * 2);
-    assertThat(BvhSplitter.halfArea(new double[] {1, 1, 0, 2, 0, 3}, 0)).isEqualTo(6);
-    assertThat(BvhSplitter.halfArea(BvhNode.EMPTY, 0)).isZero();
   }
 }

@@ -350,7 +350,7 @@ class KernelTest {
     ForkJoinPool pool = new ForkJoinPool(threads);
     try {
       BvhItems items = new BvhItems(shapes);
-      BvhBuilder builder = new BvhBuilder(items.boxes(), items.triangleCount(), costs);
+      BvhBuilder builder = new BvhBuilder(items, costs);
       BvhNode root = pool.submit(builder::build).join();
       return new WideTree(root, builder.order(), items);
     } finally {

@@ -35,7 +35,7 @@ class WideCollapseTest {
 
   /** Collects the leaves in order; returns the total surface area of the kept nodes. */
   private static double walk(WideCollapse collapse, WideCollapse.Kept node, List<BvhNode> leaves) {
-    double surface = BvhSplitter.halfArea(node.node().box(), 0);
+    double surface = BvhNode.halfArea(node.node().box());
     WideCollapse.Kept[] children = collapse.children(node);
     assertThat(children).hasSizeBetween(1, WideTree.WIDTH);
     for (WideCollapse.Kept child : children) {
@@ -59,7 +59,7 @@ class WideCollapseTest {
         lanes.add(inner.right());
       }
     } while (lanes.size() < wanted && lanes.stream().anyMatch(BvhNode.Inner.class::isInstance));
-    return BvhSplitter.halfArea(node.box(), 0)
+    return BvhNode.halfArea(node.box())
         + lanes.stream()
             .filter(BvhNode.Inner.class::isInstance)
             .mapToDouble(lane -> atRandom(lane, random))
@@ -76,7 +76,7 @@ class WideCollapseTest {
       for (BvhNode lane : lanes) {
         if (lane instanceof BvhNode.Inner inner
             && (largest == null
-                || BvhSplitter.halfArea(inner.box(), 0) > BvhSplitter.halfArea(largest.box(), 0))) {
+                || BvhNode.halfArea(inner.box()) > BvhNode.halfArea(largest.box()))) {
           largest = inner;
         }
       }
@@ -86,11 +86,18 @@ class WideCollapseTest {
       lanes.set(lanes.indexOf(largest), largest.left());
       lanes.add(largest.right());
     }
-    return BvhSplitter.halfArea(node.box(), 0)
+    return BvhNode.halfArea(node.box())
         + lanes.stream()
             .filter(BvhNode.Inner.class::isInstance)
             .mapToDouble(WideCollapseTest::byOpeningTheLargest)
             .sum();
+  }
+
+  @Test
+  void halfAreasAreThoseOfBoxes() {
+    assertThat(BvhNode.halfArea(new double[] {0, 2, 1, 4, -5, 0})).isEqualTo(2 * 3 + 3 * 5 + 5 * 2);
+    assertThat(BvhNode.halfArea(new double[] {1, 1, 0, 2, 0, 3})).isEqualTo(6);
+    assertThat(BvhNode.halfArea(BvhNode.EMPTY)).isZero();
   }
 
   @Test
