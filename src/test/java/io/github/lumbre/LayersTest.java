@@ -75,7 +75,8 @@ class LayersTest {
           Map.entry("lab.metrics", "math image"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
           Map.entry("lab.report", "image scene render parser lab lab.metrics lab.perf"),
-          Map.entry("lab.gallery", "image scene render denoise stopping parser lab lab.perf lab.report"),
+          Map.entry(
+              "lab.gallery", "image scene render denoise stopping parser lab lab.perf lab.report"),
           Map.entry("lab.checks", BASIC + " material camera light scene integrator render"),
           Map.entry(
               "lab.trade",
@@ -84,11 +85,12 @@ class LayersTest {
           Map.entry("cli.output", LIBRARY + " lab"),
           Map.entry("cli.run", LIBRARY + " lab cli.output"),
           Map.entry("cli.option", LIBRARY + " lab lab.perf cli.output cli.run"),
+          Map.entry("cli.view", LIBRARY + " lab cli.output"),
           Map.entry(
               "cli",
               LIBRARY
                   + " lab lab.metrics lab.perf lab.report lab.gallery lab.checks lab.trade"
-                  + " cli.output cli.run cli.option"));
+                  + " cli.output cli.run cli.option cli.view"));
 
   /** The third-party libraries that each package may use. */
   private static final Map<String, List<String>> LIBRARIES =
@@ -101,6 +103,7 @@ class LayersTest {
           "lab.trade", List.of("com.google.gson.."),
           "cli.output", List.of("com.google.gson..", "picocli.."),
           "cli.option", List.of("picocli.."),
+          "cli.view", List.of("com.google.gson..", "com.sun.net.httpserver.."),
           "cli", List.of("com.google.gson..", "com.sun.management..", "picocli.."));
 
   private static final Set<String> TRANSCENDENTAL =
@@ -236,6 +239,8 @@ class LayersTest {
   void nothingIsRandomButBySeed() {
     check(
         noClasses()
+            .that()
+            .doNotHaveFullyQualifiedName(ROOT + "cli.view.RequestGuard") // a secret
             .should()
             .dependOnClassesThat()
             .haveNameMatching(

@@ -77,6 +77,32 @@ public abstract sealed class Camera
     return true;
   }
 
+  /** Returns the same camera, with the same lens, at another place. */
+  public abstract Camera movedTo(Vec3 newPosition, Frame newAxes);
+
+  /**
+   * Returns the film point where a world-space point appears, through the center of the lens; empty
+   * if it is behind the camera or has no image. The film is [0,1)² with v down; points outside are
+   * beside the picture.
+   */
+  public final Optional<Point2> project(Vec3 point) {
+    Vec3 local = axes.toLocal(point.minus(position));
+    return projectLocally(local).filter(p -> Double.isFinite(p.x()) && Double.isFinite(p.y()));
+  }
+
+  /** Returns the film point of a point in camera space. */
+  abstract Optional<Point2> projectLocally(Vec3 point);
+
+  /** Returns the eye, in world space. */
+  public final Vec3 position() {
+    return position;
+  }
+
+  /** Returns the world-space directions right (+x), up (+y) and forward (+z). */
+  public final Frame axes() {
+    return axes;
+  }
+
   /** Returns whether some film points have no ray. */
   public boolean leavesBlanks() {
     return false;

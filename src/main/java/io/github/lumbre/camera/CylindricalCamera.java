@@ -2,8 +2,10 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
+import java.util.Optional;
 
 /** A 360° panorama on an upright cylinder. The center of the film looks along +z. */
 public final class CylindricalCamera extends Camera {
@@ -28,6 +30,23 @@ public final class CylindricalCamera extends Camera {
           "halfHeight: expected in [0, " + MAX_HEIGHT + "], found " + halfHeight);
     }
     this.halfHeight = halfHeight;
+  }
+
+  private CylindricalCamera(CylindricalCamera other, Vec3 position, Frame axes) {
+    super(position, axes, other.aspect());
+    halfHeight = other.halfHeight;
+  }
+
+  @Override
+  public CylindricalCamera movedTo(Vec3 newPosition, Frame newAxes) {
+    return new CylindricalCamera(this, newPosition, newAxes);
+  }
+
+  @Override
+  Optional<Point2> projectLocally(Vec3 point) {
+    double radius = Math.sqrt(point.x() * point.x() + point.z() * point.z());
+    double turns = Elementary.atan2(point.x(), point.z()) / Elementary.TWO_PI;
+    return Optional.of(new Point2(turns + .5, .5 - point.y() / (2 * radius * halfHeight)));
   }
 
   @Override

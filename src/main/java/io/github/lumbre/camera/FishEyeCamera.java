@@ -2,8 +2,10 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
+import java.util.Optional;
 
 /**
  * A fisheye camera with equidistant projection: the distance from the image center is proportional
@@ -28,6 +30,25 @@ public final class FishEyeCamera extends Camera {
           "angleDegrees: expected in (0, 360], found " + angleDegrees);
     }
     this.angleDegrees = angleDegrees;
+  }
+
+  @Override
+  public FishEyeCamera movedTo(Vec3 newPosition, Frame newAxes) {
+    return new FishEyeCamera(newPosition, newAxes, aspect(), angleDegrees);
+  }
+
+  @Override
+  Optional<Point2> projectLocally(Vec3 point) {
+    double across = Math.sqrt(point.x() * point.x() + point.y() * point.y());
+    double turns = Elementary.atan2(across, point.z()) / Elementary.TWO_PI;
+    double r = turns * 720 / angleDegrees;
+    if (r > 1) {
+      return Optional.empty();
+    }
+    double x = across == 0 ? 0 : r * point.x() / across;
+    double y = across == 0 ? 0 : r * point.y() / across;
+    return Optional.of(
+        new Point2(.5 + x / (2 * Math.max(1, aspect())), .5 - y / (2 * Math.max(1, 1 / aspect()))));
   }
 
   @Override

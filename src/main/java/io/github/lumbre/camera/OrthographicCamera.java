@@ -1,8 +1,10 @@
 package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
+import java.util.Optional;
 
 /**
  * A camera with parallel projection: all rays have the direction of its view, and the size of an
@@ -26,6 +28,25 @@ public final class OrthographicCamera extends Camera {
       throw new IllegalArgumentException("height: expected a finite number > 0, found " + height);
     }
     halfHeight = .5 * height;
+  }
+
+  private OrthographicCamera(OrthographicCamera other, Vec3 position, Frame axes) {
+    super(position, axes, other.aspect());
+    halfHeight = other.halfHeight;
+  }
+
+  @Override
+  public OrthographicCamera movedTo(Vec3 newPosition, Frame newAxes) {
+    return new OrthographicCamera(this, newPosition, newAxes);
+  }
+
+  @Override
+  Optional<Point2> projectLocally(Vec3 point) {
+    return point.z() > 0
+        ? Optional.of(
+            new Point2(
+                .5 + point.x() / (2 * aspect() * halfHeight), .5 - point.y() / (2 * halfHeight)))
+        : Optional.empty();
   }
 
   @Override

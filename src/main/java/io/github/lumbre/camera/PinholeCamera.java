@@ -2,8 +2,10 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
+import java.util.Optional;
 
 /** A perspective camera without a lens: everything is in focus. */
 public final class PinholeCamera extends Camera {
@@ -21,6 +23,31 @@ public final class PinholeCamera extends Camera {
   public PinholeCamera(Vec3 position, Frame axes, double aspect, double fovDegrees) {
     super(position, axes, aspect);
     halfHeight = halfHeight(fovDegrees);
+  }
+
+  private PinholeCamera(PinholeCamera other, Vec3 position, Frame axes) {
+    super(position, axes, other.aspect());
+    halfHeight = other.halfHeight;
+  }
+
+  @Override
+  public PinholeCamera movedTo(Vec3 newPosition, Frame newAxes) {
+    return new PinholeCamera(this, newPosition, newAxes);
+  }
+
+  @Override
+  Optional<Point2> projectLocally(Vec3 point) {
+    return film(point, aspect(), halfHeight);
+  }
+
+  /** Returns the film point of a point in camera space; empty if it is not in front. */
+  static Optional<Point2> film(Vec3 point, double aspect, double halfHeight) {
+    return point.z() > 0
+        ? Optional.of(
+            new Point2(
+                .5 + point.x() / (2 * aspect * halfHeight * point.z()),
+                .5 - point.y() / (2 * halfHeight * point.z())))
+        : Optional.empty();
   }
 
   @Override

@@ -2,8 +2,10 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
+import java.util.Optional;
 
 /**
  * A full panorama of 360° by 180° in longitude and latitude. The center of the film looks along +z.
@@ -19,6 +21,19 @@ public final class SphericalCamera extends Camera {
    */
   public SphericalCamera(Vec3 position, Frame axes, double aspect) {
     super(position, axes, aspect);
+  }
+
+  @Override
+  public SphericalCamera movedTo(Vec3 newPosition, Frame newAxes) {
+    return new SphericalCamera(newPosition, newAxes, aspect());
+  }
+
+  @Override
+  Optional<Point2> projectLocally(Vec3 point) {
+    double across = Math.sqrt(point.x() * point.x() + point.z() * point.z());
+    double longitude = Elementary.atan2(point.x(), point.z()) / Elementary.TWO_PI;
+    double latitude = Elementary.atan2(point.y(), across) / Elementary.TWO_PI;
+    return Optional.of(new Point2(longitude + .5, .5 - 2 * latitude));
   }
 
   @Override

@@ -5,6 +5,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A perspective camera with a thin lens: points off the plane of focus blur into the shape of the
@@ -53,6 +54,24 @@ public final class ThinLensCamera extends Camera {
     this.focusDistance = focusDistance;
     this.apertureSize = apertureSize;
     this.aperture = Objects.requireNonNull(aperture, "aperture");
+  }
+
+  private ThinLensCamera(ThinLensCamera other, Vec3 position, Frame axes) {
+    super(position, axes, other.aspect());
+    halfHeight = other.halfHeight;
+    focusDistance = other.focusDistance;
+    apertureSize = other.apertureSize;
+    aperture = other.aperture;
+  }
+
+  @Override
+  public ThinLensCamera movedTo(Vec3 newPosition, Frame newAxes) {
+    return new ThinLensCamera(this, newPosition, newAxes);
+  }
+
+  @Override
+  Optional<Point2> projectLocally(Vec3 point) {
+    return PinholeCamera.film(point, aspect(), halfHeight);
   }
 
   @Override

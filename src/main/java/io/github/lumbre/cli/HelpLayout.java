@@ -30,7 +30,8 @@ final class HelpLayout {
 
   static {
     COMMANDS.put(
-        "Make pictures", List.of("render", "resume", "merge", "develop", "denoise", "import"));
+        "Make pictures",
+        List.of("render", "view", "resume", "merge", "develop", "denoise", "import"));
     COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel", "layers"));
     COMMANDS.put("Measure", List.of("compare", "trade", "perf", "selftest"));
     COMMANDS.put("The 2016 report", List.of("benchmark", "gallery"));
@@ -86,7 +87,18 @@ final class HelpLayout {
             "--fallback-dir"));
     FLAGS.put("Checkpoints", List.of("--checkpoint", "--checkpoint-interval"));
     FLAGS.put("Execution", List.of("--threads", "--bucket", "--kernel", "--dry-run"));
-    FLAGS.put("Reports", List.of("--progress", "--json", "--stats", "--quiet", "--debug"));
+    FLAGS.put(
+        "Reports",
+        List.of(
+            "--port",
+            "--no-open",
+            "--compare",
+            "--display-server",
+            "--progress",
+            "--json",
+            "--stats",
+            "--quiet",
+            "--debug"));
     FLAGS.put("Help", List.of("--help", "--version"));
   }
 

@@ -50,6 +50,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scenes/cornell-box.json",
       "  lumbre render helmet.glb --view iso",
       "  lumbre render scene.json -o picture.exr --samples 1000 --size 1280x720",
+      "  lumbre view helmet.glb",
       "  lumbre resume night.film",
       "  lumbre check scene.json",
       "  lumbre audit scene.json",
@@ -68,6 +69,7 @@ public final class Lumbre implements Runnable {
 
   static {
     COMMANDS.put("render", RenderCommand.class);
+    COMMANDS.put("view", ViewCommand.class);
     COMMANDS.put("resume", ResumeCommand.class);
     COMMANDS.put("merge", MergeCommand.class);
     COMMANDS.put("develop", DevelopCommand.class);

@@ -2,6 +2,9 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 
@@ -31,5 +34,22 @@ public record SceneFile(
   /** Returns a copy with a different scene. */
   public SceneFile with(Scene other) {
     return new SceneFile(other, settings, warnings, hash, files, contents, origins, text);
+  }
+
+  /**
+   * Returns this scene, seen by its camera from another place. The hash is another one too: that of
+   * this hash and the pose.
+   */
+  public SceneFile seenFrom(CameraPose pose) {
+    MessageDigest digest = Sha256.digest();
+    digest.update((hash + pose).getBytes(StandardCharsets.UTF_8));
+    String newHash = HexFormat.of().formatHex(digest.digest());
+    Scene moved = scene.with(pose.place(scene.camera()));
+    return new SceneFile(moved, settings, warnings, newHash, files, contents, origins, text);
+  }
+
+  /** Returns a copy with different settings. */
+  public SceneFile with(RenderSettings other) {
+    return new SceneFile(scene, other, warnings, hash, files, contents, origins, text);
   }
 }

@@ -3,7 +3,10 @@ package io.github.lumbre.preview;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.stopping.NoiseEstimate;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -16,8 +19,9 @@ import java.util.Optional;
  * @param totalSamples the number of samples of all pixels
  * @param isEndOfPass whether all pixels have the samples of a pass; otherwise some pixels have more
  *     samples than others
- * @param noise the estimate of the picture's error; empty if the listener does not want it, within a
- *     pass, or with fewer than two samples per pixel
+ * @param noise the estimate of the picture's error; empty if the listener does not want it, within
+ *     a pass, or with fewer than two samples per pixel
+ * @param metadata attributes that describe the layers in an OpenEXR file, by name
  */
 public record Preview(
     Image image,
@@ -25,8 +29,10 @@ public record Preview(
     double samples,
     long totalSamples,
     boolean isEndOfPass,
-    Optional<NoiseEstimate> noise) {
+    Optional<NoiseEstimate> noise,
+    Map<String, String> metadata) {
   public Preview {
     layers = List.copyOf(layers);
+    metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
   }
 }

@@ -22,8 +22,8 @@ public interface PreviewListener {
       };
 
   /**
-   * Receives a picture. The render waits until this method returns, so it should pass the picture to
-   * another thread if it has more to do with it than to keep it.
+   * Receives a picture. The render waits until this method returns, so it should pass the picture
+   * to another thread if it has more to do with it than to keep it.
    */
   void show(Preview preview);
 
@@ -33,6 +33,14 @@ public interface PreviewListener {
    */
   default boolean isWatching() {
     return true;
+  }
+
+  /**
+   * Returns whether a preview is needed now, for example because another layer was selected. It
+   * does not wait until it is due, but later ones wait longer.
+   */
+  default boolean isUrgent() {
+    return false;
   }
 
   /** Returns the layers to develop; those that the render does not record are left out. */

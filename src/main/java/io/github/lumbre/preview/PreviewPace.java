@@ -3,8 +3,9 @@ package io.github.lumbre.preview;
 import java.util.function.LongSupplier;
 
 /**
- * Decides when work beside a render is due, so that all of it together takes a small share of the
- * rendering time. Mutable. One thread does the work; any thread may call {@link #isDue}.
+ * Decides when work beside a render is due, so that all of it but the first piece takes a small
+ * share of the rendering time. Mutable. One thread does the work; any thread may call {@link
+ * #isDue}.
  */
 final class PreviewPace {
   /** The shortest time between two pieces of work. */
@@ -18,6 +19,7 @@ final class PreviewPace {
   private final LongSupplier clock;
   private final long start;
   private long spent;
+  private boolean isFirst = true;
   private volatile long next;
 
   /**
@@ -44,8 +46,11 @@ final class PreviewPace {
    */
   void spend(long cost) {
     long now = clock.getAsLong();
-    spent += cost;
-    double wait = (spent + cost - credit) / share - (now - start);
+    // The first piece also waits for the JIT, which says nothing about the next ones.
+    spent += isFirst ? 0 : cost;
+    long expected = isFirst ? 0 : cost;
+    isFirst = false;
+    double wait = (spent + expected - credit) / share - (now - start);
     next = now + Math.max(LEAST_NANOS, (long) wait);
   }
 }

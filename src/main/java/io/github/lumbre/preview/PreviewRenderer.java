@@ -21,13 +21,13 @@ import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
- * Adds samples as another renderer does, and hands previews of the film to a listener: after passes,
- * and within long ones, which it pauses. The samples are the same, bit for bit.
+ * Adds samples as another renderer does, and hands previews of the film to a listener: after
+ * passes, and within long ones, which it pauses. The samples are the same, bit for bit.
  *
- * <p>A preview costs the time to develop the picture, during which the render waits. The next one is
- * due once all of them together take at most 1 % of the time, apart from the first tenth of a
- * second, and at least 0.2 s later. Estimates of the error take at most 0.5 % besides. While nobody
- * is watching, nothing is paused or developed.
+ * <p>A preview costs the time to develop the picture, during which the render waits. The next one
+ * is due once all of them together take at most 1 % of the time, apart from the first 0.3 s, and at
+ * least 0.2 s later. Estimates of the error take at most 0.5 % besides, apart from the first 0.1 s.
+ * While nobody is watching, nothing is paused or developed.
  *
  * <p>Mutable; for the films of one thread, one after the other.
  */
@@ -35,10 +35,9 @@ public final class PreviewRenderer implements PassRenderer {
   private final PassRenderer renderer;
   private final RecordedLayers recorded;
   private final PreviewListener listener;
-  private final PreviewPace previews = new PreviewPace(.01, 100_000_000, System::nanoTime);
-  private final PreviewPace estimates = new PreviewPace(.005, 50_000_000, System::nanoTime);
+  private final PreviewPace previews = new PreviewPace(.01, 300_000_000, System::nanoTime);
+  private final PreviewPace estimates = new PreviewPace(.005, 100_000_000, System::nanoTime);
   private Optional<Film> unseen = Optional.empty();
-  private long lastEstimate;
 
   /**
    * Creates a renderer.
@@ -46,8 +45,7 @@ public final class PreviewRenderer implements PassRenderer {
    * @param renderer adds the samples
    * @param recorded the layers of its films; see {@link RecordedLayers#of}
    */
-  public PreviewRenderer(
-      PassRenderer renderer, RecordedLayers recorded, PreviewListener listener) {
+  public PreviewRenderer(PassRenderer renderer, RecordedLayers recorded, PreviewListener listener) {
     this.renderer = Objects.requireNonNull(renderer, "renderer");
     this.recorded = Objects.requireNonNull(recorded, "recorded");
     this.listener = Objects.requireNonNull(listener, "listener");
@@ -74,8 +72,8 @@ public final class PreviewRenderer implements PassRenderer {
       PassResult part = renderer.addSamples(film, target, pausing);
       statistics = statistics.plus(part.statistics());
       unseen = Optional.of(film);
-      if (isWanted()) {
-        show(film, part.complete());
+      if (isWanted() || part.complete() && isEstimateWanted(film)) {
+        show(film, part.complete(), false);
       }
       if (part.complete() || !isPausable || progress.isCancelled()) {
         return new PassResult(part.complete(), statistics);
@@ -89,41 +87,62 @@ public final class PreviewRenderer implements PassRenderer {
    */
   public void finish() {
     if (unseen.isPresent() && listener.isWatching()) {
-      show(unseen.get(), unseen.get().fewestSamples() == unseen.get().mostSamples());
+      show(unseen.get(), unseen.get().fewestSamples() == unseen.get().mostSamples(), true);
     }
   }
 
-  private boolean isWanted() {
-    return previews.isDue() && listener.isWatching();
+  /** Marks a film as not shown yet, so that {@link #finish} hands it out again. */
+  public void touch(Film film) {
+    unseen = Optional.of(film);
   }
 
-  private void show(Film film, boolean isEndOfPass) {
+  private boolean isWanted() {
+    return listener.isWatching() && (previews.isDue() || listener.isUrgent());
+  }
+
+  private boolean isEstimateWanted(Film film) {
+    return estimates.isDue()
+        && listener.isWatching()
+        && listener.wantsNoise()
+        && film.fewestSamples() > 1;
+  }
+
+  private void show(Film film, boolean isEndOfPass, boolean isLast) {
     long start = System.nanoTime();
+    boolean isForEstimate = !previews.isDue();
     Set<Layer> layers = EnumSet.noneOf(Layer.class);
     layers.addAll(listener.layers());
     layers.retainAll(recorded.kinds());
     FilmPicture picture = FilmPicture.of(film, recorded, layers);
-    long total = film.totalSamples();
+    long developed = System.nanoTime();
     Optional<NoiseEstimate> noise =
-        isEndOfPass && listener.wantsNoise() ? noise(film) : Optional.empty();
-    long estimated = noise.isPresent() ? lastEstimate : 0;
+        isEndOfPass && listener.wantsNoise() && (isLast || estimates.isDue())
+            ? noise(film)
+            : Optional.empty();
+    long estimated = System.nanoTime();
     listener.show(
         new Preview(
-            picture.image(), picture.layers(), film.meanSamples(), total, isEndOfPass, noise));
+            picture.image(),
+            picture.layers(),
+            film.meanSamples(),
+            film.totalSamples(),
+            isEndOfPass,
+            noise,
+            picture.metadata()));
     unseen = Optional.empty();
+    long end = System.nanoTime();
     long elsewhere = (long) (1e9 * listener.secondsElsewhere());
-    previews.spend(System.nanoTime() - start - estimated + elsewhere);
+    if (noise.isPresent()) {
+      estimates.spend(isForEstimate ? end - start + elsewhere : estimated - developed);
+    }
+    if (!isForEstimate || noise.isEmpty()) {
+      previews.spend(end - start - (estimated - developed) + elsewhere);
+    }
   }
 
-  private Optional<NoiseEstimate> noise(Film film) {
-    if (!estimates.isDue() || film.fewestSamples() < 2) {
-      return Optional.empty();
-    }
-    long start = System.nanoTime();
-    Budget any = Budget.ofSamples(RenderSettings.MAX_SAMPLES);
-    Optional<NoiseEstimate> noise = new BudgetWatch(any).estimate(film);
-    lastEstimate = System.nanoTime() - start;
-    estimates.spend(lastEstimate);
-    return noise;
+  private static Optional<NoiseEstimate> noise(Film film) {
+    return film.fewestSamples() < 2
+        ? Optional.empty()
+        : new BudgetWatch(Budget.ofSamples(RenderSettings.MAX_SAMPLES)).estimate(film);
   }
 }

@@ -201,6 +201,11 @@ public final class Scene {
             .collect(Collectors.toUnmodifiableSet()));
   }
 
+  /** Returns the same scene, seen by another camera. Both share all surfaces and lights. */
+  public Scene with(Camera other) {
+    return new Scene(this, bvh, shortcuts, other, Optional.empty());
+  }
+
   /**
    * Returns the same scene with another traversal kernel. Its renders are bit-identical.
    *

@@ -53,6 +53,8 @@ class OutputGuardTest {
           "develop --oidn",
           "merge --oidn",
           "denoise --oidn",
+          "view SCENE",
+          "view --compare",
           "trade SCENE",
           "trade table STUDY.json",
           "trade quality SCENE",

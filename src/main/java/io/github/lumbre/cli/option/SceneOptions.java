@@ -13,9 +13,12 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Mixin;
@@ -82,6 +85,34 @@ public final class SceneOptions {
     return guard
         .reads(Path.of("/dev/stdin"), "standard input")
         .readsAssets(scene, () -> SceneParser.files(content, PictureOutput.STDIN));
+  }
+
+  /** Forgets what was read, so that the next call reads the files again. */
+  public void forget() {
+    modelScene = Optional.empty();
+  }
+
+  /**
+   * Returns the text of the scene; for a model, of the scene around it.
+   *
+   * @throws SceneFormatException if the model cannot be used
+   * @throws IOException if the file cannot be read
+   */
+  public byte[] sceneText() throws SceneFormatException, IOException {
+    return ModelSetup.isModel(scene) ? ofModel().json() : Files.readAllBytes(scene);
+  }
+
+  /** Returns the files that the scene depends on; only its own if it is invalid just now. */
+  public Set<Path> files() {
+    Set<Path> files = new LinkedHashSet<>(Set.of(scene.toAbsolutePath()));
+    try {
+      Path base = ModelSetup.isModel(scene) ? ofModel().path() : scene;
+      files.addAll(SceneParser.files(sceneText(), base));
+    } catch (SceneFormatException | IOException e) {
+      // Reading the scene reports what is wrong with it.
+      return files;
+    }
+    return files;
   }
 
   /** Turns the view of a model about the vertical axis, by an angle in degrees. */

@@ -1,0 +1,226 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.RenderFlags;
+import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.run.FilmInput;
+import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.LayerInput;
+import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.view.SceneSource;
+import io.github.lumbre.cli.view.SystemBrowser;
+import io.github.lumbre.cli.view.View;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.MemoryCheck;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.preview.PreviewListener;
+import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre view}: shows a render as it converges, or a picture, in the browser. */
+@Command(
+    name = "view",
+    header = "Watch a render in the browser; turn the camera, explain pixels.",
+    description =
+        "Open a page, served on this machine only, that shows a scene or model as it is rendered, a"
+            + " checkpoint file or a picture (.exr, .png, .jpg, .hdr, .pfm). The page renders anew"
+            + " when the scene file is saved. Ctrl-C ends it.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    modelTransformer = SettingFlags.Adder.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    abbreviateSynopsis = true,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre view scene.json",
+      "  lumbre view helmet.glb --size 800x600 --samples 1000",
+      "  lumbre view picture.exr --compare reference.exr",
+      "  lumbre view scene.json --no-open --port 8080"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "2:The command line is invalid",
+      "3:The scene or checkpoint file is missing, unreadable or invalid",
+      "4:A mesh or image cannot be decoded",
+      "5:A limit or the available memory is exceeded",
+      "6:The port is in use",
+      "7:Internal error",
+      "129, 130, 143:Ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
+    })
+final class ViewCommand implements Callable<Integer> {
+  private static final Set<String> PICTURES =
+      Set.of("exr", "png", "jpg", "jpeg", "hdr", "pic", "pfm");
+
+  @Mixin private SceneOptions options;
+
+  @Option(
+      names = "--port",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Port of the page on 127.0.0.1 (0: any that is free).")
+  private int port;
+
+  @Option(names = "--no-open", description = "Print the address, and open no browser.")
+  private boolean noOpen;
+
+  @Option(
+      names = "--compare",
+      paramLabel = "PICTURE",
+      description = "Picture to show side by side or as a difference.")
+  private Optional<Path> compare;
+
+  @Mixin private RenderFlags flags;
+
+  @Mixin private KernelFlag kernel;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, TaskException {
+    flags.validate();
+    kernel.validate();
+    FlagChecks checks = new FlagChecks(spec);
+    checks.requireIn("--port", 0, 65535, port);
+    checks.require(
+        !flags.hasSampleRange(),
+        "view: cannot be combined with --samples-from, --samples-to or --share");
+    checks.require(!options.isStandardInput(), "view: expected a file, found standard input");
+    Messages errors = new Messages(spec.commandLine().getErr());
+    Optional<View.Picture> other =
+        compare.isPresent() ? Optional.of(picture(compare.get(), errors)) : Optional.empty();
+    String otherName = compare.map(path -> String.valueOf(path.getFileName())).orElse("");
+    View.Options how = new View.Options(options.scene(), port, other, otherName);
+    try (Interruption interruption = Interruption.listen();
+        RenderMonitor monitor = new RenderMonitor(interruption, false);
+        View view = view(how, errors)) {
+      announce(view);
+      view.open(PreviewListener.NONE);
+      view.run(monitor::isCancelled);
+      return ExitCodes.INTERRUPTED;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitCodes.INTERRUPTED;
+    }
+  }
+
+  private void announce(View view) {
+    Messages out = new Messages(spec.commandLine().getOut());
+    boolean isOpen = !noOpen && SystemBrowser.open(view.address());
+    out.line((isOpen ? "view: opened " : "view: open ") + view.address());
+  }
+
+  private View view(View.Options how, Messages errors) throws TaskException {
+    Path path = options.scene();
+    if (LayerInput.isFilm(path)) {
+      FilmFile film = FilmInput.read(path, errors);
+      FilmNotes notes = new FilmNotes(path, film.header());
+      return View.of(developed(film), notes.exposure(), notes.toneCurve(), how);
+    }
+    if (isPicture(path)) {
+      return View.of(picture(path, errors), Exposure.NONE, ToneCurve.SRGB, how);
+    }
+    return View.of(source(errors), how);
+  }
+
+  private static boolean isPicture(Path path) {
+    String name = String.valueOf(path.getFileName()).toLowerCase(Locale.ROOT);
+    return PICTURES.contains(name.substring(name.lastIndexOf('.') + 1));
+  }
+
+  private static View.Picture developed(FilmFile film) {
+    FilmPicture picture = FilmPicture.of(film.film(), film.header().layers());
+    return new View.Picture(picture.image(), picture.layers(), picture.metadata());
+  }
+
+  private static View.Picture picture(Path path, Messages errors) throws TaskException {
+    if (LayerInput.isFilm(path)) {
+      return developed(FilmInput.read(path, errors));
+    }
+    if (!Files.exists(path)) {
+      throw new TaskException(Kind.SCENE, path + ": does not exist");
+    }
+    try {
+      boolean isExr = String.valueOf(path.getFileName()).toLowerCase(Locale.ROOT).endsWith(".exr");
+      List<ImageLayer> layers =
+          isExr
+              ? LayeredImage.read(path).layers().stream().filter(l -> !l.name().isEmpty()).toList()
+              : List.of();
+      return new View.Picture(LinearReader.read(path), layers, Map.of());
+    } catch (ImageFormatException e) {
+      boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
+      throw new TaskException(
+          isTooLarge ? Kind.LIMIT : Kind.ASSET, path + ": " + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  private SceneSource source(Messages errors) {
+    return new SceneSource() {
+      @Override
+      public SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
+        options.forget();
+        SceneParser parser = kernel.over(flags.over(options.parser()));
+        SceneFile file = options.load(parser, errors);
+        RenderSettings settings = file.settings();
+        Set<Layer> all = EnumSet.noneOf(Layer.class);
+        all.addAll(settings.layers());
+        all.addAll(layers);
+        SceneFile recorded =
+            file.with(
+                settings.toBuilder()
+                    .set(Setting.LAYERS, Layer.setOf(all.toArray(Layer[]::new)))
+                    .build());
+        MemoryCheck.require(recorded.settings(), FilmLayers.of(recorded.settings(), file.scene()));
+        return recorded;
+      }
+
+      @Override
+      public byte[] text() throws SceneFormatException, IOException {
+        return options.sceneText();
+      }
+
+      @Override
+      public Set<Path> files() {
+        return options.files();
+      }
+    };
+  }
+}

@@ -1,0 +1,37 @@
+package io.github.lumbre.cli.view;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageLayer;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A picture that the page can show. Immutable.
+ *
+ * @param version increases with each frame of a session
+ * @param image the picture
+ * @param layers its layers
+ * @param samples the mean number of samples per pixel
+ * @param isDraft whether it is a quick picture with fewer pixels
+ * @param isFinal whether nothing is added to it any more, so that it is worth all its digits
+ * @param metadata attributes that describe the layers
+ */
+record Frame(
+    long version,
+    Image image,
+    List<ImageLayer> layers,
+    double samples,
+    boolean isDraft,
+    boolean isFinal,
+    Map<String, String> metadata) {
+  Frame {
+    layers = List.copyOf(layers);
+    metadata = Map.copyOf(metadata);
+  }
+
+  /** Returns a layer by its name. */
+  Optional<ImageLayer> layer(String name) {
+    return layers.stream().filter(layer -> layer.name().equals(name)).findFirst();
+  }
+}

@@ -1,0 +1,90 @@
+package io.github.lumbre.cli.view;
+
+import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.parser.CameraPose;
+import io.github.lumbre.parser.SceneFile;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Makes the files that the browser saves: the picture as PNG with the look of the page, or as
+ * OpenEXR with layers.
+ *
+ * @param viewed the path of the file that is viewed
+ */
+record PictureFiles(Path viewed) {
+  private static final double MOST_STOPS = 64;
+
+  /** Returns the file of a frame. */
+  Answer of(Frame frame, Optional<SceneFile> scene, ViewSession session, Query query)
+      throws IOException {
+    Map<String, String> metadata =
+        scene.map(file -> metadata(frame, file, session)).orElseGet(LinkedHashMap::new);
+    metadata.putAll(frame.metadata());
+    ImageWriter.Options options =
+        new ImageWriter.Options(exposure(query), curve(query), 8, metadata);
+    String file = String.valueOf(viewed.getFileName());
+    String stem = file.contains(".") ? file.substring(0, file.lastIndexOf('.')) : file;
+    if (query.text("format").equals(Optional.of("exr"))) {
+      return Answer.file(stem + ".exr", "image/x-exr", exr(frame, options));
+    }
+    return Answer.file(stem + ".png", "image/png", frame.image().toPng(options));
+  }
+
+  private Map<String, String> metadata(Frame frame, SceneFile file, ViewSession session) {
+    ViewSession.Snapshot state = session.snapshot();
+    Map<String, String> metadata =
+        PictureMetadata.of(viewed, file, file.settings(), state.seconds());
+    if (frame.samples() < file.settings().samples()) {
+      metadata.put(
+          "Partial",
+          String.format(
+              Locale.ROOT,
+              "%.1f of %d samples per pixel",
+              frame.samples(),
+              file.settings().samples()));
+    }
+    session.pose().map(CameraPose::toString).ifPresent(pose -> metadata.put("Camera", pose));
+    return metadata;
+  }
+
+  private static Exposure exposure(Query query) {
+    String text = query.text("exposure").orElse("0");
+    if (text.equals("auto")) {
+      return Exposure.AUTO;
+    }
+    double stops = Double.parseDouble(text);
+    if (!(Math.abs(stops) <= MOST_STOPS)) {
+      throw new IllegalArgumentException("exposure: expected -64 to 64, found " + text);
+    }
+    return Exposure.of(stops);
+  }
+
+  private static ToneCurve curve(Query query) {
+    String text = query.text("tone").orElse(ToneCurve.SRGB.label());
+    return ToneCurve.of(text)
+        .orElseThrow(() -> new IllegalArgumentException("tone: found an unknown curve"));
+  }
+
+  private static byte[] exr(Frame frame, ImageWriter.Options options) throws IOException {
+    Path folder = Files.createTempDirectory("lumbre-view-");
+    Path file = folder.resolve("picture.exr");
+    try {
+      ImageWriter.write(frame.image(), frame.layers(), file, options);
+      return Files.readAllBytes(file);
+    } finally {
+      for (Path path : List.of(file, folder)) {
+        Files.deleteIfExists(path);
+      }
+    }
+  }
+}

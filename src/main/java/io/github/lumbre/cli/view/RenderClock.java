@@ -1,0 +1,62 @@
+package io.github.lumbre.cli.view;
+
+import io.github.lumbre.render.Progress;
+import java.util.OptionalDouble;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
+
+/** Samples and time of a render that may be stopped and continued. Thread-safe. */
+final class RenderClock implements Progress {
+  private final AtomicLong samples = new AtomicLong();
+  private final BooleanSupplier isCancelled;
+  private volatile long activeNanos;
+  private volatile long startNanos;
+  private volatile boolean isRunning;
+
+  RenderClock(BooleanSupplier isCancelled) {
+    this.isCancelled = isCancelled;
+  }
+
+  void start() {
+    startNanos = System.nanoTime();
+    isRunning = true;
+  }
+
+  void stop() {
+    if (isRunning) {
+      isRunning = false;
+      activeNanos += System.nanoTime() - startNanos;
+    }
+  }
+
+  @Override
+  public void advanced(long more) {
+    samples.addAndGet(more);
+  }
+
+  @Override
+  public boolean isCancelled() {
+    return isCancelled.getAsBoolean();
+  }
+
+  long samples() {
+    return samples.get();
+  }
+
+  /** Returns the seconds of rendering, without those while it was stopped. */
+  double seconds() {
+    return 1e-9 * (activeNanos + (isRunning ? System.nanoTime() - startNanos : 0));
+  }
+
+  /** Returns the samples per second. */
+  double rate() {
+    double seconds = seconds();
+    return seconds > 0 ? samples.get() / seconds : 0;
+  }
+
+  /** Returns the seconds that further samples take; empty while the rate is unknown. */
+  OptionalDouble secondsFor(long more) {
+    double rate = rate();
+    return rate > 0 ? OptionalDouble.of(Math.max(0, more) / rate) : OptionalDouble.empty();
+  }
+}

@@ -1,0 +1,25 @@
+package io.github.lumbre.cli.view;
+
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.Layer;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Set;
+
+/** Reads the scene that is viewed, each time its files change. */
+public interface SceneSource {
+  /**
+   * Reads the scene anew.
+   *
+   * @param layers the layers to record besides those of the command line
+   */
+  SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException;
+
+  /** Returns the text of the scene; for a model, of the scene around it. */
+  byte[] text() throws SceneFormatException, IOException;
+
+  /** Returns the files that the scene depends on; those that cannot be found out are left out. */
+  Set<Path> files();
+}

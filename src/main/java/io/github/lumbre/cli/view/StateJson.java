@@ -1,0 +1,102 @@
+package io.github.lumbre.cli.view;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import io.github.lumbre.cli.view.ViewSession.Snapshot;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import java.util.List;
+
+/** The state of a session as JSON for the page. */
+final class StateJson {
+  private static final Gson GSON = new GsonBuilder().disableHtmlEscaping().create();
+
+  private StateJson() {}
+
+  /**
+   * Returns the state.
+   *
+   * @param look how the page shows the picture at first
+   * @param other name of the picture to compare with; empty for none
+   */
+  static String of(Snapshot state, Look look, String other) {
+    JsonObject json = new JsonObject();
+    json.addProperty("version", state.version());
+    json.addProperty("name", state.name());
+    json.addProperty("status", state.status());
+    json.addProperty("isMoved", state.isMoved());
+    json.add("problems", GSON.toJsonTree(state.problems()));
+    json.addProperty("other", other);
+    json.addProperty("toneMap", look.curve().label());
+    look.exposure()
+        .stops()
+        .ifPresentOrElse(
+            stops -> json.addProperty("exposure", stops),
+            () -> json.addProperty("exposure", "auto"));
+    state.frame().ifPresent(frame -> json.add("frame", frame(frame)));
+    state.settings().ifPresent(settings -> json.add("render", render(state, settings)));
+    return GSON.toJson(json);
+  }
+
+  /**
+   * How a picture is shown at first.
+   *
+   * @param exposure of the scene, or none
+   * @param curve tone curve of the scene
+   */
+  record Look(Exposure exposure, ToneCurve curve) {}
+
+  private static JsonObject frame(Frame frame) {
+    JsonObject json = new JsonObject();
+    json.addProperty("version", frame.version());
+    json.addProperty("width", frame.image().width());
+    json.addProperty("height", frame.image().height());
+    json.addProperty("samples", frame.samples());
+    json.addProperty("isDraft", frame.isDraft());
+    json.addProperty("isFinal", frame.isFinal());
+    json.add("layers", GSON.toJsonTree(frame.layers().stream().map(ImageLayer::name).toList()));
+    return json;
+  }
+
+  private static JsonObject render(Snapshot state, RenderSettings settings) {
+    JsonObject json = new JsonObject();
+    Crop window = settings.window();
+    long pixels = (long) window.width() * window.height();
+    json.addProperty("width", settings.width());
+    json.addProperty("height", settings.height());
+    json.add("window", numbers(window.x(), window.y(), window.width(), window.height()));
+    json.addProperty("goal", settings.samples());
+    json.addProperty("samples", (double) state.samples() / pixels);
+    json.addProperty("rate", state.rate());
+    json.addProperty("seconds", state.seconds());
+    double left = Math.max(0, (double) pixels * settings.samples() - state.samples());
+    json.addProperty("secondsLeft", state.rate() > 0 ? left / state.rate() : -1);
+    json.add("recorded", GSON.toJsonTree(settings.layers().stream().map(Layer::text).toList()));
+    json.add("errors", errors(state.errors()));
+    return json;
+  }
+
+  private static JsonArray errors(List<ErrorPoint> points) {
+    JsonArray all = new JsonArray();
+    for (ErrorPoint p : points) {
+      // An infinite bound has no number in JSON.
+      double bound = Double.isFinite(p.bound()) ? p.bound() : -1;
+      all.add(numbers(p.seconds(), p.samples(), p.error(), bound));
+    }
+    return all;
+  }
+
+  private static JsonArray numbers(double... values) {
+    JsonArray array = new JsonArray();
+    for (double value : values) {
+      array.add(value);
+    }
+    return array;
+  }
+}

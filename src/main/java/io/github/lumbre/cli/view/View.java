@@ -1,0 +1,161 @@
+package io.github.lumbre.cli.view;
+
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.preview.PreviewListener;
+import io.github.lumbre.scene.Layer;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+
+/** A local page that shows a picture or renders a scene. Close it to end the page's server. */
+public final class View implements AutoCloseable {
+  private static final long LOOK_MILLIS = 250;
+
+  private final ViewSession session;
+  private final ViewServer server;
+  private final Optional<SceneSource> source;
+  private final FileWatch watch = new FileWatch();
+  private Set<Layer> recorded = Set.of();
+  private Optional<Thread> renderer = Optional.empty();
+
+  private View(ViewSession session, ViewServer server, Optional<SceneSource> source) {
+    this.session = session;
+    this.server = server;
+    this.source = source;
+  }
+
+  /**
+   * A picture with its layers.
+   *
+   * @param metadata attributes that describe the layers
+   */
+  public record Picture(Image image, List<ImageLayer> layers, Map<String, String> metadata) {
+    private Frame frame() {
+      return new Frame(1, image, layers, 0, false, true, metadata);
+    }
+  }
+
+  /**
+   * How a page starts.
+   *
+   * @param path of the file that is viewed
+   * @param port to listen on; 0 for any that is free
+   * @param other the picture to compare with
+   * @param otherName its name; empty without one
+   */
+  public record Options(Path path, int port, Optional<Picture> other, String otherName) {
+    private String name() {
+      return String.valueOf(path.getFileName());
+    }
+  }
+
+  /**
+   * Starts the page of a scene; {@link #run} renders it.
+   *
+   * @throws TaskException if the port is in use
+   */
+  public static View of(SceneSource source, Options options) throws TaskException {
+    StateJson.Look look = new StateJson.Look(Exposure.NONE, ToneCurve.SRGB);
+    return start(Optional.of(source), look, new ViewSession(options.name()), options);
+  }
+
+  /**
+   * Starts the page of a picture.
+   *
+   * @param exposure with which it is shown at first
+   * @param curve with which it is shown at first
+   * @throws TaskException if the port is in use
+   */
+  public static View of(Picture picture, Exposure exposure, ToneCurve curve, Options options)
+      throws TaskException {
+    ViewSession session = new ViewSession(options.name());
+    session.show(picture.frame());
+    return start(Optional.empty(), new StateJson.Look(exposure, curve), session, options);
+  }
+
+  private static View start(
+      Optional<SceneSource> source, StateJson.Look look, ViewSession session, Options options)
+      throws TaskException {
+    ViewRoutes routes =
+        new ViewRoutes(
+            session,
+            source,
+            look,
+            options.other().map(Picture::frame),
+            options.otherName(),
+            new PictureFiles(options.path()));
+    return new View(session, ViewServer.start(options.port(), routes), source);
+  }
+
+  /** Returns the address of the page, which contains a secret. */
+  public URI address() {
+    return server.address();
+  }
+
+  ViewSession session() {
+    return session;
+  }
+
+  /**
+   * Reads the scene for the first time and starts to render it.
+   *
+   * @param also receives previews besides the page
+   * @throws SceneFormatException if the scene is invalid; later, the page shows such errors
+   */
+  public void open(PreviewListener also) throws SceneFormatException, TaskException {
+    if (source.isPresent()) {
+      SceneFile file = source.get().read(Set.of());
+      watch.watch(source.get().files());
+      session.open(file);
+      Thread thread = new Thread(new ViewRenderer(session, also), "lumbre-view");
+      thread.setDaemon(true);
+      thread.start();
+      renderer = Optional.of(thread);
+    }
+  }
+
+  /** Serves the page and reads the scene again when its files change, until the end. */
+  public void run(BooleanSupplier isEnd) throws InterruptedException {
+    while (!isEnd.getAsBoolean() && renderer.map(Thread::isAlive).orElse(true)) {
+      TimeUnit.MILLISECONDS.sleep(LOOK_MILLIS);
+      if (source.isPresent()) {
+        look(source.get());
+      }
+    }
+  }
+
+  private void look(SceneSource scene) {
+    Set<Layer> layers = session.extraLayers();
+    if (!watch.hasChanged() && layers.equals(recorded)) {
+      return;
+    }
+    recorded = layers;
+    try {
+      session.open(scene.read(layers));
+    } catch (SceneFormatException e) {
+      session.fail(Arrays.asList(String.valueOf(e.getMessage()).split("\n")));
+    } catch (TaskException e) {
+      session.fail(List.of(String.valueOf(e.getMessage())));
+    }
+    watch.watch(scene.files());
+  }
+
+  @Override
+  public void close() {
+    session.close();
+    server.close();
+    renderer.ifPresent(Thread::interrupt);
+  }
+}

@@ -1,0 +1,9 @@
+/**
+ * The local page of {@code lumbre view} and the display server of {@code --display-server}. Both
+ * are listeners of {@link io.github.lumbre.preview.PreviewRenderer}.
+ *
+ * <p>A {@link io.github.lumbre.cli.view.ViewServer} answers requests that {@link
+ * io.github.lumbre.cli.view.RequestGuard} accepts. A {@link io.github.lumbre.cli.view.ViewSession}
+ * holds what is shown, and renders in a thread of its own.
+ */
+package io.github.lumbre.cli.view;

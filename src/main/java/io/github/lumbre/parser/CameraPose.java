@@ -1,0 +1,35 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import java.util.Objects;
+
+/**
+ * The place of a camera, as a scene file states it for a camera without a parent.
+ *
+ * @param position {@code localPosition}: the eye, in world space
+ * @param rotation {@code localRotation}: degrees about z first, then x, then y
+ */
+public record CameraPose(Vec3 position, Vec3 rotation) {
+  public CameraPose {
+    Objects.requireNonNull(position, "position");
+    Objects.requireNonNull(rotation, "rotation");
+  }
+
+  /** Returns the pose of a camera; its angles are rounded. */
+  public static CameraPose of(Camera camera) {
+    return new CameraPose(camera.position(), Rotations.degrees(camera.axes()));
+  }
+
+  /**
+   * Returns a camera at this pose, with the bits of one that is read from a scene file with these
+   * numbers.
+   */
+  public Camera place(Camera camera) {
+    Transform turn = Transform.rotationDegrees(rotation);
+    return camera.movedTo(
+        position, new Frame(turn.vector(Vec3.X), turn.vector(Vec3.Y), turn.vector(Vec3.Z)));
+  }
+}

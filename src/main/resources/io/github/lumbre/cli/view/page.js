@@ -1,0 +1,463 @@
+(() => {
+  const $ = id => document.getElementById(id);
+  const canvas = $('picture'), overlay = $('overlay'), stage = $('stage');
+  const LIGHT = /^(|albedo|direct|indirect|denoisingAlbedo|lights.*)$/;
+  const SIGNED = /^(normal|geometricNormal|denoisingNormal)$/;
+  const LAYERS = [...new DOMParser().parseFromString('<select><!--layers--></select>', 'text/html').querySelectorAll('option')]
+    .map(o => o.textContent);
+
+  let state = null, since = 0, cost = 0;
+  let picture = null, light = null, other = null, kept = null;
+  let cursor = null, factor = 1, touched = false, failures = 0;
+
+  // ---- Requests
+
+  const post = async command => {
+    try {
+      const answer = await fetch('do', {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(command)});
+      if (!answer.ok) tell(await answer.text());
+    } catch (e) { tell('The program does not answer.'); }
+  };
+
+  const fetchPicture = async (path) => {
+    const answer = await fetch(path);
+    return answer.ok ? Tone.read(await answer.arrayBuffer()) : null;
+  };
+
+  const poll = async () => {
+    while (true) {
+      try {
+        const answer = await fetch(`state?since=${since}&cost=${Math.min(5000, Math.round(cost))}&hidden=${document.hidden ? 1 : 0}`);
+        cost = 0;
+        if (!answer.ok) throw new Error();
+        state = await answer.json();
+        since = state.version;
+        failures = 0;
+        showState();
+        if (!document.hidden) await refresh();
+        else await new Promise(done => setTimeout(done, 500));
+      } catch (e) {
+        failures++;
+        setStatus(failures > 1 ? 'The program has ended' : 'Connecting…', false);
+        await new Promise(done => setTimeout(done, Math.min(5000, 500 * failures)));
+      }
+    }
+  };
+
+  // Fetches the frame that the state names, if it is not here yet.
+  const refresh = async () => {
+    const frame = state.frame;
+    if (!frame) return;
+    const layer = frame.isDraft ? '' : $('layer').value;
+    const exact = frame.isFinal ? 1 : 0;
+    const key = frame.version + '/' + layer + '/' + exact;
+    if (picture && picture.key === key) return;
+    const found = await fetchPicture(`image?layer=${encodeURIComponent(layer)}&exact=${exact}&v=${frame.version}`);
+    if (!found) return;
+    const start = performance.now();
+    found.key = key;
+    found.layer = layer;
+    found.isDraft = frame.isDraft;
+    picture = found;
+    if (!layer) light = found;
+    $('empty').hidden = true;
+    paint();
+    cost += performance.now() - start;
+  };
+
+  // ---- Painting
+
+  const exposureFactor = p => $('auto').checked ? Tone.automatic(p) : 2 ** +$('exposure').value;
+
+  const limits = p => {
+    if (SIGNED.test(p.layer)) return [[-1, -1, -1], [1, 1, 1]];
+    if (p.layer === 'uv') return [[0, 0, 0], [1, 1, 1]];
+    const low = [], high = [], n = p.channels;
+    for (let c = 0; c < n; c++) {
+      let a = Infinity, b = -Infinity;
+      for (let i = c; i < p.values.length; i += n) {
+        const v = p.values[i];
+        if (Number.isFinite(v)) { if (v < a) a = v; if (v > b) b = v; }
+      }
+      low.push(a); high.push(b > a ? b : a + 1);
+    }
+    return [low, high];
+  };
+
+  const put = (target, p) => {
+    target.width = p.width;
+    target.height = p.height;
+    const context = target.getContext('2d');
+    const image = context.createImageData(p.width, p.height);
+    if (!LIGHT.test(p.layer || '')) Tone.scale(p, ...limits(p), image.data);
+    else Tone.develop(p, factor, $('tone').value, image.data);
+    context.putImageData(image, 0, 0);
+  };
+
+  const difference = (a, b) => {
+    const values = new Float32Array(3 * a.width * a.height);
+    for (let i = 0; i < a.width * a.height; i++) {
+      for (let c = 0; c < 3; c++) {
+        values[3 * i + c] = Math.abs(a.values[i * a.channels + Math.min(c, a.channels - 1)] - b.values[i * b.channels + Math.min(c, b.channels - 1)]);
+      }
+    }
+    return {width: a.width, height: a.height, channels: 3, values, layer: ''};
+  };
+
+  const rival = () => kept || other;
+
+  const paint = () => {
+    if (!picture) return;
+    const base = LIGHT.test(picture.layer || '') ? picture : light || picture;
+    factor = exposureFactor(base);
+    if ($('auto').checked) $('stops').textContent = Math.log2(factor).toFixed(1);
+    const b = rival(), mode = b ? $('mode').value : '';
+    const same = b && b.width === picture.width && b.height === picture.height;
+    $('second').hidden = mode !== 'side';
+    $('caption').hidden = !mode;
+    let shown = picture, text = state.name;
+    if (mode === 'diff' && same) { shown = difference(picture, b); text = 'absolute difference'; }
+    if (mode === 'diff' && !same) text = 'no difference: the pictures have different sizes';
+    if (mode === 'other') { shown = b; text = b.name; }
+    put(canvas, shown);
+    if (mode === 'side') { put($('otherpicture'), b); $('othercaption').textContent = b.name; }
+    $('caption').textContent = text;
+    if (b) {
+      $('comparison').textContent = same
+        ? `Compared with ${b.name}: mean absolute difference ${meanDifference(picture, b).toPrecision(3)}.`
+        : `${b.name} has ${b.width}×${b.height} pixels, this picture ${picture.width}×${picture.height}.`;
+    }
+    layout();
+    magnify();
+  };
+
+  const meanDifference = (a, b) => {
+    let sum = 0;
+    const n = a.width * a.height;
+    for (let i = 0; i < n; i++) for (let c = 0; c < 3; c++)
+      sum += Math.abs(a.values[i * a.channels + Math.min(c, a.channels - 1)] - b.values[i * b.channels + Math.min(c, b.channels - 1)]);
+    return sum / (3 * n);
+  };
+
+  // The size of the picture in full, also while a draft is shown.
+  const fullSize = () => picture && picture.isDraft && state.render
+    ? [state.render.window[2], state.render.window[3]] : [picture.width, picture.height];
+
+  let scale = 1;
+  const layout = () => {
+    if (!picture) return;
+    const [w, h] = fullSize();
+    const side = !$('second').hidden;
+    const isNarrow = matchMedia('(max-width: 760px)').matches;
+    const pad = isNarrow ? 20 : 40;
+    const room = stage.clientWidth - pad - (side && !isNarrow ? 16 : 0);
+    const columns = side && !isNarrow ? 2 : 1;
+    const space = isNarrow ? Infinity : stage.clientHeight - pad - ($('caption').hidden ? 0 : 24);
+    const wanted = +$('zoom').value;
+    scale = wanted || Math.max(.02, Math.min(room / columns / w, space / h, w < 200 ? 4 : 2));
+    for (const c of [canvas, $('otherpicture')]) {
+      c.style.width = w * scale + 'px';
+      c.style.height = h * scale + 'px';
+      c.classList.toggle('sharp', scale >= 2 && !picture.isDraft);
+    }
+    const origin = state.render ? state.render.window : [0, 0, w, h];
+    overlay.setAttribute('viewBox', `${origin[0]} ${origin[1]} ${w} ${h}`);
+    overlay.style.width = w * scale + 'px';
+    overlay.style.height = h * scale + 'px';
+    redraw();
+  };
+
+  const redraw = () => {
+    Paths.draw(overlay, scale);
+    if (cursor && document.activeElement === canvas) {
+      const o = state && state.render ? state.render.window : [0, 0];
+      for (const kind of ['mark under', 'mark']) {
+        const rect = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
+        const r = Math.max(.5, 3 / scale);
+        const set = {class: kind, x: o[0] + cursor[0] + .5 - r, y: o[1] + cursor[1] + .5 - r, width: 2 * r, height: 2 * r};
+        for (const [k, v] of Object.entries(set)) rect.setAttribute(k, v);
+        overlay.append(rect);
+      }
+    }
+  };
+
+  // ---- The magnifier and its values
+
+  const digits = v => Number.isFinite(v) ? String(+v.toPrecision(picture.isExact ? 7 : 4)) : String(v);
+
+  const magnify = () => {
+    if (!picture || picture.isDraft || !cursor) return;
+    const [x, y] = cursor, target = $('magnifier').getContext('2d');
+    target.imageSmoothingEnabled = false;
+    target.fillStyle = '#808080';
+    target.fillRect(0, 0, 143, 143);
+    target.drawImage(canvas, x - 5, y - 5, 11, 11, 0, 0, 143, 143);
+    target.strokeStyle = '#000'; target.strokeRect(64.5, 64.5, 14, 14);
+    target.strokeStyle = '#fff'; target.strokeRect(65.5, 65.5, 12, 12);
+    const names = picture.layer ? picture.channels === 3 && LIGHT.test(picture.layer) ? ['R', 'G', 'B'] : ['X', 'Y', 'Z', 'W'] : ['R', 'G', 'B', 'Alpha'];
+    const rows = [['Pixel', `${x}, ${y}`]];
+    const i = (y * picture.width + x) * picture.channels;
+    for (let c = 0; c < picture.channels; c++) rows.push([names[c] || c, digits(picture.values[i + c])]);
+    if (!picture.layer) rows.push(['Luminance', digits(Tone.luminance(picture.values[i], picture.values[i + 1], picture.values[i + 2]))]);
+    const b = rival();
+    if (b && b.width === picture.width && b.height === picture.height) {
+      const j = (y * b.width + x) * b.channels;
+      rows.push(['Other', [0, 1, 2].map(c => +b.values[j + Math.min(c, b.channels - 1)].toPrecision(3)).join(' ')]);
+    }
+    $('values').replaceChildren(...rows.map(([name, value]) => {
+      const div = document.createElement('div'), dt = document.createElement('dt'), dd = document.createElement('dd');
+      dt.textContent = name; dd.textContent = value; div.append(dt, dd);
+      return div;
+    }));
+  };
+
+  const pixelAt = event => {
+    const box = canvas.getBoundingClientRect();
+    const x = Math.floor((event.clientX - box.left) / box.width * canvas.width);
+    const y = Math.floor((event.clientY - box.top) / box.height * canvas.height);
+    return [Math.max(0, Math.min(canvas.width - 1, x)), Math.max(0, Math.min(canvas.height - 1, y))];
+  };
+
+  const explain = () => {
+    if (!cursor || !state.render || picture.isDraft) return;
+    const o = state.render.window;
+    Paths.load(cursor[0] + o[0], cursor[1] + o[1], null, redraw);
+  };
+
+  // ---- The camera
+
+  let pending = null, moving = false;
+  const move = delta => {
+    if (!state || !state.render) return;
+    pending = pending || {action: 'move', right: 0, up: 0, panRight: 0, panUp: 0, zoom: 0, still: false};
+    for (const key of ['right', 'up', 'panRight', 'panUp', 'zoom']) pending[key] += delta[key] || 0;
+    pending.still = delta.still || false;
+    if (Paths.pixel()) Paths.close(redraw);
+    send();
+  };
+  const send = async () => {
+    if (moving || !pending) return;
+    moving = true;
+    const next = pending;
+    pending = null;
+    await post(next);
+    moving = false;
+    send();
+  };
+
+  let drag = null;
+  canvas.addEventListener('pointerdown', e => {
+    if (e.button !== 0) return;
+    drag = {x: e.clientX, y: e.clientY, moved: false};
+    canvas.setPointerCapture(e.pointerId);
+  });
+  canvas.addEventListener('pointermove', e => {
+    if (picture && !picture.isDraft && !(drag && drag.moved)) { cursor = pixelAt(e); magnify(); }
+    if (!drag) return;
+    const dx = e.clientX - drag.x, dy = e.clientY - drag.y;
+    if (!drag.moved && Math.hypot(dx, dy) < 4) return;
+    drag.moved = true;
+    drag.x = e.clientX; drag.y = e.clientY;
+    if (!state.render) { stage.scrollBy(-dx, -dy); return; }
+    const h = canvas.clientHeight;
+    if (e.shiftKey) move({panRight: -dx / h, panUp: dy / h});
+    else move({right: -dx * .4, up: dy * .4});
+  });
+  const release = e => {
+    if (!drag) return;
+    if (drag.moved && state.render) move({still: true});
+    else if (!drag.moved && e.type === 'pointerup' && picture && !picture.isDraft) { cursor = pixelAt(e); explain(); }
+    drag = null;
+  };
+  canvas.addEventListener('pointerup', release);
+  canvas.addEventListener('pointercancel', release);
+  let wheelTimer = 0;
+  canvas.addEventListener('wheel', e => {
+    if (!state || !state.render || e.ctrlKey) return;
+    e.preventDefault();
+    move({zoom: Math.max(-1, Math.min(1, e.deltaY * .001))});
+    clearTimeout(wheelTimer);
+    wheelTimer = setTimeout(() => move({still: true}), 250);
+  }, {passive: false});
+
+  const copyCamera = async () => {
+    const answer = await fetch('camera');
+    const text = await answer.text();
+    $('cameratext').textContent = text;
+    $('copied').textContent = '';
+    $('json').showModal();
+    try {
+      await navigator.clipboard.writeText(text);
+      $('copied').textContent = 'Copied to the clipboard.';
+    } catch (e) { $('copied').textContent = 'Select the text to copy it.'; }
+  };
+
+  // ---- The state beside the picture
+
+  const setStatus = (text, isOn) => {
+    if ($('status').textContent !== text) $('status').textContent = text;
+    $('status').classList.toggle('on', isOn);
+  };
+  const tell = text => { $('problems').hidden = !text; $('problems').textContent = text; };
+  const number = v => v >= 100 ? Math.round(v).toLocaleString('en') : v.toFixed(v >= 10 ? 1 : 2).replace(/\.?0+$/, '');
+  const percent = v => v < 0 ? 'unknown' : +(100 * v).toPrecision(2) + ' %';
+
+  const STATUS = {reading: 'Reading…', rendering: 'Rendering', stopped: 'Stopped', finished: 'Finished', moving: 'Moving the camera', still: 'Picture'};
+
+  const showState = () => {
+    document.title = state.name + ' – Lumbre';
+    $('name').textContent = state.name;
+    setStatus(STATUS[state.status] || state.status, state.status === 'rendering');
+    tell(state.problems.length ? 'The scene cannot be read; the picture is of its last valid state.\n' + state.problems.join('\n') : '');
+    if (!touched) {
+      $('tone').value = state.toneMap;
+      $('auto').checked = state.exposure === 'auto';
+      $('exposure').value = state.exposure === 'auto' ? 0 : state.exposure;
+      $('stops').textContent = (+$('exposure').value).toFixed(1);
+    }
+    const r = state.render;
+    for (const id of ['progress', 'run', 'camera']) $(id).hidden = !r;
+    $('home').hidden = !state.isMoved;
+    layers();
+    if (state.other && !other) loadOther();
+    if (!r) return;
+    $('run').textContent = state.status === 'stopped' ? 'Continue' : 'Stop';
+    $('run').disabled = state.status === 'finished';
+    const done = Math.min(r.samples, r.goal);
+    $('samples').textContent = `${number(done)} of ${number(r.goal)}`;
+    const share = Math.round(100 * done / r.goal);
+    $('bar').setAttribute('aria-valuenow', share);
+    $('bar').firstElementChild.style.width = share + '%';
+    $('rate').textContent = r.rate >= 1e6 ? `${(r.rate / 1e6).toFixed(2)} M/s` : `${Math.round(r.rate / 1e3)} k/s`;
+    $('time').textContent = duration(r.seconds);
+    $('left').textContent = state.status === 'finished' ? '–' : r.secondsLeft < 0 ? '–' : duration(r.secondsLeft);
+    const last = r.errors[r.errors.length - 1];
+    $('error').textContent = last ? percent(last[2]) : '–';
+    $('bound').textContent = last ? percent(last[3]) : '–';
+    drawChart($('chart'), r.errors);
+  };
+
+  let layerKey = '';
+  const layers = () => {
+    const own = state.frame ? state.frame.layers : [];
+    const recorded = state.render ? state.render.recorded : own;
+    const names = state.render ? LAYERS : own;
+    const key = names.join() + '/' + recorded.join();
+    if (key === layerKey) return;
+    layerKey = key;
+    const chosen = $('layer').value;
+    const options = names.map(name => {
+      const has = recorded.includes(name);
+      return new Option(has ? name : name + ' (renders anew)', name);
+    });
+    $('layer').replaceChildren(new Option('picture', ''), ...options);
+    $('layer').value = chosen;
+  };
+
+  const loadOther = async () => {
+    other = {};
+    const found = await fetchPicture('other');
+    if (found) { found.name = state.other; other = found; comparing(); } else other = null;
+  };
+  const comparing = () => { $('mode').disabled = !rival(); paint(); };
+
+  // ---- Controls
+
+  const touch = () => { touched = true; paint(); };
+  $('exposure').oninput = () => { $('auto').checked = false; $('stops').textContent = (+$('exposure').value).toFixed(1); touch(); };
+  $('auto').onchange = () => { $('stops').textContent = (+$('exposure').value).toFixed(1); touch(); };
+  $('tone').onchange = touch;
+  $('zoom').onchange = layout;
+  $('mode').onchange = paint;
+  $('layer').onchange = async () => {
+    const name = $('layer').value;
+    if (name && state.render && !state.render.recorded.includes(name)) await post({action: 'record', layer: name});
+    await refresh();
+  };
+  $('run').onclick = () => post({action: state.status === 'stopped' ? 'continue' : 'stop'});
+  $('home').onclick = () => { Paths.close(redraw); post({action: 'home'}); };
+  $('camera').onclick = copyCamera;
+  $('help').onclick = () => $('keys').showModal();
+  $('closekeys').onclick = () => $('keys').close();
+  $('closejson').onclick = () => $('json').close();
+  $('closepaths').onclick = () => { Paths.close(redraw); canvas.focus(); };
+  $('show').onclick = () => { const p = Paths.pixel(); if (p) Paths.load(p[0], p[1], Math.max(0, Math.round(+$('number').value)), redraw); };
+  $('keep').onclick = () => {
+    if (!picture || picture.isDraft) return;
+    kept = {...picture, name: 'the picture kept at ' + (state.render ? number(state.render.samples) + ' samples' : state.name)};
+    if (!$('mode').value) $('mode').value = 'side';
+    comparing();
+  };
+  $('file').onchange = async () => {
+    const file = $('file').files[0];
+    if (!file) return;
+    try {
+      const bitmap = await createImageBitmap(file, {colorSpaceConversion: 'none'});
+      const scratch = document.createElement('canvas');
+      scratch.width = bitmap.width; scratch.height = bitmap.height;
+      const context = scratch.getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const data = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+      const table = Float32Array.from({length: 256}, (_, i) => Tone.decode(i / 255));
+      const values = new Float32Array(3 * bitmap.width * bitmap.height);
+      for (let i = 0; i < values.length / 3; i++) for (let c = 0; c < 3; c++) values[3 * i + c] = table[data[4 * i + c]];
+      kept = {width: bitmap.width, height: bitmap.height, channels: 3, values, layer: '', name: file.name};
+      if (!$('mode').value) $('mode').value = 'side';
+      comparing();
+    } catch (e) { tell(`${file.name}: expected a PNG or JPEG picture`); }
+    $('file').value = '';
+  };
+  for (const id of ['png', 'exr']) {
+    $(id).onclick = () => {
+      const stops = $('auto').checked ? 'auto' : $('exposure').value;
+      $(id).href = `save?format=${id}&exposure=${stops}&tone=${$('tone').value}`;
+    };
+  }
+
+  // ---- Keys
+
+  const next = (select, step = 1) => {
+    select.selectedIndex = (select.selectedIndex + step + select.options.length) % select.options.length;
+    select.dispatchEvent(new Event('change'));
+  };
+  const mode = name => {
+    if ($('mode').disabled) return;
+    $('mode').value = $('mode').value === name ? '' : name;
+    paint();
+  };
+  const expose = by => { $('exposure').value = +$('exposure').value + by; $('exposure').oninput(); };
+  const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+  const ACTIONS = {
+    s: () => { if (!$('run').hidden && !$('run').disabled) $('run').click(); },
+    h: () => { if (!$('home').hidden) $('home').click(); },
+    c: () => { if (!$('camera').hidden) copyCamera(); },
+    k: () => $('keep').click(), b: () => mode('side'), d: () => mode('diff'), x: () => mode('other'),
+    t: () => next($('tone')), l: () => next($('layer')),
+    z: () => { $('zoom').value = $('zoom').value === '0' ? '1' : '0'; layout(); },
+    '[': () => expose(-.5), ']': () => expose(.5), '?': () => $('keys').showModal(),
+    Escape: () => { if (Paths.pixel()) Paths.close(redraw); },
+  };
+  document.addEventListener('keydown', e => {
+    if (e.ctrlKey || e.metaKey || e.altKey || $('keys').open || $('json').open || !state) return;
+    const tag = e.target.tagName;
+    const arrow = ARROWS[e.key];
+    if (e.target === canvas && (arrow || e.key === 'Enter')) {
+      e.preventDefault();
+      if (!arrow) { explain(); return; }
+      if (e.shiftKey) { move({right: 5 * arrow[0], up: -5 * arrow[1], still: true}); return; }
+      cursor = cursor || [Math.floor(canvas.width / 2), Math.floor(canvas.height / 2)];
+      cursor = [Math.max(0, Math.min(canvas.width - 1, cursor[0] + arrow[0])), Math.max(0, Math.min(canvas.height - 1, cursor[1] + arrow[1]))];
+      magnify();
+      redraw();
+      return;
+    }
+    if (tag === 'SELECT' || tag === 'INPUT' && e.target.type !== 'range' && e.target.type !== 'checkbox') return;
+    const action = ACTIONS[e.key.length === 1 ? e.key.toLowerCase() : e.key];
+    if (action) { e.preventDefault(); action(); }
+  });
+  canvas.addEventListener('focus', redraw);
+  canvas.addEventListener('blur', redraw);
+  new ResizeObserver(layout).observe(stage);
+  drawChart($('chart'), []);
+  poll();
+})();

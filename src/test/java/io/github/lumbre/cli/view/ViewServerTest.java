@@ -1,0 +1,462 @@
+package io.github.lumbre.cli.view;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import io.github.lumbre.cli.TinyScene;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.preview.PreviewListener;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.Setting;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Predicate;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The server of the local page: what it shows, what it does, and what it refuses. */
+class ViewServerTest {
+  private static final long PATIENCE_NANOS = 60_000_000_000L;
+
+  @TempDir private Path directory;
+  private Path scene;
+  private View view;
+  private Thread runner;
+  private final AtomicBoolean isEnd = new AtomicBoolean();
+  private int samples = 64;
+
+  /** Reads the scene of the test. */
+  private final class Source implements SceneSource {
+    @Override
+    public SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
+      try {
+        return new SceneParser()
+            .overriding(s -> s.toBuilder().samples(samples).set(Setting.LAYERS, layers).build())
+            .parse(scene);
+      } catch (IOException e) {
+        throw new TaskException(TaskException.Kind.SCENE, e.getMessage(), e);
+      }
+    }
+
+    @Override
+    public byte[] text() throws IOException {
+      return Files.readAllBytes(scene);
+    }
+
+    @Override
+    public Set<Path> files() {
+      return Set.of(scene);
+    }
+  }
+
+  /** An answer, read from a socket so that no client forbids a header. */
+  private record Reply(int status, Map<String, String> headers, byte[] body) {
+    String text() {
+      return new String(body, StandardCharsets.UTF_8);
+    }
+  }
+
+  @BeforeEach
+  void write() {
+    scene = TinyScene.write(directory, TinyScene.JSON);
+  }
+
+  @AfterEach
+  void end() throws InterruptedException {
+    isEnd.set(true);
+    if (runner != null) {
+      runner.join();
+    }
+    if (view != null) {
+      view.close();
+    }
+  }
+
+  private View.Options options() {
+    return new View.Options(scene, 0, Optional.empty(), "");
+  }
+
+  private void start() throws Exception {
+    view = View.of(new Source(), options());
+    view.open(PreviewListener.NONE);
+    runner =
+        new Thread(
+            () -> {
+              try {
+                view.run(isEnd::get);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+    runner.start();
+  }
+
+  private Reply send(String method, String path, String body, String... headers)
+      throws IOException {
+    URI address = view.address();
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), address.getPort())) {
+      socket.setSoTimeout(30_000);
+      List<String> lines = new ArrayList<>(List.of(method + " " + path + " HTTP/1.1"));
+      lines.addAll(List.of(headers));
+      if (lines.stream().noneMatch(line -> line.startsWith("Host:"))) {
+        lines.add("Host: 127.0.0.1:" + address.getPort());
+      }
+      lines.add("Connection: close");
+      if (!body.isEmpty()) {
+        lines.add("Content-Length: " + body.length());
+      }
+      String request = String.join("\r\n", lines) + "\r\n\r\n" + body;
+      socket.getOutputStream().write(request.getBytes(StandardCharsets.UTF_8));
+      socket.getOutputStream().flush();
+      return reply(socket.getInputStream().readAllBytes());
+    }
+  }
+
+  private static Reply reply(byte[] all) {
+    String text = new String(all, StandardCharsets.ISO_8859_1);
+    int end = text.indexOf("\r\n\r\n");
+    Map<String, String> headers = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+    String[] lines = text.substring(0, end).split("\r\n");
+    for (String line : Arrays.copyOfRange(lines, 1, lines.length)) {
+      headers.put(
+          line.substring(0, line.indexOf(':')), line.substring(line.indexOf(':') + 1).trim());
+    }
+    int status = Integer.parseInt(lines[0].split(" ")[1]);
+    return new Reply(status, headers, Arrays.copyOfRange(all, end + 4, all.length));
+  }
+
+  private Reply get(String path) throws IOException {
+    return send("GET", view.address().getPath() + path, "");
+  }
+
+  private Reply act(String json) throws IOException {
+    String origin = "Origin: http://127.0.0.1:" + view.address().getPort();
+    return send("POST", view.address().getPath() + "do", json, origin);
+  }
+
+  private JsonObject state(long since) throws IOException {
+    Reply reply = get("state?since=" + since);
+    assertThat(reply.status()).as(reply.text()).isEqualTo(200);
+    return JsonParser.parseString(reply.text()).getAsJsonObject();
+  }
+
+  private JsonObject await(Predicate<JsonObject> condition) throws IOException {
+    long end = System.nanoTime() + PATIENCE_NANOS;
+    JsonObject state = state(0);
+    while (!condition.test(state)) {
+      assertThat(System.nanoTime()).as(state.toString()).isLessThan(end);
+      state = state(state.get("version").getAsLong());
+    }
+    return state;
+  }
+
+  private static boolean isFinished(JsonObject state) {
+    return state.get("status").getAsString().equals("finished");
+  }
+
+  private float[] values(String query) throws IOException {
+    ByteBuffer bytes = ByteBuffer.wrap(get(query).body()).order(ByteOrder.LITTLE_ENDIAN);
+    bytes.position(20);
+    float[] values = new float[bytes.remaining() / 4];
+    bytes.asFloatBuffer().get(values);
+    return values;
+  }
+
+  private float[] rendered(Path file) throws Exception {
+    SceneFile read =
+        new SceneParser().overriding(s -> s.toBuilder().samples(samples).build()).parse(file);
+    return new BucketRenderer(read.settings()).render(read.scene()).rgb();
+  }
+
+  @Test
+  void pageIsOneSmallFileThatLoadsNothing() throws Exception {
+    start();
+    Reply page = get("");
+    assertThat(page.status()).isEqualTo(200);
+    assertThat(page.body()).hasSizeLessThan(200_000);
+    assertThat(page.text().replace("http://www.w3.org/2000/svg", "")).doesNotContain("://");
+    assertThat(page.headers().get("Content-Security-Policy")).startsWith("default-src 'none'");
+    assertThat(page.headers()).containsEntry("Cache-Control", "no-store");
+    assertThat(page.headers()).doesNotContainKey("Access-Control-Allow-Origin");
+  }
+
+  @Test
+  void finishedPictureHasTheBitsOfARender() throws Exception {
+    start();
+    JsonObject state = await(ViewServerTest::isFinished);
+    assertThat(values("image?exact=1")).isEqualTo(rendered(scene));
+    JsonObject render = state.getAsJsonObject("render");
+    assertThat(render.get("samples").getAsDouble()).isEqualTo(64);
+    assertThat(render.getAsJsonArray("errors")).isNotEmpty();
+    assertThat(state.getAsJsonObject("frame").get("isFinal").getAsBoolean()).isTrue();
+    SceneFile file = new Source().read(Set.of());
+    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Path png = Files.write(directory.resolve("saved.png"), get("save?format=png&tone=aces").body());
+    Path expected = directory.resolve("expected.png");
+    ImageWriter.write(
+        image, expected, new ImageWriter.Options(Exposure.NONE, ToneCurve.ACES, 8, Map.of()));
+    assertThat(pixels(png)).isEqualTo(pixels(expected));
+  }
+
+  private static int[] pixels(Path png) throws IOException {
+    BufferedImage image = ImageIO.read(png.toFile());
+    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
+  @Test
+  void stoppedRenderContinuesToTheSameBits() throws Exception {
+    samples = 3000;
+    start();
+    await(state -> state.has("frame") && !isFinished(state));
+    act("{\"action\": \"stop\"}");
+    JsonObject stopped = await(state -> state.get("status").getAsString().equals("stopped"));
+    double before = stopped.getAsJsonObject("render").get("samples").getAsDouble();
+    assertThat(before).isLessThan(3000);
+    act("{\"action\": \"continue\"}");
+    await(ViewServerTest::isFinished);
+    assertThat(values("image?exact=1")).isEqualTo(rendered(scene));
+  }
+
+  @Test
+  void turnedCameraIsCopiedAsJsonWithTheSameBits() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    act("{\"action\": \"move\", \"right\": 31.4, \"up\": 8.8, \"zoom\": 0.1, \"still\": true}");
+    JsonObject state = await(s -> s.get("isMoved").getAsBoolean() && isFinished(s));
+    assertThat(state.getAsJsonObject("frame").get("isDraft").getAsBoolean()).isFalse();
+    float[] turned = values("image?exact=1");
+    JsonObject camera = JsonParser.parseString(get("camera").text()).getAsJsonObject();
+    JsonObject whole = JsonParser.parseString(TinyScene.JSON).getAsJsonObject();
+    whole.getAsJsonArray("objects").set(0, camera);
+    Path copy = Files.writeString(directory.resolve("turned.json"), whole.toString());
+    assertThat(turned).isEqualTo(rendered(copy)).isNotEqualTo(rendered(scene));
+    act("{\"action\": \"home\"}");
+    await(s -> !s.get("isMoved").getAsBoolean() && isFinished(s));
+    assertThat(values("image?exact=1")).isEqualTo(rendered(scene));
+  }
+
+  @Test
+  void dragShowsDraftsAndEndsByItself() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    act("{\"action\": \"move\", \"right\": 5}");
+    JsonObject draft = await(s -> s.getAsJsonObject("frame").get("isDraft").getAsBoolean());
+    assertThat(draft.get("status").getAsString()).isEqualTo("moving");
+    await(ViewServerTest::isFinished);
+  }
+
+  @Test
+  void savedSceneIsRenderedAnewAndAnInvalidOneIsReported() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    float[] before = values("image?exact=1");
+    TinyScene.write(directory, TinyScene.with("\"radius\": 1", "\"radius\": -1"));
+    JsonObject broken = await(state -> !state.getAsJsonArray("problems").isEmpty());
+    assertThat(broken.getAsJsonArray("problems").get(0).getAsString())
+        .contains("$.objects[2].radius", "found -1");
+    assertThat(values("image?exact=1")).isEqualTo(before);
+    TinyScene.write(directory, TinyScene.with("\"radius\": 1", "\"radius\": 0.5"));
+    await(state -> state.getAsJsonArray("problems").isEmpty() && isFinished(state));
+    assertThat(values("image?exact=1")).isEqualTo(rendered(scene)).isNotEqualTo(before);
+  }
+
+  @Test
+  void layersAreRecordedOnRequest() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    assertThat(act("{\"action\": \"record\", \"layer\": \"normal\"}").status()).isEqualTo(200);
+    await(s -> s.getAsJsonObject("render").getAsJsonArray("recorded").size() == 1 && isFinished(s));
+    assertThat(values("image?layer=normal&exact=1")).hasSize(3 * 16 * 12);
+    byte[] exr = get("save?format=exr").body();
+    assertThat(LayeredImage.of(exr).layer("normal")).isPresent();
+    assertThat(values("image?exact=1")).isEqualTo(rendered(scene));
+  }
+
+  @Test
+  void pixelHasPathsInThePicture() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    JsonObject pixel = JsonParser.parseString(get("pixel?x=8&y=8").text()).getAsJsonObject();
+    assertThat(pixel.get("samples").getAsInt()).isEqualTo(64);
+    JsonObject path = pixel.getAsJsonArray("brightest").get(0).getAsJsonObject();
+    assertThat(path.get("text").getAsString()).startsWith("pixel 8,8, sample ");
+    JsonObject first = path.getAsJsonArray("drawing").get(0).getAsJsonObject();
+    assertThat(first.getAsJsonArray("to").get(0).getAsDouble()).isBetween(7.9, 9.1);
+    assertThat(first.getAsJsonArray("to").get(1).getAsDouble()).isBetween(7.9, 9.1);
+    assertThat(get("pixel?x=8&y=8&sample=5").text()).contains("\"sample\":5");
+  }
+
+  @Test
+  void twoBrowsersSeeTheSame() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    assertThat(values("image?exact=1")).isEqualTo(values("image?exact=1"));
+    assertThat(state(0)).isEqualTo(state(0));
+  }
+
+  @Test
+  void closedPageCostsNothingAndTheResultIsThere() throws Exception {
+    samples = 20_000;
+    start();
+    await(state -> state.has("frame") && !isFinished(state));
+    Thread.sleep(Viewers.PATIENCE_NANOS / 1_000_000 + 500);
+    assertThat(view.session().viewers().areWatching()).isFalse();
+    long version = view.session().frame().orElseThrow().version();
+    Thread.sleep(700);
+    boolean isDone = view.session().snapshot().status().equals("finished");
+    if (!isDone) {
+      assertThat(view.session().frame().orElseThrow().version()).isEqualTo(version);
+    }
+    act("{\"action\": \"stop\"}");
+    await(state -> !state.get("status").getAsString().equals("rendering"));
+    double shown = view.session().frame().orElseThrow().samples();
+    await(state -> state.getAsJsonObject("frame").get("isFinal").getAsBoolean());
+    assertThat(view.session().frame().orElseThrow().samples()).isGreaterThanOrEqualTo(shown);
+  }
+
+  @Test
+  void othersAreRefused() throws Exception {
+    start();
+    String path = view.address().getPath();
+    String own = "127.0.0.1:" + view.address().getPort();
+    String stop = "{\"action\": \"stop\"}";
+    assertThat(send("GET", "/", "").status()).isEqualTo(404);
+    assertThat(send("GET", "/" + "0".repeat(32) + "/state", "").status()).isEqualTo(404);
+    assertThat(send("GET", path, "", "Host: example.com").status()).isEqualTo(403);
+    assertThat(send("GET", path + "state", "", "Origin: http://example.com").status())
+        .isEqualTo(403);
+    assertThat(send("POST", path + "do", stop).status()).isEqualTo(403);
+    assertThat(send("POST", path + "do", stop, "Origin: http://example.com").status())
+        .isEqualTo(403);
+    assertThat(send("OPTIONS", path + "do", "", "Origin: http://example.com").status())
+        .isEqualTo(403);
+    assertThat(state(0).get("status").getAsString()).isNotEqualTo("stopped");
+    String origin = "Origin: http://" + own;
+    assertThat(send("POST", path + "do", " ".repeat(20_000), origin).status()).isEqualTo(413);
+    assertThat(send("GET", path + "image?" + "x".repeat(3000), "").status()).isEqualTo(414);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "pixel?x=16&y=0",
+        "pixel?x=-1&y=0",
+        "pixel?x=a&y=0",
+        "pixel?x=1&y=1&sample=99999999999",
+        "state?since=x",
+        "save?exposure=NaN",
+        "save?exposure=x",
+        "save?tone=x",
+        "state?a=%zz"
+      })
+  void wrongQuestionsAreAnswered(String query) throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    assertThat(get(query).status()).isEqualTo(400);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        "[]",
+        "{\"action\": \"quit\"}",
+        "{\"action\": {}}",
+        "{\"action\": \"move\", \"right\": \"x\"}",
+        "{\"action\": \"move\", \"right\": 1e300}",
+        "{\"action\": \"move\", \"up\": [1, 2]}",
+        "{\"action\": \"move\", \"still\": {}}",
+        "{\"action\": \"record\"}",
+        "{\"action\": \"record\", \"layer\": \"x\"}"
+      })
+  void wrongCommandsAreAnswered(String body) throws Exception {
+    start();
+    assertThat(act(body).status()).isEqualTo(400);
+  }
+
+  @Test
+  void deepCommandIsAnswered() throws Exception {
+    start();
+    assertThat(act("[".repeat(16_000)).status()).isEqualTo(400);
+  }
+
+  @Test
+  void portInUseIsReported() throws Exception {
+    start();
+    View.Options same = new View.Options(scene, view.address().getPort(), Optional.empty(), "");
+    assertThatThrownBy(() -> View.of(new Source(), same))
+        .isInstanceOf(TaskException.class)
+        .hasMessageContaining("choose another port");
+  }
+
+  @Test
+  void pictureIsShownAndComparedWithAnother() throws Exception {
+    Image image = new Image(2, 1, new float[] {1, 2, 3, .1f, .2f, .3f}, new float[0]);
+    View.Picture picture = new View.Picture(image, List.of(), Map.of());
+    View.Options options = new View.Options(scene, 0, Optional.of(picture), "other.exr");
+    view = View.of(picture, Exposure.of(1), ToneCurve.AGX, options);
+    view.open(PreviewListener.NONE);
+    JsonObject state = state(0);
+    assertThat(state.get("status").getAsString()).isEqualTo("still");
+    assertThat(state.get("toneMap").getAsString()).isEqualTo("agx");
+    assertThat(state.get("exposure").getAsDouble()).isEqualTo(1);
+    assertThat(state.get("other").getAsString()).isEqualTo("other.exr");
+    assertThat(values("image?exact=1")).containsExactly(1, 2, 3, .1f, .2f, .3f);
+    assertThat(values("other")).containsExactly(1, 2, 3, .1f, .2f, .3f);
+    assertThat(get("pixel?x=0&y=0").status()).isEqualTo(400);
+    assertThat(act("{\"action\": \"move\", \"right\": 3}").status()).isEqualTo(200);
+  }
+
+  @Test
+  void manySlowClientsDoNotStopThePage() throws Exception {
+    start();
+    List<Socket> slow = new ArrayList<>();
+    try {
+      for (int i = 0; i < 40; i++) {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), view.address().getPort());
+        socket.getOutputStream().write("GET / HTTP/1.1\r\n".getBytes(StandardCharsets.US_ASCII));
+        slow.add(socket);
+      }
+      for (Socket socket : slow) {
+        socket.close();
+      }
+      assertThat(get("").status()).isEqualTo(200);
+    } finally {
+      for (Socket socket : slow) {
+        socket.close();
+      }
+    }
+  }
+}
