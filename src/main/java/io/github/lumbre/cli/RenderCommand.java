@@ -5,6 +5,7 @@ import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.DenoiserFlags;
+import io.github.lumbre.cli.option.DisplayServerFlag;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
@@ -32,6 +33,7 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
+import io.github.lumbre.cli.view.DisplayServer;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.lab.MemoryCheck;
@@ -45,6 +47,7 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.stopping.Budget;
+import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -170,6 +173,8 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private CheckpointFlags checkpoints;
 
+  @Mixin private DisplayServerFlag display;
+
   @Option(
       names = "--turntable",
       paramLabel = "N",
@@ -224,6 +229,7 @@ final class RenderCommand implements Callable<Integer> {
     budgets.validate();
     checkpoints.validate();
     kernel.validate();
+    Optional<InetSocketAddress> viewer = display.address();
     require(
         !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
         "--adaptive: cannot be combined with --checkpoint, --samples-from or --samples-to, because"
@@ -271,7 +277,15 @@ final class RenderCommand implements Callable<Integer> {
           budgets.since(start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
       RenderJob job = job(file, picture, keeper, monitor, budget, report).denoising(denoised);
       interruption.requireRender();
-      return job.run(flags.firstSample());
+      return viewer.isPresent() ? displayed(job, viewer.get()) : job.run(flags.firstSample());
+    }
+  }
+
+  private int displayed(RenderJob job, InetSocketAddress viewer) throws TaskException {
+    String name = String.valueOf(options.scene().getFileName());
+    DisplayServer server = DisplayServer.start(viewer, name, run.errors()::line);
+    try (DisplayedEngine displayed = new DisplayedEngine(engine, server)) {
+      return job.by(displayed).run(flags.firstSample());
     }
   }
 

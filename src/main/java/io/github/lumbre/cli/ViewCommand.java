@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.cli.option.DisplayServerFlag;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.RenderFlags;
@@ -15,6 +16,7 @@ import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.LayerInput;
 import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.view.DisplayServer;
 import io.github.lumbre.cli.view.SceneSource;
 import io.github.lumbre.cli.view.SystemBrowser;
 import io.github.lumbre.cli.view.View;
@@ -37,6 +39,7 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
@@ -110,12 +113,15 @@ final class ViewCommand implements Callable<Integer> {
 
   @Mixin private KernelFlag kernel;
 
+  @Mixin private DisplayServerFlag display;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     flags.validate();
     kernel.validate();
+    Optional<InetSocketAddress> viewer = display.address();
     FlagChecks checks = new FlagChecks(spec);
     checks.requireIn("--port", 0, 65535, port);
     checks.require(
@@ -131,8 +137,15 @@ final class ViewCommand implements Callable<Integer> {
         RenderMonitor monitor = new RenderMonitor(interruption, false);
         View view = view(how, errors)) {
       announce(view);
-      view.open(PreviewListener.NONE);
-      view.run(monitor::isCancelled);
+      String name = String.valueOf(options.scene().getFileName());
+      Optional<DisplayServer> server =
+          viewer.map(address -> DisplayServer.start(address, name, errors::line));
+      try {
+        view.open(server.map(PreviewListener.class::cast).orElse(PreviewListener.NONE));
+        view.run(monitor::isCancelled);
+      } finally {
+        server.ifPresent(DisplayServer::close);
+      }
       return ExitCodes.INTERRUPTED;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -39,6 +39,11 @@ final class RenderClock implements Progress {
     return isCancelled.getAsBoolean();
   }
 
+  /** Corrects the number of samples: a pass that is paused does not report its last ones. */
+  void correct(long allSamples) {
+    samples.set(allSamples);
+  }
+
   long samples() {
     return samples.get();
   }

@@ -83,7 +83,10 @@ public final class ViewSession {
     Image image = preview.image();
     if (isDraft) {
       draft = Optional.of(image);
-    } else if (preview.samples() < 1 && draft.isPresent()) {
+    } else {
+      clock.correct(preview.totalSamples());
+    }
+    if (!isDraft && preview.samples() < 1 && draft.isPresent()) {
       image = filled(image, draft.get());
     }
     frame =

@@ -62,6 +62,7 @@
     if (!layer) light = found;
     $('empty').hidden = true;
     paint();
+    canvas.dataset.final = frame.isFinal;
     cost += performance.now() - start;
   };
 
@@ -87,7 +88,7 @@
   const put = (target, p) => {
     target.width = p.width;
     target.height = p.height;
-    const context = target.getContext('2d');
+    const context = target.getContext('2d', {willReadFrequently: true});
     const image = context.createImageData(p.width, p.height);
     if (!LIGHT.test(p.layer || '')) Tone.scale(p, ...limits(p), image.data);
     else Tone.develop(p, factor, $('tone').value, image.data);

@@ -1,0 +1,44 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.checkpoint.RecordedLayers;
+import io.github.lumbre.cli.run.Engine;
+import io.github.lumbre.cli.view.DisplayServer;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.preview.PreviewRenderer;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassRenderer;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Shows the passes of an engine on a display server. Mutable, for one render. */
+final class DisplayedEngine implements Engine, AutoCloseable {
+  private final Engine engine;
+  private final DisplayServer display;
+  private Optional<PreviewRenderer> renderer = Optional.empty();
+
+  DisplayedEngine(Engine engine, DisplayServer display) {
+    this.engine = engine;
+    this.display = display;
+  }
+
+  @Override
+  public PassRenderer over(Path path, SceneFile scene, FilmRenderer local, boolean isTimed)
+      throws TaskException {
+    PreviewRenderer displayed =
+        new PreviewRenderer(
+            engine.over(path, scene, local, isTimed),
+            RecordedLayers.of(scene.settings(), scene.scene()),
+            display);
+    renderer = Optional.of(displayed);
+    return displayed;
+  }
+
+  /** Shows the last samples, and closes the connection. */
+  @Override
+  public void close() {
+    display.end();
+    renderer.ifPresent(PreviewRenderer::finish);
+    display.close();
+  }
+}

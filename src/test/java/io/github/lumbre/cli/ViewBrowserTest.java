@@ -1,0 +1,358 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import io.github.lumbre.cli.view.SceneSource;
+import io.github.lumbre.cli.view.View;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.preview.PreviewListener;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.Setting;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * The page of {@code lumbre view} in a browser: what it shows, and what a mouse and keys do.
+ * Screenshots are in {@code target/browser}.
+ */
+@Tag("browser")
+class ViewBrowserTest {
+  private static final Path FOLDER = Path.of("target", "browser");
+  private static final long PATIENCE_NANOS = 90_000_000_000L;
+
+  private static Browser browser;
+
+  @TempDir private Path directory;
+  private Path scene;
+  private View view;
+  private Thread runner;
+  private final AtomicBoolean isEnd = new AtomicBoolean();
+
+  private SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
+    try {
+      return new SceneParser()
+          .overriding(
+              s -> s.toBuilder().size(120, 90).samples(64).set(Setting.LAYERS, layers).build())
+          .parse(scene);
+    } catch (IOException e) {
+      throw new TaskException(TaskException.Kind.SCENE, e.getMessage(), e);
+    }
+  }
+
+  private SceneSource source() {
+    return new SceneSource() {
+      @Override
+      public SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
+        return ViewBrowserTest.this.read(layers);
+      }
+
+      @Override
+      public byte[] text() throws IOException {
+        return Files.readAllBytes(scene);
+      }
+
+      @Override
+      public Set<Path> files() {
+        return Set.of(scene);
+      }
+    };
+  }
+
+  @BeforeAll
+  static void openBrowser() throws Exception {
+    Files.createDirectories(FOLDER);
+    browser = Browser.start();
+  }
+
+  @AfterAll
+  static void closeBrowser() throws Exception {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  @BeforeEach
+  void start() throws Exception {
+    scene = Files.copy(Path.of("scenes/cornell-box.json"), directory.resolve("cornell-box.json"));
+    view = View.of(source(), new View.Options(scene, 0, Optional.empty(), ""));
+    view.open(PreviewListener.NONE);
+    runner =
+        new Thread(
+            () -> {
+              try {
+                view.run(isEnd::get);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+    runner.start();
+  }
+
+  @AfterEach
+  void end() throws Exception {
+    isEnd.set(true);
+    runner.join();
+    view.close();
+  }
+
+  private void open(int width, int height, boolean isDark) throws Exception {
+    browser.open(view.address(), width, height, isDark);
+  }
+
+  private static void await(String condition) throws InterruptedException {
+    long end = System.nanoTime() + PATIENCE_NANOS;
+    while (!browser.evaluate("String(" + condition + ")").equals("true")) {
+      assertThat(System.nanoTime()).as(condition).isLessThan(end);
+      Thread.sleep(100);
+    }
+  }
+
+  private static void awaitFinished() throws InterruptedException {
+    await(
+        "document.getElementById('status').textContent === 'Finished'"
+            + " && document.getElementById('picture').dataset.final === 'true'");
+  }
+
+  /** Returns the pixels of the canvas as red, green and blue, of all pixels in order. */
+  private static byte[] canvas() {
+    String text =
+        browser.evaluate(
+            """
+            (() => {
+              const c = document.getElementById('picture');
+              const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+              let s = '';
+              for (let i = 0; i < d.length; i += 4) s += String.fromCharCode(d[i], d[i + 1], d[i + 2]);
+              return btoa(s);
+            })()
+            """);
+    return Base64.getDecoder().decode(text);
+  }
+
+  private static void mouse(String type, double x, double y) {
+    browser.send(
+        "Input.dispatchMouseEvent",
+        Map.of("type", type, "x", x, "y", y, "button", "left", "clickCount", 1, "buttons", 1));
+  }
+
+  private static void key(String key) {
+    browser.send("Input.dispatchKeyEvent", Map.of("type", "keyDown", "key", key));
+    browser.send("Input.dispatchKeyEvent", Map.of("type", "keyUp", "key", key));
+  }
+
+  private static double[] center() {
+    String[] words =
+        browser
+            .evaluate(
+                "(() => { const b = document.getElementById('picture').getBoundingClientRect();"
+                    + " return `${b.left + b.width / 2} ${b.top + b.height * .7}`; })()")
+            .split(" ");
+    return new double[] {Double.parseDouble(words[0]), Double.parseDouble(words[1])};
+  }
+
+  @Test
+  void convergedPictureHasTheBytesOfThePngInEveryToneCurve() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    await("document.querySelector('#chart .estimate') !== null");
+    SceneFile file = read(Set.of());
+    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    for (ToneCurve curve : ToneCurve.values()) {
+      for (String exposure : new String[] {"0", "1.5", "auto"}) {
+        browser.evaluate(
+            """
+            (() => {
+              const set = (id, v) => { const e = document.getElementById(id); e.value = v; return e; };
+              document.getElementById('auto').checked = '%2$s' === 'auto';
+              if ('%2$s' !== 'auto') set('exposure', '%2$s');
+              set('tone', '%1$s').dispatchEvent(new Event('change'));
+              return '';
+            })()
+            """
+                .formatted(curve.label(), exposure));
+        Exposure stops =
+            exposure.equals("auto") ? Exposure.AUTO : Exposure.of(Double.parseDouble(exposure));
+        byte[] png = image.toPng(new ImageWriter.Options(stops, curve, 8, Map.of()));
+        BufferedImage expected = ImageIO.read(new ByteArrayInputStream(png));
+        byte[] found = canvas();
+        int different = 0;
+        for (int i = 0; i < found.length; i++) {
+          int rgb = expected.getRGB(i / 3 % 120, i / 3 / 120);
+          int wanted = rgb >> 16 - 8 * (i % 3) & 0xff;
+          int difference = Math.abs(wanted - (found[i] & 0xff));
+          assertThat(difference).as("%s %s %d", curve, exposure, i).isLessThanOrEqualTo(1);
+          different += difference;
+        }
+        // Of powers and logarithms, browsers round the last bit in their own way.
+        assertThat(different).as("%s %s", curve, exposure).isLessThanOrEqualTo(3);
+      }
+    }
+    browser.photograph(FOLDER.resolve("view-wide.png"));
+    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.requests()).allMatch(url -> url.startsWith(view.address().toString()));
+  }
+
+  @Test
+  void clickDrawsPaths() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    double[] at = center();
+    mouse("mouseMoved", at[0], at[1]);
+    mouse("mousePressed", at[0], at[1]);
+    mouse("mouseReleased", at[0], at[1]);
+    await("document.querySelectorAll('#overlay circle').length > 0");
+    assertThat(browser.evaluate("document.getElementById('text').textContent"))
+        .matches("(?s)pixel 60,6[23], sample .*");
+    await("document.querySelectorAll('#vertices li').length > 0");
+    await("document.getElementById('values').textContent.includes('60, 6')");
+    browser.photograph(FOLDER.resolve("view-paths.png"));
+    key("Escape");
+    await("document.getElementById('paths').hidden");
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void dragTurnsTheCamera() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    byte[] before = canvas();
+    double[] at = center();
+    mouse("mousePressed", at[0], at[1]);
+    for (int i = 1; i <= 6; i++) {
+      mouse("mouseMoved", at[0] + 12 * i, at[1] - 3 * i);
+      Thread.sleep(60);
+    }
+    mouse("mouseReleased", at[0] + 72, at[1] - 18);
+    await("!document.getElementById('home').hidden");
+    awaitFinished();
+    await("document.getElementById('picture').width === 120");
+    assertThat(canvas()).isNotEqualTo(before);
+    browser.photograph(FOLDER.resolve("view-turned.png"));
+    browser.evaluate("(document.getElementById('camera').click(), '')");
+    await("document.getElementById('cameratext').textContent.includes('localRotation')");
+    browser.photograph(FOLDER.resolve("view-camera.png"));
+    browser.evaluate("(document.getElementById('closejson').click(), '')");
+    key("h");
+    await("document.getElementById('home').hidden");
+    awaitFinished();
+    long end = System.nanoTime() + PATIENCE_NANOS;
+    while (!Arrays.equals(canvas(), before)) {
+      assertThat(System.nanoTime()).isLessThan(end);
+      Thread.sleep(100);
+    }
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void keptPictureIsCompared() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    key("k");
+    await("!document.getElementById('second').hidden");
+    browser.photograph(FOLDER.resolve("view-side.png"));
+    key("d");
+    await("document.getElementById('mode').value === 'diff'");
+    assertThat(canvas()).containsOnly((byte) 0);
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void savedSceneIsShownAndPicturesAreSaved() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    byte[] before = canvas();
+    browser.evaluate(
+        """
+        (() => {
+          const link = document.getElementById('png');
+          link.addEventListener('click', e => e.preventDefault());
+          link.click();
+          fetch(link.href).then(a => a.arrayBuffer()).then(b => { window.saved = b.byteLength; });
+          return '';
+        })()
+        """);
+    await("window.saved > 1000");
+    String text = Files.readString(scene);
+    Files.writeString(scene, text.substring(0, text.length() / 2));
+    await("!document.getElementById('problems').hidden");
+    browser.photograph(FOLDER.resolve("view-problem.png"));
+    assertThat(canvas()).isEqualTo(before);
+    Files.writeString(scene, text.replaceFirst("\"intensity\": *[0-9.]+", "\"intensity\": 3"));
+    await("document.getElementById('problems').hidden");
+    awaitFinished();
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @CsvSource({"narrow, 360, 740, false", "dark, 1100, 760, true", "tablet, 768, 1024, false"})
+  void pageFitsTheScreen(String name, int width, int height, boolean isDark) throws Exception {
+    open(width, height, isDark);
+    awaitFinished();
+    browser.photograph(FOLDER.resolve("view-" + name + ".png"));
+    String outside =
+        "[...document.querySelectorAll('button,select,input,h1,h2,canvas,dd')].filter(e => {"
+            + " const b = e.getBoundingClientRect();"
+            + " return b.width > 2 && (b.left < 0 || b.right > screen.width + 1); })"
+            + ".map(e => e.id || e.textContent).join()";
+    assertThat(browser.evaluate(outside)).isEmpty();
+    assertThat(browser.evaluate("String(document.documentElement.scrollWidth <= screen.width)"))
+        .isEqualTo("true");
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  /** Runs axe-core, whose script {@code -Daxe=.../axe.min.js} names, on the page in each state. */
+  @ParameterizedTest
+  @CsvSource({"1280, false", "360, true"})
+  void pageIsAccessible(int width, boolean isDark) throws Exception {
+    String script = System.getProperty("axe", "");
+    assumeThat(script).as("-Daxe=FILE").isNotEmpty();
+    open(width, 800, isDark);
+    awaitFinished();
+    double[] at = center();
+    mouse("mousePressed", at[0], at[1]);
+    mouse("mouseReleased", at[0], at[1]);
+    await("document.querySelectorAll('#vertices li').length > 0");
+    browser.evaluate(Files.readString(Path.of(script)) + "; ''");
+    for (String dialog : new String[] {"", "keys"}) {
+      if (!dialog.isEmpty()) {
+        browser.evaluate("(document.getElementById('keys').showModal(), '')");
+      }
+      browser.evaluate("(window.found = null, axe.run().then(r => window.found = r), '')");
+      await("window.found !== null");
+      String violations =
+          "window.found.violations.map(v => v.id + ': ' + v.nodes.map(n => n.html).join(' ;"
+              + " ')).join('\\n"
+              + "')";
+      assertThat(browser.evaluate(violations)).isEmpty();
+      assertThat(browser.evaluate("String(window.found.passes.length > 10)")).isEqualTo("true");
+    }
+  }
+}
