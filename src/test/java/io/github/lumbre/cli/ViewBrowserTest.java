@@ -20,6 +20,7 @@ import io.github.lumbre.scene.Setting;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -118,6 +119,8 @@ class ViewBrowserTest {
 
   @AfterEach
   void end() throws Exception {
+    // Leave the page first: it would complain that the server has gone.
+    browser.open(URI.create("about:blank"), 800, 600, false);
     isEnd.set(true);
     runner.join();
     view.close();

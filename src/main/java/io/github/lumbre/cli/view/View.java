@@ -117,12 +117,12 @@ public final class View implements AutoCloseable {
   public void open(PreviewListener also) throws SceneFormatException, TaskException {
     if (source.isPresent()) {
       SceneFile file = source.get().read(Set.of());
-      watch.watch(source.get().files());
       session.open(file);
       Thread thread = new Thread(new ViewRenderer(session, also), "lumbre-view");
       thread.setDaemon(true);
       thread.start();
       renderer = Optional.of(thread);
+      watch.watch(source.get().files());
     }
   }
 

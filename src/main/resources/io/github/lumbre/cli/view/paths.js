@@ -81,6 +81,7 @@ const Paths = (() => {
     const mine = ++serial;
     pixel = [x, y];
     $('paths').hidden = false;
+    if (matchMedia('(min-width: 761px)').matches) $('paths').scrollIntoView({block: 'nearest'});
     $('pathshead').textContent = `Paths of pixel ${x}, ${y}`;
     $('pathnote').textContent = 'Repeating its samples…';
     redraw();
