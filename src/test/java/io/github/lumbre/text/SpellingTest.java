@@ -32,4 +32,20 @@ class SpellingTest {
     assertThat(Spelling.suggestion("widht", known)).isEqualTo("; did you mean width?");
     assertThat(Spelling.suggestion("colour", known)).isEmpty();
   }
+
+  @Test
+  void ofSeveralKnownWordsTheNearestIsSuggested() {
+    assertThat(Spelling.suggestion("raduis", List.of("radii", "radios", "radius")))
+        .isEqualTo("; did you mean radius?");
+    assertThat(Spelling.suggestion("radix", List.of("radiz", "radim", "radis")))
+        .isEqualTo("; did you mean radim?");
+  }
+
+  @Test
+  void wordsOfMoreThanFortyLettersGetNoSuggestion() {
+    String forty = "x".repeat(40);
+    assertThat(Spelling.suggestion(forty, List.of(forty))).contains(forty);
+    String more = "x".repeat(41);
+    assertThat(Spelling.suggestion(more, List.of(more))).isEmpty();
+  }
 }
