@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 
 /**
  * Changes the hierarchies of a scene from plain Java to vectors once these are faster. Until the
@@ -55,7 +56,7 @@ public final class KernelChange {
     isCompiled = compiled;
   }
 
-  /** Returns whether {@link #run} has something to do; it does it once. */
+  /** Returns whether {@link #run} has something to do; it tries it once. */
   public synchronized boolean isPossible() {
     return !isTried && !hierarchies.isEmpty();
   }
@@ -65,10 +66,12 @@ public final class KernelChange {
    * and it is faster than plain Java; then changes all hierarchies. If it does not become faster,
    * nothing changes. Takes one thread a few seconds.
    *
+   * @param isWanted whether to continue; the search stops soon after it returns false. Another run
+   *     may then try again.
    * @return whether the hierarchies have changed
    * @throws InterruptedException if the thread is interrupted; nothing has changed then
    */
-  public boolean run() throws InterruptedException {
+  public boolean run(BooleanSupplier isWanted) throws InterruptedException {
     synchronized (this) {
       if (!isPossible()) {
         return false;
@@ -80,7 +83,7 @@ public final class KernelChange {
       vectors.add(bvh.vectorTraversal());
     }
     int largest = indexOfLargest();
-    if (!becomesFaster(hierarchies.get(largest), vectors.get(largest))) {
+    if (!becomesFaster(hierarchies.get(largest), vectors.get(largest), isWanted)) {
       return false;
     }
     setCompiled(true);
@@ -90,13 +93,18 @@ public final class KernelChange {
     return true;
   }
 
+  private synchronized void tryAgain() {
+    isTried = false;
+  }
+
   private int indexOfLargest() {
     Bvh largest =
         hierarchies.stream().max(Comparator.comparingLong(Bvh::changeableItems)).orElseThrow();
     return hierarchies.indexOf(largest);
   }
 
-  private static boolean becomesFaster(Bvh bvh, Traversal vectors) throws InterruptedException {
+  private boolean becomesFaster(Bvh bvh, Traversal vectors, BooleanSupplier isWanted)
+      throws InterruptedException {
     SearchTime plainTime = new SearchTime(bvh, bvh.bounded());
     SearchTime vectorTime = new SearchTime(bvh, vectors);
     long start = System.nanoTime();
@@ -105,6 +113,10 @@ public final class KernelChange {
         throw new InterruptedException();
       }
       if (System.nanoTime() - start > LONGEST_NANOS) {
+        return false;
+      }
+      if (!isWanted.getAsBoolean()) {
+        tryAgain();
         return false;
       }
       wins = vectorTime.next() < plainTime.next() ? wins + 1 : 0;

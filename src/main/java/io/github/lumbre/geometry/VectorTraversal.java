@@ -57,11 +57,6 @@ final class VectorTraversal implements Traversal {
     space = tree.space();
   }
 
-  /** Returns the number of floats in a vector of this processor. */
-  static int preferredLanes() {
-    return FloatVector.SPECIES_PREFERRED.length();
-  }
-
   @Override
   public boolean traverse(
       double ox, double oy, double oz, double dx, double dy, double dz, NearestHit nearest) {

@@ -31,9 +31,12 @@ final class Vectors {
         : Optional.of("this processor's vectors hold " + lanes + " floats, but 8 are needed");
   }
 
+  /** Loads none of the module's classes of vectors, which take long to load. */
   private static int preferredLanes() {
     try {
-      return (int) Class.forName(TRAVERSAL).getDeclaredMethod("preferredLanes").invoke(null);
+      Class<?> shape = Class.forName(MODULE + ".VectorShape");
+      Object preferred = shape.getMethod("preferredShape").invoke(null);
+      return (int) shape.getMethod("vectorBitSize").invoke(preferred) / Float.SIZE;
     } catch (ReflectiveOperationException e) {
       throw new AssertionError(e);
     }

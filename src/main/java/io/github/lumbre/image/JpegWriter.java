@@ -29,7 +29,7 @@ final class JpegWriter {
   private JpegWriter() {}
 
   static void write(Image image, ImageWriter.Options options, OutputStream out) throws IOException {
-    BufferedImage picture = PngWriter.quantised(image, options, 8, false);
+    BufferedImage picture = quantized(DisplayRows.of(image, options, 8, false));
     javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
     try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);
@@ -45,6 +45,17 @@ final class JpegWriter {
     } finally {
       writer.dispose();
     }
+  }
+
+  private static BufferedImage quantized(SampleRows rows) {
+    BufferedImage picture =
+        new BufferedImage(rows.width(), rows.height(), BufferedImage.TYPE_3BYTE_BGR);
+    int[] row = new int[rows.bands() * rows.width()];
+    for (int y = 0; y < rows.height(); y++) {
+      rows.read(y, row);
+      picture.getRaster().setPixels(0, y, rows.width(), 1, row);
+    }
+    return picture;
   }
 
   /** Returns the metadata that the encoder's defaults lack: sampling factors and a comment. */

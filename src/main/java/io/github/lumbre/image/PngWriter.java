@@ -1,55 +1,49 @@
 package io.github.lumbre.image;
 
-import java.awt.Transparency;
-import java.awt.color.ColorSpace;
-import java.awt.image.BufferedImage;
-import java.awt.image.ColorModel;
-import java.awt.image.ComponentColorModel;
-import java.awt.image.DataBuffer;
-import java.awt.image.Raster;
-import java.awt.image.WritableRaster;
+import java.io.BufferedOutputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Map;
-import javax.imageio.IIOException;
-import javax.imageio.IIOImage;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageTypeSpecifier;
-import javax.imageio.metadata.IIOMetadata;
-import javax.imageio.metadata.IIOMetadataNode;
-import javax.imageio.stream.ImageOutputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
+import java.util.zip.CRC32;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
 
 /**
- * Writes PNG files with exposure and tone curve applied: 8 or 16 bits, straight alpha if the
- * picture has any, metadata as text chunks. A quantized copy takes 3 to 8 bytes of memory per pixel
- * during writing.
+ * Writes PNG files (PNG specification, third edition): 8 or 16 bits, straight alpha if the picture
+ * has any, metadata as text chunks. Java's own writer loads hundreds of classes and copies the
+ * picture.
  */
 final class PngWriter {
-  private static final String METADATA = "javax_imageio_png_1.0";
+  private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
+  private static final int GRAY = 0;
+  private static final int RGB = 2;
+  private static final int RGBA = 6;
+
+  /** The gamma 1 / 2.2, times 100,000. */
+  private static final int GAMMA = 45455;
+
+  /** zlib's level: higher ones take longer and gain little with noisy pictures. */
+  private static final int LEVEL = 4;
+
+  /** The number of bytes in a data chunk. */
+  private static final int CHUNK = 1 << 15;
 
   private PngWriter() {}
 
+  /** Writes a picture with exposure and tone curve applied. */
   static void write(Image image, ImageWriter.Options options, OutputStream out) throws IOException {
-    BufferedImage picture = quantised(image, options, options.pngBits(), image.hasAlpha());
-    write(picture, chunks(options), out);
-  }
-
-  /** Writes a picture with the chunks of a metadata tree. */
-  private static void write(BufferedImage picture, IIOMetadataNode chunks, OutputStream out)
-      throws IOException {
-    javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
-    try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
-      writer.setOutput(stream);
-      IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
-      metadata.mergeTree(METADATA, chunks);
-      writer.write(new IIOImage(picture, null, metadata));
-    } catch (IIOException e) {
-      // The exception's own message is empty; that of its cause is "No space left on device".
-      throw e.getCause() instanceof IOException cause ? cause : e;
-    } finally {
-      writer.dispose();
+    SampleRows rows = DisplayRows.of(image, options, options.pngBits(), image.hasAlpha());
+    writeHeader(rows, out);
+    if (options.curve().endsInSrgb()) {
+      writeChunk("sRGB", new byte[] {0}, 1, out);
+    } else {
+      writeChunk("gAMA", bytes(GAMMA), Integer.BYTES, out);
     }
+    writeRest(rows, options.metadata(), out);
   }
 
   /**
@@ -68,128 +62,106 @@ final class PngWriter {
       Map<String, String> texts,
       OutputStream out)
       throws IOException {
-    int count = layer.channels().size();
-    int bands = count == 1 ? 1 : 3;
-    int type = bits == 8 ? DataBuffer.TYPE_BYTE : DataBuffer.TYPE_USHORT;
-    WritableRaster raster =
-        Raster.createInterleavedRaster(type, layer.width(), layer.height(), bands, null);
-    int[] row = new int[bands * layer.width()];
-    int max = (1 << bits) - 1;
-    for (int y = 0; y < layer.height(); y++) {
+    SampleRows rows = new LinearRows(layer, low, high, bits);
+    writeHeader(rows, out);
+    writeRest(rows, texts, out);
+  }
+
+  /** The rows of a layer between two values. */
+  private record LinearRows(ImageLayer layer, double low, double high, int bits)
+      implements SampleRows {
+    @Override
+    public int width() {
+      return layer.width();
+    }
+
+    @Override
+    public int height() {
+      return layer.height();
+    }
+
+    @Override
+    public int bands() {
+      return layer.channels().size() == 1 ? 1 : 3;
+    }
+
+    @Override
+    public void read(int y, int[] row) {
+      int bands = bands();
+      int max = (1 << bits) - 1;
       for (int i = 0; i < row.length; i++) {
-        double value = i % bands < count ? layer.value(i / bands, y, i % bands) : low;
+        boolean exists = i % bands < layer.channels().size();
+        double value = exists ? layer.value(i / bands, y, i % bands) : low;
         // NaN becomes 0.
         row[i] = (int) Math.round(max * Srgb.clamp((value - low) / (high - low)));
       }
-      raster.setPixels(0, y, layer.width(), 1, row);
     }
-    int space = bands == 1 ? ColorSpace.CS_GRAY : ColorSpace.CS_sRGB;
-    ColorModel model =
-        new ComponentColorModel(
-            ColorSpace.getInstance(space), false, false, Transparency.OPAQUE, type);
-    IIOMetadataNode root = new IIOMetadataNode(METADATA);
-    addTexts(root, texts);
-    write(new BufferedImage(model, raster, false, null), root, out);
   }
 
-  /**
-   * Returns the picture quantized for display, with exposure and tone curve applied.
-   *
-   * @param bits bits per channel, 8 or 16
-   * @param alpha whether to keep alpha; if not, the picture is composited over black
-   */
-  static BufferedImage quantised(
-      Image image, ImageWriter.Options options, int bits, boolean alpha) {
-    int type = bits == 8 ? DataBuffer.TYPE_BYTE : DataBuffer.TYPE_USHORT;
-    int bands = alpha ? 4 : 3;
-    WritableRaster raster =
-        Raster.createInterleavedRaster(type, image.width(), image.height(), bands, null);
-    fill(raster, image, options, (1 << bits) - 1);
-    ColorModel model =
-        new ComponentColorModel(
-            ColorSpace.getInstance(ColorSpace.CS_sRGB),
-            alpha,
-            false,
-            alpha ? Transparency.TRANSLUCENT : Transparency.OPAQUE,
-            type);
-    return new BufferedImage(model, raster, false, null);
+  private static void writeHeader(SampleRows rows, OutputStream out) throws IOException {
+    out.write(SIGNATURE);
+    ByteArrayOutputStream header = new ByteArrayOutputStream();
+    DataOutputStream data = new DataOutputStream(header);
+    data.writeInt(rows.width());
+    data.writeInt(rows.height());
+    data.writeByte(rows.bits());
+    data.writeByte(rows.bands() == 1 ? GRAY : rows.bands() == 3 ? RGB : RGBA);
+    // The only kinds of compression and filters, and no interlacing.
+    data.write(new byte[3]);
+    writeChunk("IHDR", header, out);
   }
 
-  private static void fill(
-      WritableRaster raster, Image image, ImageWriter.Options options, int max) {
-    // Keep the factor finite, so that black does not become NaN.
-    double factor = Math.min(options.exposure().factor(image), Double.MAX_VALUE);
-    int bands = raster.getNumBands();
-    boolean isOverBlack = image.hasAlpha() && bands == 3;
-    int[] row = new int[bands * image.width()];
-    for (int y = 0; y < image.height(); y++) {
-      for (int x = 0; x < image.width(); x++) {
-        Rgb exposed = exposed(image.pixel(x, y), factor);
-        Rgb light = isOverBlack ? exposed.times(Srgb.clamp(image.alpha(x, y))) : exposed;
-        Rgb shown = options.curve().apply(light);
-        int i = bands * x;
-        row[i] = (int) Math.round(max * shown.r());
-        row[i + 1] = (int) Math.round(max * shown.g());
-        row[i + 2] = (int) Math.round(max * shown.b());
-        if (bands == 4) {
-          row[i + 3] = (int) Math.round(max * Srgb.clamp(image.alpha(x, y)));
+  private static void writeRest(SampleRows rows, Map<String, String> texts, OutputStream out)
+      throws IOException {
+    for (Map.Entry<String, String> text : texts.entrySet()) {
+      writeText(text.getKey(), text.getValue(), out);
+    }
+    Deflater deflater = new Deflater(LEVEL);
+    try {
+      DeflaterOutputStream deflated =
+          new DeflaterOutputStream(
+              new BufferedOutputStream(new DataChunks(out), CHUNK), deflater, CHUNK);
+      writeRows(rows, deflated);
+      deflated.finish();
+      deflated.flush();
+    } finally {
+      deflater.end();
+    }
+    writeChunk("IEND", new byte[0], 0, out);
+  }
+
+  private static void writeRows(SampleRows rows, OutputStream out) throws IOException {
+    int bytesPerValue = rows.bits() / 8;
+    int[] values = new int[Math.multiplyExact(rows.bands(), rows.width())];
+    PngFilter filter = new PngFilter(rows.bands() * bytesPerValue, values.length * bytesPerValue);
+    for (int y = 0; y < rows.height(); y++) {
+      rows.read(y, values);
+      byte[] row = filter.nextRow();
+      int i = filter.start();
+      for (int value : values) {
+        if (bytesPerValue == 2) {
+          row[i++] = (byte) (value >> 8);
         }
+        row[i++] = (byte) value;
       }
-      raster.setPixels(0, y, image.width(), 1, row);
+      filter.write(out);
     }
   }
 
-  private static Rgb exposed(Rgb c, double factor) {
-    return new Rgb(exposed(c.r(), factor), exposed(c.g(), factor), exposed(c.b(), factor));
-  }
-
-  private static double exposed(double v, double factor) {
-    return v > 0 ? Math.min(v * factor, Double.MAX_VALUE) : 0;
-  }
-
-  private static IIOMetadataNode chunks(ImageWriter.Options options) {
-    IIOMetadataNode root = new IIOMetadataNode(METADATA);
-    if (options.curve().endsInSrgb()) {
-      root.appendChild(node("sRGB", Map.of("renderingIntent", "Perceptual")));
-    } else {
-      root.appendChild(node("gAMA", Map.of("value", "45455")));
+  private static void writeText(String keyword, String text, OutputStream out) throws IOException {
+    ByteArrayOutputStream chunk = new ByteArrayOutputStream();
+    chunk.writeBytes(keyword.getBytes(StandardCharsets.ISO_8859_1));
+    chunk.write(0);
+    if (isLatin(text)) {
+      chunk.writeBytes(text.getBytes(StandardCharsets.ISO_8859_1));
+      writeChunk("tEXt", chunk, out);
+      return;
     }
-    addTexts(root, options.metadata());
-    return root;
-  }
-
-  private static void addTexts(IIOMetadataNode root, Map<String, String> texts) {
-    IIOMetadataNode latin = new IIOMetadataNode("tEXt");
-    IIOMetadataNode international = new IIOMetadataNode("iTXt");
-    texts.forEach(
-        (keyword, text) -> {
-          if (isLatin(text)) {
-            latin.appendChild(node("tEXtEntry", Map.of("keyword", keyword, "value", text)));
-          } else {
-            international.appendChild(internationalEntry(keyword, text));
-          }
-        });
-    root.appendChild(latin);
-    root.appendChild(international);
-  }
-
-  private static IIOMetadataNode internationalEntry(String keyword, String text) {
-    return node(
-        "iTXtEntry",
-        Map.of(
-            "keyword", keyword,
-            "compressionFlag", "FALSE",
-            "compressionMethod", "0",
-            "languageTag", "",
-            "translatedKeyword", "",
-            // A NUL character would end the text.
-            "text", text.replace('\0', '\uFFFD')));
-  }
-
-  private static IIOMetadataNode node(String name, Map<String, String> attributes) {
-    IIOMetadataNode node = new IIOMetadataNode(name);
-    attributes.forEach(node::setAttribute);
-    return node;
+    // Not compressed, without a language and a translated keyword.
+    chunk.writeBytes(new byte[4]);
+    // A NUL character would end the text.
+    chunk.writeBytes(text.replace('\0', '\uFFFD').getBytes(StandardCharsets.UTF_8));
+    writeChunk("iTXt", chunk, out);
   }
 
   /**
@@ -199,5 +171,48 @@ final class PngWriter {
   private static boolean isLatin(String text) {
     return text.chars()
         .allMatch(c -> c == '\n' || (c >= 0x20 && c <= 0x7e) || (c >= 0xa1 && c <= 0xff));
+  }
+
+  private static void writeChunk(String type, ByteArrayOutputStream data, OutputStream out)
+      throws IOException {
+    writeChunk(type, data.toByteArray(), data.size(), out);
+  }
+
+  private static void writeChunk(String type, byte[] data, int length, OutputStream out)
+      throws IOException {
+    byte[] name = type.getBytes(StandardCharsets.US_ASCII);
+    CRC32 sum = new CRC32();
+    sum.update(name);
+    sum.update(data, 0, length);
+    out.write(bytes(length));
+    out.write(name);
+    out.write(data, 0, length);
+    out.write(bytes((int) sum.getValue()));
+  }
+
+  private static byte[] bytes(int value) {
+    return new byte[] {
+      (byte) (value >> 24), (byte) (value >> 16), (byte) (value >> 8), (byte) value
+    };
+  }
+
+  /** Writes each block of bytes as a data chunk. */
+  private static final class DataChunks extends OutputStream {
+    private final OutputStream out;
+
+    DataChunks(OutputStream out) {
+      this.out = out;
+    }
+
+    @Override
+    public void write(int value) throws IOException {
+      write(new byte[] {(byte) value}, 0, 1);
+    }
+
+    @Override
+    public void write(byte[] data, int offset, int length) throws IOException {
+      byte[] block = offset == 0 ? data : Arrays.copyOfRange(data, offset, offset + length);
+      writeChunk("IDAT", block, length, out);
+    }
   }
 }

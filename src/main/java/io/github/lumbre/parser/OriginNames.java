@@ -10,7 +10,8 @@ import java.util.Set;
  * another place has the same; without a name, the path. Mutable.
  */
 final class OriginNames {
-  private final Map<Origin, String> names = new HashMap<>();
+  /** The names by path and name in the file, between them a NUL, which is in neither. */
+  private final Map<String, String> names = new HashMap<>();
   private final Set<String> taken = new HashSet<>();
 
   /** The next number for each name that has been given. */
@@ -27,7 +28,8 @@ final class OriginNames {
   }
 
   String of(Origin origin) {
-    return origin.equals(Origin.NONE) ? missing : names.computeIfAbsent(origin, this::unused);
+    String key = origin.path() + '\0' + origin.name();
+    return key.length() == 1 ? missing : names.computeIfAbsent(key, k -> unused(origin));
   }
 
   private String unused(Origin origin) {

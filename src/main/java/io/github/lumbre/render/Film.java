@@ -129,17 +129,29 @@ public final class Film {
 
   /** Returns the smallest number of samples of any pixel. */
   public int fewestSamples() {
-    return Arrays.stream(counts).min().getAsInt();
+    int fewest = counts[0];
+    for (int count : counts) {
+      fewest = Math.min(fewest, count);
+    }
+    return fewest;
   }
 
   /** Returns the largest number of samples of any pixel. */
   public int mostSamples() {
-    return Arrays.stream(counts).max().getAsInt();
+    int most = counts[0];
+    for (int count : counts) {
+      most = Math.max(most, count);
+    }
+    return most;
   }
 
   /** Returns the fraction of pixels without samples, 0 to 1. */
   public double shareWithoutSamples() {
-    return Arrays.stream(counts).filter(count -> count == 0).count() / (double) counts.length;
+    int without = 0;
+    for (int count : counts) {
+      without += count == 0 ? 1 : 0;
+    }
+    return without / (double) counts.length;
   }
 
   /** Returns the median number of samples per pixel; the upper one of two middle values. */
@@ -165,7 +177,11 @@ public final class Film {
 
   /** Returns the total number of samples of all pixels. */
   public long totalSamples() {
-    return Arrays.stream(counts).asLongStream().sum();
+    long total = 0;
+    for (int count : counts) {
+      total += count;
+    }
+    return total;
   }
 
   /**

@@ -179,12 +179,17 @@ public final class FilmRenderer implements PassRenderer {
       workers.add(new BucketWorker(settings, scene, integrator, sampler(), film, target, queue));
     }
     double start = seconds();
-    crew.run(workers, queue, progress);
+    KernelUpgrade.begin();
+    try {
+      crew.run(workers, queue, progress);
+    } finally {
+      KernelUpgrade.end();
+    }
     RenderStatistics statistics = statistics(workers);
-    double processorSeconds = (seconds() - start) * workers.size();
+    double threadSeconds = (seconds() - start) * workers.size();
     if (statistics.samples() > 0) {
       double left = (double) settings.samples() * pixels() - film.totalSamples();
-      KernelUpgrade.passed(scene, processorSeconds, left * processorSeconds / statistics.samples());
+      KernelUpgrade.passed(scene, threadSeconds, left * threadSeconds / statistics.samples());
     }
     return new PassResult(queue.isExhausted(), statistics);
   }

@@ -1,38 +1,82 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.scene.Scene;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.DoubleAdder;
+import java.util.function.DoubleSupplier;
 
 /**
- * Changes the kernel of a scene when it pays, in a thread beside the render. Compiling the vector
- * kernel takes about two seconds of processor time, and it then saves 10&nbsp;% to 40&nbsp;% of the
- * time of a render: short renders are over sooner without.
+ * Changes the kernel of a scene when it pays, in a thread beside the passes of a render. Compiling
+ * the vector kernel takes about two seconds of processor time, and it then saves 10&nbsp;% to
+ * 40&nbsp;% of the time of a render: short renders are over sooner without.
+ *
+ * <p>The thread ends soon after the last pass. A later pass may start it again.
  */
 final class KernelUpgrade {
-  /** With less experience, in processor seconds, the time left cannot be told: the JIT compiles. */
+  /** With less experience, in processor seconds, the time left is unknown: the JIT compiles. */
   private static final double LEAST_SPENT = 3;
 
   /** It pays from this many processor seconds on, either still to come or already spent. */
   private static final double PAYS_FROM = 8;
 
-  /** Processor seconds of passes with plain Java, in all renders of this JVM. */
+  /** The longest time between two passes of a render that continues. */
+  private static final long PAUSE_NANOS = 500_000_000;
+
+  /** Seconds of the threads of passes with plain Java, in all renders of this JVM. */
   private static final DoubleAdder SPENT = new DoubleAdder();
+
+  /** The number of passes that are running in this JVM. */
+  private static final AtomicInteger RUNNING = new AtomicInteger();
+
+  private static volatile long lastEnd;
 
   private KernelUpgrade() {}
 
+  /** Forgets the passes of former renders, for tests. */
+  static void forget() {
+    SPENT.reset();
+  }
+
+  /** Takes note of the begin of a pass. */
+  static void begin() {
+    RUNNING.incrementAndGet();
+  }
+
+  /** Takes note of the end of a pass. */
+  static void end() {
+    lastEnd = System.nanoTime();
+    RUNNING.decrementAndGet();
+  }
+
   /**
-   * Takes note of a pass, and starts the change if it pays.
+   * Starts the change if it pays, after a pass.
    *
-   * @param seconds processor time of the pass
-   * @param secondsLeft expected processor time of the passes to come
+   * @param seconds the time of the pass's threads, together
+   * @param secondsLeft the expected time of the threads of the passes to come, together
    */
   static void passed(Scene scene, double seconds, double secondsLeft) {
+    passed(scene, seconds, secondsLeft, KernelUpgrade::processorSeconds);
+  }
+
+  /**
+   * Starts the change if it pays, after a pass. On a busy machine, threads wait for processors, so
+   * that the processor time counts.
+   *
+   * @param processorSeconds the processor seconds that this JVM has used, which bound those of the
+   *     threads; called if the change pays without such a bound
+   */
+  static void passed(
+      Scene scene, double seconds, double secondsLeft, DoubleSupplier processorSeconds) {
     if (!scene.mayChangeKernel()) {
       return;
     }
     SPENT.add(seconds);
     double spent = SPENT.sum();
-    if (spent > LEAST_SPENT && Math.max(spent, secondsLeft) > PAYS_FROM) {
+    if (pays(spent, secondsLeft)) {
+      double share = Math.min(1, processorSeconds.getAsDouble() / spent);
+      if (!pays(share * spent, share * secondsLeft)) {
+        return;
+      }
       SPENT.reset();
       Thread thread = new Thread(() -> run(scene), "lumbre-kernel");
       thread.setDaemon(true);
@@ -40,11 +84,29 @@ final class KernelUpgrade {
     }
   }
 
+  private static boolean pays(double spent, double left) {
+    return spent > LEAST_SPENT && Math.max(spent, left) > PAYS_FROM;
+  }
+
+  /** Returns the processor time of this JVM; infinity if it is unknown. */
+  private static double processorSeconds() {
+    return ProcessHandle.current()
+        .info()
+        .totalCpuDuration()
+        .map(duration -> duration.toMillis() / 1000.0)
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+
+  /** Returns whether a pass is running, or may follow on one that has just ended. */
+  static boolean isRendering() {
+    return RUNNING.get() > 0 || System.nanoTime() - lastEnd < PAUSE_NANOS;
+  }
+
   private static void run(Scene scene) {
     try {
-      scene.changeKernel();
+      scene.changeKernel(KernelUpgrade::isRendering);
     } catch (InterruptedException | OutOfMemoryError e) {
-      // The render goes on as it is.
+      // The render continues as it is.
     }
   }
 }

@@ -243,6 +243,12 @@ public final class RenderSettings {
       }
       return new Size(Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)));
     }
+
+    /** Returns the text that {@link #of} parses. */
+    @Override
+    public String toString() {
+      return width + "x" + height;
+    }
   }
 
   /**
@@ -259,6 +265,21 @@ public final class RenderSettings {
       requireIn(0, MAX_SIDE, y, "crop y");
       requireIn(1, MAX_SIDE, width, "crop width");
       requireIn(1, MAX_SIDE, height, "crop height");
+    }
+
+    /** Java makes the default one at run time, which takes long at the start of a program. */
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Crop crop
+          && x == crop.x
+          && y == crop.y
+          && width == crop.width
+          && height == crop.height;
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * (31 * (31 * x + y) + width) + height;
     }
 
     @Override

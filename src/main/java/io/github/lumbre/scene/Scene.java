@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 
 /**
@@ -167,11 +168,19 @@ public final class Scene {
     int[] indices = new int[some.size()];
     int next = 0;
     for (int i = 0; i < indices.length; i++) {
-      int found = all.subList(next, all.size()).indexOf(some.get(i));
-      indices[i] = found < 0 ? -1 : next + found;
+      indices[i] = indexOf(some.get(i), all, next);
       next = Math.max(next, indices[i] + 1);
     }
     return indices;
+  }
+
+  private static int indexOf(Light light, List<Light> all, int from) {
+    for (int i = from; i < all.size(); i++) {
+      if (all.get(i) == light) {
+        return i;
+      }
+    }
+    return -1;
   }
 
   private Set<Specialization> shortcuts() {
@@ -233,10 +242,11 @@ public final class Scene {
    * Takes a few seconds; renders may go on meanwhile, and their pictures do not change. Long
    * renders call it.
    *
+   * @param isWanted whether to continue; the work stops soon after it returns false
    * @throws InterruptedException if the thread is interrupted; nothing has changed then
    */
-  public void changeKernel() throws InterruptedException {
-    kernelChange.run();
+  public void changeKernel(BooleanSupplier isWanted) throws InterruptedException {
+    kernelChange.run(isWanted);
   }
 
   private List<Shape> shapes() {

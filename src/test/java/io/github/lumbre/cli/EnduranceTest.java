@@ -93,10 +93,10 @@ class EnduranceTest {
         new Messages(new PrintWriter(Writer.nullWriter())));
   }
 
-  private static void assertNoGrowth(List<Memory> found) {
+  private static void assertNoGrowth(List<Memory> found) throws InterruptedException {
     long first = found.get(0).heap;
     assertThat(found).allMatch(memory -> memory.heap <= first + MOST_HEAP_GROWTH);
-    assertThat(liveThreads()).isEmpty();
+    awaitNoThreads();
   }
 
   /** The first measurement is after 60 s, the last one before the picture is developed. */
@@ -188,6 +188,14 @@ class EnduranceTest {
               "%7.0f  %8d  %12d%n", memory.seconds, memory.heap >> 10, memory.resident >> 10));
     }
     return table.toString();
+  }
+
+  /** A change of the kernel ends within a second after the last pass. */
+  private static void awaitNoThreads() throws InterruptedException {
+    for (int tenths = 0; tenths < 100 && !liveThreads().isEmpty(); tenths++) {
+      Thread.sleep(100);
+    }
+    assertThat(liveThreads()).isEmpty();
   }
 
   private static List<String> liveThreads() {

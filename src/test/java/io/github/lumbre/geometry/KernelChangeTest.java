@@ -70,14 +70,14 @@ class KernelChangeTest {
     assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
     assertSameHits(bvh, scalar);
 
-    assertThat(change.run()).isTrue();
+    assertThat(change.run(() -> true)).isTrue();
 
     assertThat(bvh.bounded()).isNotInstanceOf(BinaryTraversal.class);
     MeshInstance instance = (MeshInstance) shapes.get(shapes.size() - 1);
     assertThat(instance.shared().bvh().bounded()).isNotInstanceOf(BinaryTraversal.class);
     assertSameHits(bvh, scalar);
     assertThat(change.isPossible()).isFalse();
-    assertThat(change.run()).isFalse();
+    assertThat(change.run(() -> true)).isFalse();
     Bvh later = Bvh.over(shapes);
     assertThat(later.bounded()).isNotInstanceOf(BinaryTraversal.class);
     assertThat(KernelChange.of(later, shapes()).isPossible()).isFalse();
@@ -92,7 +92,7 @@ class KernelChangeTest {
         new Thread(
             () -> {
               try {
-                KernelChange.of(bvh, shapes).run();
+                KernelChange.of(bvh, shapes).run(() -> true);
               } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
               }
@@ -119,7 +119,7 @@ class KernelChangeTest {
     List<Shape> few = List.of(new Sphere(Transform.IDENTITY, 1));
     KernelChange change = KernelChange.of(Bvh.over(few), few);
     assertThat(change.isPossible()).isFalse();
-    assertThat(change.run()).isFalse();
+    assertThat(change.run(() -> true)).isFalse();
   }
 
   @Test
@@ -128,8 +128,19 @@ class KernelChangeTest {
     Bvh bvh = Bvh.over(shapes);
     KernelChange change = KernelChange.of(bvh, shapes);
     Thread.currentThread().interrupt();
-    assertThatThrownBy(change::run).isInstanceOf(InterruptedException.class);
+    assertThatThrownBy(() -> change.run(() -> true)).isInstanceOf(InterruptedException.class);
     assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
     assertThat(KernelChange.isCompiled()).isFalse();
+  }
+
+  @Test
+  void changeThatIsNoLongerWantedStopsAndMayBeTriedAgain() throws InterruptedException {
+    List<Shape> shapes = shapes();
+    Bvh bvh = Bvh.over(shapes);
+    KernelChange change = KernelChange.of(bvh, shapes);
+    assertThat(change.run(() -> false)).isFalse();
+    assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
+    assertThat(change.isPossible()).isTrue();
+    assertThat(change.run(() -> true)).isTrue();
   }
 }

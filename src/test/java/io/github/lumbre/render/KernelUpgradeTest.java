@@ -23,6 +23,7 @@ class KernelUpgradeTest {
   void readScene() throws Exception {
     assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
     CompiledVectors.forget();
+    KernelUpgrade.forget();
     file = new SceneParser().parse(Path.of("scenes/torus-knot.json"));
     scene = file.scene();
     assertThat(scene.mayChangeKernel()).isTrue();
@@ -36,23 +37,46 @@ class KernelUpgradeTest {
   /** The time that is spent before it counts is at most 8 s. */
   @Test
   void shortRendersKeepTheirKernel() {
-    KernelUpgrade.passed(scene, 0, 0);
-    KernelUpgrade.passed(scene, 0, 7.9);
+    KernelUpgrade.passed(scene, 0, 0, () -> 100);
+    KernelUpgrade.passed(scene, 0, 7.9, () -> 100);
     assertThat(scene.mayChangeKernel()).isTrue();
   }
 
   @Test
   void longRendersChangeIt() throws InterruptedException {
-    KernelUpgrade.passed(scene, 3.1, 8.1);
+    KernelUpgrade.begin();
+    KernelUpgrade.passed(scene, 3.1, 8.1, () -> 100);
     CompiledVectors.forget();
+    KernelUpgrade.end();
     assertThat(scene.mayChangeKernel()).isFalse();
   }
 
   @Test
   void manyShortRendersChangeIt() throws InterruptedException {
-    KernelUpgrade.passed(scene, 8.1, 0);
+    KernelUpgrade.begin();
+    KernelUpgrade.passed(scene, 8.1, 0, () -> 100);
     CompiledVectors.forget();
+    KernelUpgrade.end();
     assertThat(scene.mayChangeKernel()).isFalse();
+  }
+
+  /** The threads waited for processors: 8.1 seconds of threads took 2.9 processor seconds. */
+  @Test
+  void shortRendersOnABusyMachineKeepTheirKernel() {
+    KernelUpgrade.passed(scene, 8.1, 8.1, () -> 2.9);
+    assertThat(scene.mayChangeKernel()).isTrue();
+  }
+
+  @Test
+  void changesStopSoonAfterTheLastPass() throws InterruptedException {
+    KernelUpgrade.begin();
+    KernelUpgrade.begin();
+    KernelUpgrade.end();
+    Thread.sleep(600);
+    assertThat(KernelUpgrade.isRendering()).isTrue();
+    KernelUpgrade.end();
+    Thread.sleep(600);
+    assertThat(KernelUpgrade.isRendering()).isFalse();
   }
 
   @Test
@@ -63,7 +87,7 @@ class KernelUpgradeTest {
     FilmRenderer renderer = new FilmRenderer(settings, scene);
     Film film = renderer.newFilm();
     renderer.addSamples(film, 2, Progress.NONE);
-    scene.changeKernel();
+    scene.changeKernel(() -> true);
     renderer.addSamples(film, 4, Progress.NONE);
     assertThat(film.develop().rgb()).isEqualTo(expected.develop().rgb());
   }

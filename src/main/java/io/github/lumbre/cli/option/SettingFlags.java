@@ -107,7 +107,7 @@ public final class SettingFlags {
       return setting.meaning() + " Default: " + unlessGiven + ".";
     }
     String text = setting.type().format(setting.missing());
-    boolean isNone = text.isEmpty() || setting.missing().equals(Double.POSITIVE_INFINITY);
+    boolean isNone = text.isEmpty() || Double.valueOf(Double.POSITIVE_INFINITY).equals(setting.missing());
     String missing = isNone ? "none" : text;
     String from = setting.isInScenes() ? "scene or " + missing : missing;
     return setting.meaning() + " Default: " + from + ".";

@@ -1,6 +1,5 @@
 package io.github.lumbre.cli.output;
 
-import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.lab.Release;
@@ -18,6 +17,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import picocli.CommandLine.ParameterException;
 
 /**
@@ -27,8 +27,6 @@ import picocli.CommandLine.ParameterException;
  */
 public final class JsonSummary {
   static final String FORMAT = "lumbre-summary-1";
-
-  private static final Gson GSON = new GsonBuilder().disableHtmlEscaping().create();
 
   private final Map<String, Object> values = new LinkedHashMap<>();
 
@@ -76,7 +74,8 @@ public final class JsonSummary {
   }
 
   public void print(Messages out) {
-    out.line(GSON.toJson(values));
+    values.replaceAll((key, value) -> value instanceof Supplier<?> late ? late.get() : value);
+    out.line(new GsonBuilder().disableHtmlEscaping().create().toJson(values));
   }
 
   public void put(String key, Object value) {
@@ -152,6 +151,7 @@ public final class JsonSummary {
             .map(sample -> List.of(sample.x(), sample.y(), sample.sample()))
             .toList());
     values.put("saturated", statistics.saturated());
-    values.put("peak_heap_bytes", Summary.peakHeapBytes());
+    // Classes that other commands do not need.
+    values.put("peak_heap_bytes", (Supplier<Long>) Summary::peakHeapBytes);
   }
 }

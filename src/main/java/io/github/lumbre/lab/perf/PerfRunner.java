@@ -94,7 +94,7 @@ public final class PerfRunner {
     List<Double> cold = shortRenders(file, settings, plan.warmup());
     if (plan.warmup() > 0) {
       // Long renders, whose rate is measured here, would change the kernel sooner or later.
-      file.scene().changeKernel();
+      file.scene().changeKernel(() -> true);
     }
     List<Repetition> repetitions = new ArrayList<>();
     TimedRender first = render(file, settings);

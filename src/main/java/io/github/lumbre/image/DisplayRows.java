@@ -1,0 +1,60 @@
+package io.github.lumbre.image;
+
+/**
+ * The rows of a picture quantized for display, with exposure and tone curve applied.
+ *
+ * @param factor the exposure's factor
+ * @param bits bits per channel, 8 or 16
+ * @param hasAlpha whether to keep alpha; if not, the picture is composited over black
+ */
+record DisplayRows(Image image, ToneCurve curve, double factor, int bits, boolean hasAlpha)
+    implements SampleRows {
+
+  static DisplayRows of(Image image, ImageWriter.Options options, int bits, boolean hasAlpha) {
+    // Keep the factor finite, so that black does not become NaN.
+    double factor = Math.min(options.exposure().factor(image), Double.MAX_VALUE);
+    return new DisplayRows(image, options.curve(), factor, bits, hasAlpha);
+  }
+
+  @Override
+  public int width() {
+    return image.width();
+  }
+
+  @Override
+  public int height() {
+    return image.height();
+  }
+
+  @Override
+  public int bands() {
+    return hasAlpha ? 4 : 3;
+  }
+
+  @Override
+  public void read(int y, int[] row) {
+    int max = (1 << bits) - 1;
+    boolean isOverBlack = image.hasAlpha() && !hasAlpha;
+    int bands = bands();
+    for (int x = 0; x < image.width(); x++) {
+      Rgb exposed = exposed(image.pixel(x, y));
+      Rgb light = isOverBlack ? exposed.times(Srgb.clamp(image.alpha(x, y))) : exposed;
+      Rgb shown = curve.apply(light);
+      int i = bands * x;
+      row[i] = (int) Math.round(max * shown.r());
+      row[i + 1] = (int) Math.round(max * shown.g());
+      row[i + 2] = (int) Math.round(max * shown.b());
+      if (hasAlpha) {
+        row[i + 3] = (int) Math.round(max * Srgb.clamp(image.alpha(x, y)));
+      }
+    }
+  }
+
+  private Rgb exposed(Rgb c) {
+    return new Rgb(exposed(c.r()), exposed(c.g()), exposed(c.b()));
+  }
+
+  private double exposed(double v) {
+    return v > 0 ? Math.min(v * factor, Double.MAX_VALUE) : 0;
+  }
+}
