@@ -88,12 +88,13 @@ def reference(contestant):
     return (a + b) / 2, squared((a - b) / 2, (a + b) / 2)
 
 
-def measure(all_, rounds, results):
+def measure(all_, arguments, results):
     truth, own = reference(next(iter(all_.values())))
-    for turn in range(rounds):
-        order = [(name, samples) for samples in SAMPLES for name in all_]
+    for turn in range(arguments.rounds):
+        order = [(name, samples) for samples in arguments.samples for name in all_]
         for name, samples in order if turn % 2 == 0 else order[::-1]:
-            found, wall, cpu = run(all_[name], samples, turn + 1, "picture-" + name)
+            seed = 1 + len(results.get(name, {}).get(str(samples), []))
+            found, wall, cpu = run(all_[name], samples, seed, "picture-" + name)
             error = max(squared(found - truth, truth) - own, 1e-9)
             results.setdefault(name, {}).setdefault(str(samples), []).append([wall, cpu, error])
 
@@ -147,6 +148,7 @@ def main():
     parser.add_argument("--peers", metavar="PYTHON", help="a Python with mitsuba and pyluxcore")
     parser.add_argument("--blender", metavar="PYTHON", help="a Python with bpy 5")
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--samples", type=int, nargs="+", default=SAMPLES)
     parser.add_argument("--reference", action="store_true", help="render the reference only")
     arguments = parser.parse_args()
     WORK.mkdir(parents=True, exist_ok=True)
@@ -156,7 +158,7 @@ def main():
         return
     path = WORK / "results.json"
     results = json.loads(path.read_text()) if path.exists() else {}
-    measure(all_, arguments.rounds, results)
+    measure(all_, arguments, results)
     path.write_text(json.dumps(results))
     found = medians(results)
     print("Processor time, wall time, relMSE:\n\n" + table(found))
