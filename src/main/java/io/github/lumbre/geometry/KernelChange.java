@@ -23,7 +23,7 @@ public final class KernelChange {
   private static final int WINS = 3;
 
   /** After this time, vectors will not become faster. */
-  private static final long LONGEST_NANOS = 20_000_000_000L;
+  private static final long LONGEST_NANOS = 40_000_000_000L;
 
   private static volatile boolean isCompiled;
 

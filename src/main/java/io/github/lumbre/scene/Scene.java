@@ -176,7 +176,8 @@ public final class Scene {
 
   private static int indexOf(Light light, List<Light> all, int from) {
     for (int i = from; i < all.size(); i++) {
-      if (all.get(i) == light) {
+      // Most are the same; comparing others is slow.
+      if (all.get(i) == light || all.get(i).equals(light)) {
         return i;
       }
     }
