@@ -115,7 +115,9 @@ def luxcore(samples, seed):
     session.Stop()
     image = np.zeros(WIDTH * HEIGHT * 3, dtype=np.float32)
     session.GetFilm().GetOutputFloat(pyluxcore.FilmOutputType.RGB, image)
-    return image.reshape(HEIGHT, WIDTH, 3)[::-1]
+    # Upside down, and one row too low.
+    picture = image.reshape(HEIGHT, WIDTH, 3)[::-1]
+    return np.concatenate([picture[1:], picture[-1:]])
 
 
 def cycles(samples, seed, out):
