@@ -20,14 +20,21 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every example of {@code docs/java.md} compiles, with warnings as errors, and runs. */
+/**
+ * Every example of {@code docs/java.md} and {@code docs/servers.md} compiles, with warnings as
+ * errors, and runs.
+ */
 class JavaPageTest {
   private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
 
   @TempDir private Path directory;
 
   private static List<String> blocks() throws Exception {
-    return JAVA.matcher(Files.readString(Path.of("docs", "java.md")))
+    return blocks("java.md");
+  }
+
+  private static List<String> blocks(String page) throws Exception {
+    return JAVA.matcher(Files.readString(Path.of("docs", page)))
         .results()
         .map(block -> block.group(1))
         .toList();
@@ -42,11 +49,20 @@ class JavaPageTest {
   @ParameterizedTest
   @MethodSource("examples")
   void exampleRuns(String example) throws Exception {
+    runs(blocks().get(0), example);
+  }
+
+  @Test
+  void exampleOfServersRuns() throws Exception {
+    runs(blocks("servers.md").get(0), blocks("servers.md").get(1));
+  }
+
+  private void runs(String imports, String example) throws Exception {
     String code = example.replace("target/java/", directory + "/");
     Path source =
         Files.writeString(
             directory.resolve("Example.java"),
-            blocks().get(0)
+            imports
                 + "public class Example { public static void main(String[] args)"
                 + " throws Exception {\n"
                 + code

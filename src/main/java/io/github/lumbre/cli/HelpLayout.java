@@ -31,7 +31,7 @@ final class HelpLayout {
   static {
     COMMANDS.put(
         "Make pictures",
-        List.of("render", "view", "resume", "merge", "develop", "denoise", "import"));
+        List.of("render", "view", "resume", "merge", "develop", "denoise", "views", "import"));
     COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel", "layers"));
     COMMANDS.put("Measure", List.of("compare", "trade", "perf", "selftest"));
     COMMANDS.put("The 2016 report", List.of("benchmark", "gallery"));

@@ -75,6 +75,7 @@ public final class Lumbre implements Runnable {
     COMMANDS.put("develop", DevelopCommand.class);
     COMMANDS.put("layers", LayersCommand.class);
     COMMANDS.put("denoise", DenoiseCommand.class);
+    COMMANDS.put("views", ViewsCommand.class);
     COMMANDS.put("import", ImportCommand.class);
     COMMANDS.put("check", CheckCommand.class);
     COMMANDS.put("audit", AuditCommand.class);

@@ -53,6 +53,37 @@ public final class Flip {
   }
 
   /**
+   * Returns the largest mean of the differences in any tile, so that a small object that has
+   * changed is not lost in a large picture.
+   *
+   * @param side of the square tiles in pixels, at least 1; tiles at the right and the lower edge
+   *     may be smaller
+   * @throws IllegalArgumentException if the pictures have different sizes
+   */
+  public static double worstTile(Image test, Image reference, int side) {
+    Plane map = map(test, reference);
+    double worst = 0;
+    for (int top = 0; top < map.height(); top += side) {
+      for (int left = 0; left < map.width(); left += side) {
+        worst = Math.max(worst, mean(map, left, top, side));
+      }
+    }
+    return worst;
+  }
+
+  private static double mean(Plane map, int left, int top, int side) {
+    int right = Math.min(left + side, map.width());
+    int bottom = Math.min(top + side, map.height());
+    double sum = 0;
+    for (int y = top; y < bottom; y++) {
+      for (int x = left; x < right; x++) {
+        sum += map.values()[y * map.width() + x];
+      }
+    }
+    return sum / ((right - left) * (bottom - top));
+  }
+
+  /**
    * Returns a picture of the differences: black where the pictures look identical, purple, red,
    * orange, pale yellow at 1.
    *

@@ -23,8 +23,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -96,6 +99,66 @@ public record ModelSetup(
     /** From the front, a little from the right and above. */
     public static final View DEFAULT = new View(30, 20);
 
+    private static final double ISOMETRIC = 35.264389682754654;
+
+    private static final Map<String, View> STANDARD = new LinkedHashMap<>();
+
+    static {
+      STANDARD.put("front", new View(0, 0));
+      STANDARD.put("back", new View(180, 0));
+      STANDARD.put("left", new View(-90, 0));
+      STANDARD.put("right", new View(90, 0));
+      STANDARD.put("top", new View(0, 90));
+      STANDARD.put("bottom", new View(0, -90));
+      STANDARD.put("iso", new View(45, ISOMETRIC));
+    }
+
+    /**
+     * Returns the standard views by their names: front, back, left, right, top, bottom, iso, in
+     * this order. Their pictures are the same in all releases; see docs/models.md.
+     */
+    public static Map<String, View> standard() {
+      return Collections.unmodifiableMap(STANDARD);
+    }
+
+    /**
+     * Returns the view in a text: the name of a standard view, or an azimuth and an elevation such
+     * as {@code -40,15}.
+     *
+     * @throws IllegalArgumentException if the text is neither, or the elevation is not in [-90, 90]
+     */
+    public static View of(String text) {
+      if (STANDARD.containsKey(text)) {
+        return STANDARD.get(text);
+      }
+      String[] angles = text.split(",", -1);
+      if (angles.length != 2) {
+        throw new IllegalArgumentException(
+            "expected "
+                + String.join(", ", STANDARD.keySet())
+                + " or AZIMUTH,ELEVATION, found "
+                + text);
+      }
+      double elevation = angle(angles[1]);
+      if (Math.abs(elevation) > 90) {
+        throw new IllegalArgumentException(
+            "expected an elevation from -90 to 90, found " + angles[1]);
+      }
+      return new View(angle(angles[0]), elevation);
+    }
+
+    private static double angle(String text) {
+      try {
+        double angle = Double.parseDouble(text);
+        if (Double.isFinite(angle)) {
+          return angle;
+        }
+      } catch (NumberFormatException e) {
+        throw new IllegalArgumentException("expected a number, found " + text, e);
+      }
+      throw new IllegalArgumentException("expected a finite number, found " + text);
+    }
+
     /** Creates a view that is framed for its own azimuth. */
     public View(double azimuth, double elevation) {
       this(azimuth, elevation, false);
@@ -144,6 +207,11 @@ public record ModelSetup(
 
   /** Returns this setup with limits for the model. */
   public ModelSetup limitedTo(Limits limits) {
+    return reading(options.limitedTo(limits));
+  }
+
+  /** Returns this setup with other options for reading the model. */
+  public ModelSetup reading(ModelOptions newOptions) {
     return new ModelSetup(
         camera,
         view,
@@ -154,7 +222,7 @@ public record ModelSetup(
         ground,
         background,
         transparent,
-        options.limitedTo(limits));
+        newOptions);
   }
 
   /** Returns whether a file is a model, by the ending of its name. */
@@ -174,6 +242,11 @@ public record ModelSetup(
   public SceneText sceneOf(Path file, OptionalDouble aspect)
       throws SceneFormatException, IOException {
     Path model = file.toAbsolutePath().normalize();
+    return sceneIn(folderOf(model), model, aspect);
+  }
+
+  /** Returns the nearest folder that contains both the model and the sky's picture. */
+  private Path folderOf(Path model) {
     Path folder = model.getParent();
     if (!isBuiltIn()) {
       Path picture = Path.of(sky).toAbsolutePath().normalize();
@@ -181,7 +254,27 @@ public record ModelSetup(
         folder = folder.getParent();
       }
     }
-    return sceneIn(folder, model, aspect);
+    return folder;
+  }
+
+  /**
+   * Returns the scenes of a model file, one for each view. The model is read once.
+   *
+   * @throws SceneFormatException if the model does not exist or cannot be used
+   */
+  List<SceneText> scenesOf(Path file, OptionalDouble aspect, List<View> views)
+      throws SceneFormatException, IOException {
+    Path path = file.toAbsolutePath().normalize();
+    Path folder = folderOf(path);
+    List<SceneText> texts = new ArrayList<>();
+    Optional<Model> model = Optional.empty();
+    for (View each : views) {
+      if (model.isEmpty()) {
+        model = Optional.of(read(path));
+      }
+      texts.add(seenFrom(each).sceneOf(folder, path, model.get(), aspect));
+    }
+    return texts;
   }
 
   /**
@@ -191,21 +284,25 @@ public record ModelSetup(
    */
   public SceneText sceneIn(Path folder, Path file, OptionalDouble aspect)
       throws SceneFormatException, IOException {
+    return sceneOf(folder, file, read(file), aspect);
+  }
+
+  /** Reads a model within the limits. */
+  private Model read(Path file) throws SceneFormatException, IOException {
     String name = String.valueOf(file.getFileName());
+    Problems problems = new Problems(name);
     if (!Files.exists(file)) {
-      Problems problems = new Problems(name);
       problems.error(Kind.INVALID, () -> "$", "expected a model file, found none");
       throw problems.exception();
     }
     long bytes = Files.size(file);
     Optional<String> excess = Limits.excess(BYTES, options.limits().bytes(), bytes);
     if (excess.isPresent()) {
-      Problems problems = new Problems(name);
       problems.error(Kind.LIMIT, () -> "$", excess.get());
       throw problems.exception();
     }
     ModelFolder files = ModelFolder.of(file.getParent(), options.limits().bytes() - bytes);
-    return sceneOf(folder, file, Files.readAllBytes(file), files, aspect);
+    return checked(name, () -> ModelReader.read(name, Files.readAllBytes(file), files, options));
   }
 
   /**
@@ -218,25 +315,45 @@ public record ModelSetup(
       Path folder, Path file, byte[] content, ModelFolder files, OptionalDouble aspect)
       throws SceneFormatException, IOException {
     String name = String.valueOf(file.getFileName());
-    Problems problems = new Problems(name);
-    JsonObject scene;
-    try {
-      requireBytes(content.length);
-      Model model = ModelReader.read(name, content, files, options);
-      scene = scene(model, folder.relativize(file), folder, aspect);
-    } catch (ModelFormatException e) {
-      Kind kind = e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET;
-      problems.error(kind, () -> Problems.escaped(e.location()), Problems.escaped(e.detail()));
-      throw problems.exception();
-    }
+    Model model =
+        checked(
+            name,
+            () -> {
+              requireBytes(content.length);
+              return ModelReader.read(name, content, files, options);
+            });
+    return sceneOf(folder, file, model, aspect);
+  }
+
+  private SceneText sceneOf(Path folder, Path file, Model model, OptionalDouble aspect)
+      throws SceneFormatException, IOException {
+    String name = String.valueOf(file.getFileName());
+    JsonObject scene = checked(name, () -> scene(model, folder.relativize(file), folder, aspect));
     // One line, which the header of a checkpoint file can hold.
     String text = new GsonBuilder().disableHtmlEscaping().create().toJson(scene);
     return new SceneText(text.getBytes(StandardCharsets.UTF_8), folder.resolve(name));
   }
 
+  /** Work with a model that may be damaged. */
+  @FunctionalInterface
+  private interface ModelWork<T> {
+    T done() throws ModelFormatException, IOException;
+  }
+
+  private static <T> T checked(String name, ModelWork<T> work)
+      throws SceneFormatException, IOException {
+    try {
+      return work.done();
+    } catch (ModelFormatException e) {
+      Problems problems = new Problems(name);
+      Kind kind = e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET;
+      problems.error(kind, () -> Problems.escaped(e.location()), Problems.escaped(e.detail()));
+      throw problems.exception();
+    }
+  }
+
   private void requireBytes(long bytes) throws ModelFormatException {
-    Optional<String> excess =
-        Limits.excess(BYTES, options.limits().bytes(), bytes);
+    Optional<String> excess = Limits.excess(BYTES, options.limits().bytes(), bytes);
     if (excess.isPresent()) {
       throw new ModelFormatException(ModelFormatException.Kind.TOO_LARGE, "", excess.get());
     }

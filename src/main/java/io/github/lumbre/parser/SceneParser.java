@@ -17,8 +17,10 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -214,10 +216,33 @@ public final class SceneParser {
         problems,
         () -> {
           ModelSetup limited = setup.limitedTo(limits);
-          SceneText text =
-              limited.sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
+          SceneText text = limited.sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
           return parse(text.path(), text.json(), Optional.of(text), Map.of(name, model), problems);
         });
+  }
+
+  /**
+   * Reads a model and builds the scene around it for several views. The scenes share meshes,
+   * hierarchies and textures; their pictures have the bits of {@link #parse(Path, ModelSetup)} with
+   * {@link ModelSetup#seenFrom}.
+   *
+   * @param model path of a glTF, OBJ, PLY or STL file
+   * @param views at least one
+   * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
+   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
+   */
+  public ModelViews parse(Path model, ModelSetup setup, List<ModelSetup.View> views)
+      throws SceneFormatException, IOException {
+    List<SceneText> texts =
+        setup.limitedTo(limits).scenesOf(model, modelAspect(), List.copyOf(views));
+    SceneFile first = parse(texts.get(0).json(), texts.get(0).path());
+    List<Scene> scenes = new ArrayList<>();
+    scenes.add(first.scene());
+    for (SceneText text : texts.subList(1, texts.size())) {
+      SceneText camera = text.withoutAllButTheCamera();
+      scenes.add(first.scene().seenBy(parse(camera.json(), camera.path()).scene().camera()));
+    }
+    return new ModelViews(first, scenes);
   }
 
   private OptionalDouble modelAspect() {
@@ -251,9 +276,7 @@ public final class SceneParser {
     Path file = text.path();
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     try {
-      return timed(
-          problems,
-          () -> parse(file, text.json(), Optional.of(text), files, problems));
+      return timed(problems, () -> parse(file, text.json(), Optional.of(text), files, problems));
     } catch (InterruptedIOException e) {
       CancellationException cancelled = new CancellationException(e.getMessage());
       cancelled.initCause(e);
@@ -282,8 +305,7 @@ public final class SceneParser {
       } catch (CancellationException | ClosedByInterruptException | InterruptedIOException e) {
         if (time.hasPassed()) {
           String limit = limits.time().toMillis() / 1e3 + " s";
-          problems.error(
-              Kind.LIMIT, () -> "$", "expected a scene that is read within " + limit);
+          problems.error(Kind.LIMIT, () -> "$", "expected a scene that is read within " + limit);
           throw problems.exception();
         }
         InterruptedIOException interrupted =

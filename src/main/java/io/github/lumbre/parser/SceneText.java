@@ -1,7 +1,9 @@
 package io.github.lumbre.parser;
 
 import com.google.gson.GsonBuilder;
+import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -17,6 +19,18 @@ public record SceneText(byte[] json, Path path) {
   public SceneText {
     Objects.requireNonNull(json, "json");
     Objects.requireNonNull(path, "path");
+  }
+
+  /** Returns the same scene with its first object alone, which is the camera of a model's scene. */
+  SceneText withoutAllButTheCamera() {
+    JsonObject scene =
+        JsonParser.parseString(new String(json, StandardCharsets.UTF_8)).getAsJsonObject();
+    JsonArray camera = new JsonArray();
+    camera.add(scene.getAsJsonArray("objects").get(0));
+    scene.add("objects", camera);
+    scene.add("assets", new JsonArray());
+    String text = new GsonBuilder().disableHtmlEscaping().create().toJson(scene);
+    return new SceneText(text.getBytes(StandardCharsets.UTF_8), path);
   }
 
   /** Returns the scene with line breaks and indentation. */

@@ -280,6 +280,11 @@ public final class Scene {
                         "scene: expected one that was built in code, found one from a file")));
   }
 
+  /** Returns this scene, which shares everything, seen by another camera. */
+  public Scene seenBy(Camera newCamera) {
+    return new Scene(this, bvh, shortcuts, newCamera, Optional.empty());
+  }
+
   /** Returns this scene, which shares everything, seen from elsewhere. */
   public Scene seenFrom(Viewpoint viewpoint) {
     return new Scene(this, bvh, shortcuts, viewpoint.camera(1), Optional.of(viewpoint));

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.parser.ModelSetup.View;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -48,6 +49,44 @@ class ModelCommandsTest {
 
   private void assertSame(String one, String other) {
     assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
+  }
+
+  @Test
+  void viewsAreThoseOfRender() throws IOException {
+    String flags = " --ground --sky white --background #8080ff --size 24x18 -s 2";
+    runs("views T/sample.glb -o T/views/new" + flags);
+    for (String view : View.standard().keySet()) {
+      runs("render T/sample.glb -o T/one.png --quiet --view " + view + flags);
+      BufferedImage all = picture("views/new/" + view + ".png");
+      BufferedImage one = picture("one.png");
+      assertThat(all.getRGB(0, 0, 24, 18, null, 0, 24))
+          .as(view)
+          .isEqualTo(one.getRGB(0, 0, 24, 18, null, 0, 24));
+    }
+    BufferedImage sheet = picture("views/new/views.png");
+    assertThat(sheet.getWidth()).isEqualTo(4 * 24);
+    assertThat(sheet.getHeight()).isEqualTo(2 * 18);
+    assertThat(sheet.getRGB(48, 18, 24, 18, null, 0, 24))
+        .isEqualTo(picture("views/new/iso.png").getRGB(0, 0, 24, 18, null, 0, 24));
+  }
+
+  @Test
+  void viewsRefusesWhatItCannotDo() throws IOException {
+    for (String flag : new String[] {"--view top", "--camera a"}) {
+      Outcome outcome = run("views T/sample.glb -o T/v " + flag);
+      assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
+      assertThat(outcome.err()).contains(flag.split(" ")[0] + ": cannot be used");
+    }
+    assertThat(run("views T/none.glb -o T/v").exitCode()).isEqualTo(ExitCodes.SCENE);
+    assertThat(run("views T/a.json -o T/v").exitCode()).isEqualTo(ExitCodes.USAGE);
+    assertThat(run("views T/sample.glb -o T/v -s 0").exitCode()).isEqualTo(ExitCodes.USAGE);
+    assertThat(directory.resolve("v")).doesNotExist();
+    Files.createDirectory(directory.resolve("v"));
+    Files.writeString(directory.resolve("v/top.png"), "notes");
+    Outcome kept = run("views T/sample.glb -o T/v");
+    assertThat(kept.exitCode()).isEqualTo(ExitCodes.OUTPUT);
+    assertThat(directory.resolve("v/top.png")).hasContent("notes");
+    assertThat(directory.resolve("v/front.png")).doesNotExist();
   }
 
   /** With a transparent background, opaque pixels are those of the model. */

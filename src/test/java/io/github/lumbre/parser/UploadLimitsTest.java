@@ -103,7 +103,7 @@ class UploadLimitsTest {
     file("a.mtl", "newmtl a\nmap_Kd a.png\n");
     file("a.png", new byte[3000]);
     Path obj = file("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE);
-    assertRefused(obj, Limits.NONE.withBytes(2000), "expected at most 2000 bytes in all files");
+    assertRefused(obj, Limits.NONE.withBytes(2000), "more bytes of files, found 3022");
     Path scene = file("s.json", "{\"objects\": []}");
     assertRefused(scene, Limits.NONE.withBytes(10), "expected at most 10 bytes, found 15");
   }
@@ -114,12 +114,24 @@ class UploadLimitsTest {
     Limits limits = Limits.NONE.withTriangles(9);
     assertRefused(file("a.stl", stl(10)), limits, message);
     assertRefused(file("a.obj", TRIANGLE + "f 1 2 3\n".repeat(9)), limits, message);
-    String ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-        + "property float z\nelement face 10\nproperty list uchar int vertex_indices\nend_header\n"
-        + "0 0 0\n1 0 0\n0 1 0\n" + "3 0 1 2\n".repeat(10);
+    String ply =
+        "ply\n"
+            + "format ascii 1.0\n"
+            + "element vertex 3\n"
+            + "property float x\n"
+            + "property float y\n"
+            + "property float z\n"
+            + "element face 10\n"
+            + "property list uchar int vertex_indices\n"
+            + "end_header\n"
+            + "0 0 0\n"
+            + "1 0 0\n"
+            + "0 1 0\n"
+            + "3 0 1 2\n".repeat(10);
     assertRefused(file("a.ply", ply), limits, message);
-    String solid = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
-        + "endloop\nendfacet\n";
+    String solid =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+            + "endloop\nendfacet\n";
     assertRefused(
         file("text.stl", "solid a\n" + solid.repeat(10) + "endsolid a\n"), limits, message);
     assertRefused(file("a.gltf", gltf(10)), limits, message);
@@ -199,8 +211,7 @@ class UploadLimitsTest {
     Path obj = file("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE);
     Limits limits = Limits.NONE.withTexels(1 << 20);
     assertRefused(obj, limits, "8000x8000 pixels, expected at most 1048576 in total");
-    Path scene =
-        scene(TEXTURE.formatted(1, "bomb.png"), DOME.formatted(1));
+    Path scene = scene(TEXTURE.formatted(1, "bomb.png"), DOME.formatted(1));
     assertRefused(scene, limits, "8000x8000 pixels, expected at most 1048576 in total");
   }
 
@@ -225,8 +236,7 @@ class UploadLimitsTest {
     ByteBuffer pfm = ByteBuffer.allocate(13 + 12 * 64 * 64);
     pfm.put("PF\n64 64\n1.0\n".getBytes(StandardCharsets.US_ASCII));
     file("sky.pfm", pfm.array());
-    Path scene =
-        scene(TEXTURE.formatted(1, "sky.pfm"), DOME.formatted(1));
+    Path scene = scene(TEXTURE.formatted(1, "sky.pfm"), DOME.formatted(1));
     assertRefused(scene, Limits.NONE.withTexels(4095), "64x64 pixels, expected at most 4095");
   }
 

@@ -8,7 +8,6 @@ import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.ModelSetup.View;
 import io.github.lumbre.scene.RenderSettings.Size;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Model.CommandSpec;
@@ -19,16 +18,6 @@ import picocli.CommandLine.Spec;
 
 /** The flags for a model file that is rendered by itself. */
 public final class ModelFlags {
-  private static final Map<String, View> VIEWS =
-      Map.of(
-          "front", new View(0, 0),
-          "back", new View(180, 0),
-          "left", new View(-90, 0),
-          "right", new View(90, 0),
-          "top", new View(0, 90),
-          "bottom", new View(0, -90),
-          "iso", new View(45, 35.264389682754654));
-
   private static final List<String> NAMES =
       List.of(
           "--camera",
@@ -175,21 +164,11 @@ public final class ModelFlags {
   }
 
   private View view(String text) {
-    if (VIEWS.containsKey(text)) {
-      return VIEWS.get(text);
+    try {
+      return View.of(text);
+    } catch (IllegalArgumentException e) {
+      throw failure("--view: " + e.getMessage());
     }
-    String[] angles = text.split(",", -1);
-    if (angles.length == 2) {
-      double azimuth = number("--view", angles[0]);
-      double elevation = number("--view", angles[1]);
-      require(
-          Math.abs(elevation) <= 90,
-          "--view: expected an elevation from -90 to 90, found " + angles[1]);
-      return new View(azimuth, elevation);
-    }
-    throw failure(
-        "--view: expected front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION, found "
-            + text);
   }
 
   private Pose pose(String text) {

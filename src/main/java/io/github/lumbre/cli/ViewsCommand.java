@@ -1,0 +1,225 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.cli.option.ModelFlags;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.image.ContactSheet;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.MemoryCheck;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.ModelSetup;
+import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.parser.ModelViews;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Size;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre views}: renders a model from all standard views. */
+@Command(
+    name = "views",
+    header = "Render a model from all sides, and a contact sheet.",
+    description =
+        "Writes front.png, back.png, left.png, right.png, top.png, bottom.png, iso.png and"
+            + " views.png into a folder. Each picture has the bits of 'lumbre render MODEL --view"
+            + " NAME' with the same flags.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    usageHelpWidth = 100,
+    sortOptions = false,
+    footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:All pictures are written",
+      "2:The command line is invalid",
+      "3:The model is missing or unreadable",
+      "4:The model cannot be decoded",
+      "5:A limit or the available memory is exceeded",
+      "6:A picture cannot be written",
+      "7:Internal error",
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; complete pictures are kept"
+    })
+final class ViewsCommand implements Callable<Integer> {
+  private static final String SHEET = "views.png";
+  private static final int SHEET_COLUMNS = 4;
+
+  @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
+  private Path model;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "DIR",
+      required = true,
+      description = "Folder of the pictures; it is created if it does not exist.")
+  private Path folder;
+
+  @Option(
+      names = {"-s", "--samples"},
+      paramLabel = "N",
+      description = "Samples per pixel (100).")
+  private Optional<Integer> samples;
+
+  @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      converter = FlagConverters.OfSize.class,
+      description = "Size of each picture in pixels (1024x768).")
+  private Optional<Size> size;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      description = "Number of threads; 0: one per processor (0).")
+  private Optional<Integer> threads;
+
+  @Mixin private ModelFlags flags = new ModelFlags();
+
+  @Mixin private OverwriteFlag overwrite;
+
+  @Option(names = "--debug", description = "Print the stack trace of an error.")
+  private boolean debug;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, TaskException {
+    ModelSetup setup = checkedSetup();
+    guard(setup).check();
+    Messages messages = new Messages(spec.commandLine().getErr());
+    try (Interruption interruption = Interruption.listen();
+        RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"))) {
+      ModelViews views = monitor.reading(model, () -> read(setup));
+      messages.warnings(views.first().warnings());
+      RenderSettings settings = views.first().settings();
+      MemoryCheck.require(settings, FilmLayers.of(settings, views.first().scene()));
+      makeFolder();
+      return interruption.beginRender() && render(views, settings, monitor)
+          ? ExitCodes.OK
+          : ExitCodes.INTERRUPTED;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitCodes.INTERRUPTED;
+    }
+  }
+
+  private ModelSetup checkedSetup() {
+    require(
+        ModelSetup.isModel(model),
+        model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
+    for (String flag : List.of("--view", "--camera")) {
+      require(
+          !spec.commandLine().getParseResult().hasMatchedOption(flag),
+          flag + ": cannot be used; 'lumbre views' renders all standard views");
+    }
+    FlagChecks checks = new FlagChecks(spec);
+    samples.ifPresent(n -> checks.requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    threads.ifPresent(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
+    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.width()));
+    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
+    return flags.setup(OptionalDouble.empty());
+  }
+
+  private OutputGuard guard(ModelSetup setup) {
+    OutputGuard guard =
+        overwrite.guard().reads(model, "the model").readsAssets(model, () -> assets(setup));
+    for (String name : View.standard().keySet()) {
+      guard.writes("-o", picture(name), OutputContent.PICTURE);
+    }
+    return guard.writes("-o", folder.resolve(SHEET), OutputContent.PICTURE);
+  }
+
+  private Set<Path> assets(ModelSetup setup) throws SceneFormatException, IOException {
+    SceneText scene = setup.sceneOf(model, flags.aspect());
+    return SceneParser.files(scene.json(), scene.path());
+  }
+
+  private Path picture(String view) {
+    return folder.resolve(view + ".png");
+  }
+
+  private void makeFolder() throws TaskException {
+    try {
+      Files.createDirectories(folder);
+    } catch (IOException e) {
+      throw new TaskException(
+          Kind.OUTPUT, folder + ": cannot be created: " + FileFailure.reason(e), e);
+    }
+  }
+
+  private ModelViews read(ModelSetup setup) throws SceneFormatException, TaskException {
+    SceneParser parser = new SceneParser().overriding(this::overridden);
+    try {
+      return parser.parse(model, setup, List.copyOf(View.standard().values()));
+    } catch (IOException e) {
+      throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  private RenderSettings overridden(RenderSettings settings) {
+    RenderSettings.Builder builder = settings.toBuilder();
+    samples.ifPresent(builder::samples);
+    size.ifPresent(s -> builder.size(s.width(), s.height()));
+    threads.ifPresent(builder::threads);
+    return builder.build();
+  }
+
+  /** Renders all views; returns false if stopped. */
+  private boolean render(ModelViews views, RenderSettings settings, RenderMonitor monitor)
+      throws TaskException, InterruptedException {
+    ImageWriter.Options options = settings.development();
+    List<Image> pictures = new ArrayList<>();
+    for (String name : View.standard().keySet()) {
+      try (PictureOutput output = PictureOutput.reserve(picture(name))) {
+        RenderResult result =
+            new BucketRenderer(settings).render(views.scenes().get(pictures.size()), monitor);
+        if (!result.complete()) {
+          return false;
+        }
+        output.write(result.image(), options);
+        pictures.add(result.image());
+      }
+    }
+    try (PictureOutput output = PictureOutput.reserve(folder.resolve(SHEET))) {
+      output.write(ContactSheet.of(pictures, SHEET_COLUMNS), options);
+    }
+    return true;
+  }
+
+  private void require(boolean condition, String message) {
+    if (!condition) {
+      throw new ParameterException(spec.commandLine(), message);
+    }
+  }
+}
