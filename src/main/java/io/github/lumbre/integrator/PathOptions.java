@@ -42,9 +42,12 @@ public record PathOptions(
     return new PathOptions(maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1);
   }
 
-  /** Returns the options that a render with these settings uses. */
+  /**
+   * Returns the options that a render with these settings uses. A number of branches that a pilot
+   * render chooses counts as 1.
+   */
   public static PathOptions of(RenderSettings settings) {
-    return toDepth(settings.maxTraceDepth()).splitInto(settings.split());
+    return toDepth(settings.maxTraceDepth()).splitInto(Math.max(1, settings.split()));
   }
 
   /** Returns the same options with another heuristic. */

@@ -14,6 +14,15 @@ interface Crew {
   void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
       throws InterruptedException;
 
+  /**
+   * Returns the number of own threads that may render the pilot; 0 for the calling thread alone.
+   *
+   * @param wanted threads of a pass
+   */
+  default int pilotThreads(int wanted) {
+    return wanted;
+  }
+
   /** Returns the exception for the failure of a worker. */
   static RenderException failure(Throwable cause) {
     return new RenderException("rendering failed: " + cause, cause);

@@ -8,6 +8,7 @@ import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.LongFunction;
 import java.util.function.UnaryOperator;
@@ -38,7 +39,7 @@ public final class FilmRenderer implements PassRenderer {
 
   private final RenderSettings settings;
   private final Scene scene;
-  private final Integrator integrator;
+  private final IntegratorSource integrators;
   private final LongFunction<Sampler> samplers;
   private final UnaryOperator<List<Bucket>> order;
   private final Crew crew;
@@ -52,7 +53,13 @@ public final class FilmRenderer implements PassRenderer {
    *     whether a render is long
    */
   public FilmRenderer(RenderSettings settings, Scene scene) {
-    this(settings, scene, Integrator.of(scene, settings));
+    this(
+        settings,
+        scene,
+        IntegratorSource.of(settings, scene.framed(settings.aspect())),
+        SobolSampler::new,
+        UnaryOperator.identity(),
+        new OwnThreads());
   }
 
   FilmRenderer(RenderSettings settings, Scene scene, Integrator integrator) {
@@ -68,13 +75,13 @@ public final class FilmRenderer implements PassRenderer {
   @SuppressWarnings("exports") // internal
   public FilmRenderer(
       RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
-    this(settings, scene, integrator, samplers, UnaryOperator.identity(), new OwnThreads());
+    this(settings, scene, given(integrator), samplers, UnaryOperator.identity(), new OwnThreads());
   }
 
   private FilmRenderer(
       RenderSettings settings,
       Scene scene,
-      Integrator integrator,
+      IntegratorSource integrators,
       LongFunction<Sampler> samplers,
       UnaryOperator<List<Bucket>> order,
       Crew crew) {
@@ -83,9 +90,14 @@ public final class FilmRenderer implements PassRenderer {
     this.crew = crew;
     this.settings = Objects.requireNonNull(settings, "settings");
     this.scene = scene.framed(settings.aspect());
-    this.integrator = Objects.requireNonNull(integrator, "integrator");
+    this.integrators = integrators;
     layers = FilmLayers.of(settings, this.scene);
     hasAlpha = settings.transparent() || this.scene.camera().leavesBlanks();
+  }
+
+  private static IntegratorSource given(Integrator integrator) {
+    Objects.requireNonNull(integrator, "integrator");
+    return threads -> integrator;
   }
 
   /**
@@ -93,7 +105,7 @@ public final class FilmRenderer implements PassRenderer {
    * default is row by row from the top.
    */
   FilmRenderer inOrder(UnaryOperator<List<Bucket>> newOrder) {
-    return new FilmRenderer(settings, scene, integrator, samplers, newOrder, crew);
+    return new FilmRenderer(settings, scene, integrators, samplers, newOrder, crew);
   }
 
   /**
@@ -107,7 +119,15 @@ public final class FilmRenderer implements PassRenderer {
    */
   public FilmRenderer on(Executor executor) {
     Crew shared = new SharedThreads(Objects.requireNonNull(executor, "executor"));
-    return new FilmRenderer(settings, scene, integrator, samplers, order, shared);
+    return new FilmRenderer(settings, scene, integrators, samplers, order, shared);
+  }
+
+  /**
+   * Returns the report on the pilot render of {@link RenderSettings#AUTO_SPLIT}, which the first
+   * pass begins with; empty before that and with other settings.
+   */
+  public Optional<SplitReport> splitting() {
+    return integrators.report();
   }
 
   /** Returns whether the films of this renderer have alpha. */
@@ -172,6 +192,7 @@ public final class FilmRenderer implements PassRenderer {
   public PassResult addSamples(Film film, SampleTarget target, Progress progress)
       throws InterruptedException {
     requireOwn(film);
+    Integrator integrator = integrators.get(crew.pilotThreads(threads()));
     List<Bucket> buckets = order.apply(buckets(settings.window()));
     RenderQueue queue = new RenderQueue(buckets, progress);
     List<BucketWorker> workers = new ArrayList<>();

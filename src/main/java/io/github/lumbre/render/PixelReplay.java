@@ -37,7 +37,12 @@ public final class PixelReplay {
     this.scene = scene.framed(settings.aspect());
     this.settings = settings;
     sampler = new SobolSampler(settings.seed());
-    integrator = Integrator.of(scene, settings);
+    integrator =
+        Integrator.of(
+            this.scene,
+            settings.split() == RenderSettings.AUTO_SPLIT
+                ? SplitPilot.choose(settings, this.scene).applyTo(settings)
+                : settings);
     limit = SampleLimit.of(settings);
   }
 

@@ -64,6 +64,11 @@ final class SharedThreads implements Crew {
   }
 
   @Override
+  public int pilotThreads(int wanted) {
+    return 0;
+  }
+
+  @Override
   public void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
       throws InterruptedException {
     queue.stopIfInterrupted(Thread.currentThread());

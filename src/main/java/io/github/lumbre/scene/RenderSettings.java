@@ -30,6 +30,9 @@ public final class RenderSettings {
   /** The largest allowed number of branches of a split path. */
   public static final int MAX_SPLIT = 256;
 
+  /** The number of branches that stands for a choice by a pilot render. */
+  public static final int AUTO_SPLIT = -1;
+
   /** The largest allowed number of threads. */
   public static final int MAX_THREADS = 1024;
 
@@ -149,7 +152,7 @@ public final class RenderSettings {
     return get(Setting.FILTER);
   }
 
-  /** Returns {@link Setting#SPLIT}. */
+  /** Returns {@link Setting#SPLIT}; {@link #AUTO_SPLIT} if a pilot render chooses. */
   public int split() {
     return get(Setting.SPLIT);
   }

@@ -4,6 +4,7 @@ import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.SettingType.ChoiceType;
+import io.github.lumbre.scene.SettingType.CountType;
 import io.github.lumbre.scene.SettingType.ExposureType;
 import io.github.lumbre.scene.SettingType.FlagType;
 import io.github.lumbre.scene.SettingType.IntegerType;
@@ -96,17 +97,18 @@ public final class Setting<T> {
           .changingSamples();
 
   /**
-   * Path mode: the number of branches into which a path is split at its first non-specular surface.
+   * Path mode: the number of branches into which a path is split at its first non-specular surface,
+   * or {@link RenderSettings#AUTO_SPLIT}.
    */
   public static final Setting<Integer> SPLIT =
       new Setting<>(
               "split",
               Group.TRANSPORT,
-              new IntegerType(1, RenderSettings.MAX_SPLIT),
+              new CountType(RenderSettings.AUTO_SPLIT, 1, RenderSettings.MAX_SPLIT),
               1,
               "Path mode: split each path into N branches at its first surface that is not a mirror"
                   + " or clear glass. Less noise in the same time where indirect light dominates;"
-                  + " see 'lumbre trade'.")
+                  + " auto chooses N by a pilot render.")
           .withFlag("--split", "N")
           .changingSamples();
 

@@ -20,6 +20,9 @@ import java.util.stream.Collectors;
  * @param <T> the type of the values
  */
 public sealed interface SettingType<T> {
+  /** The text form of a value that the program chooses. */
+  String AUTO = "auto";
+
   /**
    * Returns the value of a text.
    *
@@ -56,6 +59,40 @@ public sealed interface SettingType<T> {
     @Override
     public String expected() {
       return low + " to " + high;
+    }
+  }
+
+  /**
+   * Integers in a range, with both ends included, or {@code auto}.
+   *
+   * @param auto the value of {@code auto}, outside the range
+   */
+  record CountType(int auto, int low, int high) implements SettingType<Integer> {
+    @Override
+    public Integer parse(String text) {
+      if (text.equals(AUTO)) {
+        return auto;
+      }
+      Integer value = number(text, Integer::valueOf, expected());
+      if (value == auto) {
+        throw unexpected(expected(), text);
+      }
+      return value;
+    }
+
+    @Override
+    public boolean accepts(Integer value) {
+      return value == auto || value >= low && value <= high;
+    }
+
+    @Override
+    public String expected() {
+      return AUTO + " or " + low + " to " + high;
+    }
+
+    @Override
+    public String format(Integer value) {
+      return value == auto ? AUTO : String.valueOf(value);
     }
   }
 
@@ -138,8 +175,6 @@ public sealed interface SettingType<T> {
 
   /** A number of stops, or {@code auto}. */
   record ExposureType() implements SettingType<Exposure> {
-    private static final String AUTO = "auto";
-
     @Override
     public Exposure parse(String text) {
       if (text.equals(AUTO)) {

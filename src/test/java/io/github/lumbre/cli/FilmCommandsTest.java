@@ -181,7 +181,7 @@ class FilmCommandsTest {
               film.header().faults()));
     }
     Outcome.of("resume", path("a.film"))
-        .assertFailed(ExitCodes.SCENE, "split in its header: expected 1 to 256, found 0");
+        .assertFailed(ExitCodes.SCENE, "split in its header: expected auto or 1 to 256, found 0");
   }
 
   @Test

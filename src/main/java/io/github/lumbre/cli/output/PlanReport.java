@@ -13,6 +13,7 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneOrigins;
+import io.github.lumbre.render.SplitReport;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -40,6 +41,7 @@ public final class PlanReport {
     out.line("           normals: " + normals());
     out.line("           meshes: " + meshes());
     out.line("           light selection: " + choice());
+    out.line("           path splitting: " + splitting());
     out.line("           lens: " + lens());
     out.line("           pixel coverage: " + coverage());
   }
@@ -110,6 +112,14 @@ public final class PlanReport {
       case HIERARCHY ->
           "1 of " + count + ", with a light tree that evaluates about 2 log2(n) nodes";
     };
+  }
+
+  private String splitting() {
+    if (settings.mode() == RenderSettings.Mode.RAY) {
+      return "skipped, ray mode has no paths";
+    }
+    RenderSettings auto = settings.toBuilder().split(RenderSettings.AUTO_SPLIT).build();
+    return "with --split auto, " + SplitReport.of(auto, scene).text();
   }
 
   private String lens() {

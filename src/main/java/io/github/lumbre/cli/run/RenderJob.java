@@ -28,6 +28,7 @@ import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
+import io.github.lumbre.render.SplitReport;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
@@ -134,6 +135,7 @@ public record RenderJob(
     warnOfInvalidCoordinates(invalidCoordinates);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
+    renderer.splitting().ifPresent(this::tell);
     finish(film, new RenderResult(film.develop(), complete, statistics), noise, light, seconds);
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
@@ -333,6 +335,13 @@ public record RenderJob(
                     + " render ended with %d samples per pixel")
                 .formatted(FilmRenderer.ADAPTIVE_PILOT, film.mostSamples()))
         : Optional.empty();
+  }
+
+  private void tell(SplitReport splitting) {
+    if (!how.quiet()) {
+      messages.line(splitting.text());
+    }
+    report.put("splitting", splitting.values());
   }
 
   private void tell(Summary summary, NoiseReport noise, LightReport light) {
