@@ -63,6 +63,12 @@ public final class ThumbnailServer implements AutoCloseable {
 
   private void answer(HttpExchange exchange) throws IOException {
     try (exchange) {
+      answerOpen(exchange);
+    }
+  }
+
+  private void answerOpen(HttpExchange exchange) throws IOException {
+    try {
       String ending = exchange.getRequestURI().getPath().substring(PATH.length());
       if (!exchange.getRequestMethod().equals("POST") || !ModelReader.ENDINGS.contains(ending)) {
         reply(exchange, 404, "expected POST /thumbnail/ and one of " + ModelReader.ENDINGS);

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Timeout;
  * The example server under load: several clients send good and hostile models. The number of
  * requests is the system property lumbre.server.requests.
  */
-@Timeout(value = 30, unit = TimeUnit.MINUTES)
+@Timeout(value = 10, unit = TimeUnit.MINUTES)
 class ThumbnailServerTest {
   private static final int REQUESTS = Integer.getInteger("lumbre.server.requests", 64);
   private static final int CLIENTS = 8;
@@ -158,6 +158,7 @@ class ThumbnailServerTest {
     HttpRequest request =
         HttpRequest.newBuilder(
                 URI.create("http://127.0.0.1:" + port + "/thumbnail/" + upload.ending()))
+            .timeout(java.time.Duration.ofMinutes(2))
             .POST(HttpRequest.BodyPublishers.ofByteArray(upload.content()))
             .build();
     long start = System.nanoTime();
