@@ -42,6 +42,15 @@ public final class BokehCache implements Aperture {
     whiteTexels = Arrays.copyOf(found, count);
   }
 
+  /** Returns the mask, {@code [row][column]}, with row 0 at the <b>bottom</b>. */
+  public boolean[][] toMask() {
+    boolean[][] mask = new boolean[height][];
+    for (int y = 0; y < height; y++) {
+      mask[y] = Arrays.copyOfRange(white, y * width, (y + 1) * width);
+    }
+    return mask;
+  }
+
   @Override
   @SuppressWarnings("exports") // internal
   public Point2 sample(Sampler sampler) {

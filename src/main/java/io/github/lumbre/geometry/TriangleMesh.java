@@ -260,11 +260,13 @@ public final class TriangleMesh {
     return load(positions, vertex);
   }
 
-  boolean hasNormals() {
+  /** Returns whether the vertices have normals. */
+  public boolean hasNormals() {
     return normals.length > 0;
   }
 
-  Vec3 normal(int vertex) {
+  /** Returns the normal of a vertex; requires {@link #hasNormals}. */
+  public Vec3 normal(int vertex) {
     return load(normals, vertex);
   }
 
@@ -284,6 +286,18 @@ public final class TriangleMesh {
             + tangents[4 * vertex(triangle, 2) + 3]);
   }
 
+  /** Returns whether the vertices have texture coordinates. */
+  public boolean hasUvs() {
+    return uvs.length > 0;
+  }
+
+  /** Returns whether the vertices have nothing but positions, normals and one set of uvs. */
+  public boolean isPlain() {
+    return attributes.tangents().length == 0
+        && attributes.uv1().length == 0
+        && attributes.colors().length == 0;
+  }
+
   /** Returns the further vertex attributes. */
   MeshAttributes attributes() {
     return attributes;
@@ -295,6 +309,11 @@ public final class TriangleMesh {
       return new TexturePoint(corner == 1 ? 1 : 0, corner == 2 ? 1 : 0);
     }
     int vertex = vertex(triangle, corner);
+    return new TexturePoint(uvs[2 * vertex], uvs[2 * vertex + 1]);
+  }
+
+  /** Returns the texture coordinates of a vertex; requires {@link #hasUvs}. */
+  public TexturePoint uv(int vertex) {
     return new TexturePoint(uvs[2 * vertex], uvs[2 * vertex + 1]);
   }
 

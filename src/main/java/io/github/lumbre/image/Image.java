@@ -82,6 +82,17 @@ public final class Image {
     return rgb;
   }
 
+  /** Returns the bytes of a PFM file, which has all bits of the colors; alpha is left out. */
+  public byte[] toPfm() {
+    try {
+      ByteArrayOutputStream out = new ByteArrayOutputStream();
+      PfmWriter.write(this, out);
+      return out.toByteArray();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   /** Returns the bytes of a PNG file with {@link ImageWriter.Options#DEFAULT}. */
   public byte[] toPng() {
     return toPng(ImageWriter.Options.DEFAULT);

@@ -6,6 +6,9 @@ import java.awt.image.DataBufferByte;
 import java.awt.image.DataBufferUShort;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.Objects;
 import java.util.stream.IntStream;
 
@@ -108,6 +111,17 @@ public final class Pixels {
       }
     }
     return of(width, raster.getHeight(), channels, rgb);
+  }
+
+  /** Returns the bytes of a PNG file with the same values: RGB, and alpha if there is any. */
+  public byte[] toPng() {
+    try {
+      ByteArrayOutputStream out = new ByteArrayOutputStream();
+      PngWriter.write(this, out);
+      return out.toByteArray();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private static void check(int width, int height, int channels, int values) {

@@ -67,6 +67,45 @@ final class PngWriter {
     writeRest(rows, texts, out);
   }
 
+  /** Writes encoded values as they are: RGB, or RGB and alpha. */
+  static void write(Pixels pixels, OutputStream out) throws IOException {
+    SampleRows rows = new PixelRows(pixels);
+    writeHeader(rows, out);
+    writeRest(rows, Map.of(), out);
+  }
+
+  /** The rows of encoded values. */
+  private record PixelRows(Pixels pixels) implements SampleRows {
+    @Override
+    public int width() {
+      return pixels.width();
+    }
+
+    @Override
+    public int height() {
+      return pixels.height();
+    }
+
+    @Override
+    public int bands() {
+      return pixels.hasAlpha() ? 4 : 3;
+    }
+
+    @Override
+    public int bits() {
+      return pixels.max() == 0xff ? 8 : 16;
+    }
+
+    @Override
+    public void read(int y, int[] row) {
+      int bands = bands();
+      for (int i = 0; i < row.length; i++) {
+        int x = i / bands;
+        row[i] = i % bands == 3 ? pixels.alpha(x, y) : pixels.raw(x, y, i % bands);
+      }
+    }
+  }
+
   /** The rows of a layer between two values. */
   private record LinearRows(ImageLayer layer, double low, double high, int bits)
       implements SampleRows {

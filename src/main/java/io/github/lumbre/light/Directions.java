@@ -21,7 +21,9 @@ public final class Directions {
       throw new IllegalArgumentException(
           name + ": expected a finite vector other than 0, found " + direction);
     }
-    return direction.normalized();
+    Vec3 unit = direction.normalized();
+    // 0 in place of -0, as transforms have it.
+    return new Vec3(unit.x() + 0., unit.y() + 0., unit.z() + 0.);
   }
 
   /** Returns a map of the local origin to a position and of local +z to a unit direction. */

@@ -7,6 +7,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The metallic-roughness material of glTF 2.0, Appendix B, with the layers of the {@code
@@ -63,6 +64,61 @@ public final class MetallicRoughness implements Material {
 
   private static double absorption(double color, double distance) {
     return color >= 1 ? 0 : -Elementary.log(Math.max(color, 1e-9)) / distance;
+  }
+
+  /** Receives the properties of a material; see {@link #describe}. */
+  public interface Description {
+    /** Receives a color by its name in the scene format. */
+    void color(String name, ColorChannel value);
+
+    /** Receives a number by its name in the scene format. */
+    void scalar(String name, ScalarChannel value);
+
+    /** Receives a constant by its name in the scene format. */
+    void number(String name, double value);
+
+    /** Is called if back faces are invisible. */
+    void singleSided();
+
+    /**
+     * Receives the medium inside.
+     *
+     * @param color of white light after the distance; empty if only the absorption is known
+     */
+    void volume(Optional<Attenuation> color);
+  }
+
+  /**
+   * The color of white light after some distance in a medium.
+   *
+   * @param distance in world units, &gt; 0
+   */
+  public record Attenuation(Rgb color, double distance) {}
+
+  /** Passes all properties of this material on. */
+  public void describe(Description to) {
+    to.color("baseColor", values.baseColor);
+    to.scalar("metallic", values.metallic);
+    to.scalar("roughness", values.roughness);
+    to.scalar("specular", values.specular);
+    to.color("specularColor", values.specularColor);
+    to.scalar("clearcoat", values.clearcoat);
+    to.scalar("clearcoatRoughness", values.clearcoatRoughness);
+    to.color("sheenColor", values.sheenColor);
+    to.scalar("sheenRoughness", values.sheenRoughness);
+    to.number("ior", values.ior);
+    if (values.isTransparent) {
+      to.scalar("opacity", values.opacity);
+    }
+    if (values.isTransmissive) {
+      to.scalar("transmission", values.transmission);
+    }
+    if (!values.isDoubleSided) {
+      to.singleSided();
+    }
+    if (!values.isThin) {
+      to.volume(values.attenuation);
+    }
   }
 
   /** Returns a builder of a white, rough metal that is opaque and double-sided. */
@@ -259,6 +315,7 @@ public final class MetallicRoughness implements Material {
     private boolean isThin = true;
     private boolean isTransmissive;
     private Rgb absorption = Rgb.BLACK;
+    private Optional<Attenuation> attenuation = Optional.empty();
 
     private Builder() {}
 
@@ -280,6 +337,7 @@ public final class MetallicRoughness implements Material {
       isThin = other.isThin;
       isTransmissive = other.isTransmissive;
       absorption = other.absorption;
+      attenuation = other.attenuation;
     }
 
     private boolean isThinlyTransmissive() {
@@ -380,9 +438,57 @@ public final class MetallicRoughness implements Material {
      */
     public Builder volume(Rgb newAbsorption) {
       absorption = Objects.requireNonNull(newAbsorption, "absorption");
+      attenuation = Optional.empty();
       isThin = false;
       isDoubleSided = true;
       return this;
+    }
+
+    /**
+     * Makes the surface the boundary of a volume, which refracts: the shape must be closed.
+     *
+     * @param color of white light after the distance, each component in [0, 1]
+     * @param distance in world units, &gt; 0
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public Builder volume(Rgb color, double distance) {
+      Values.reflectance("color", color);
+      if (!(distance > 0)) {
+        throw new IllegalArgumentException("distance: expected > 0, found " + distance);
+      }
+      volume(MetallicRoughness.absorption(color, distance));
+      attenuation = Optional.of(new Attenuation(color, distance));
+      return this;
+    }
+
+    /** Sets the albedo of dielectrics and the reflectance of metals, each component in [0, 1]. */
+    public Builder baseColor(Rgb value) {
+      return baseColor(ColorChannel.of(Values.reflectance("baseColor", value), 0));
+    }
+
+    /** Sets the metalness: 0 for dielectrics to 1 for metals. */
+    public Builder metallic(double value) {
+      return metallic(ScalarChannel.of(Values.number("metallic", value, 0, 1), 0));
+    }
+
+    /** Sets the perceptual roughness, in [0, 1]. */
+    public Builder roughness(double value) {
+      return roughness(ScalarChannel.of(Values.number("roughness", value, 0, 1), 0));
+    }
+
+    /** Sets the fraction of light that the surface stops, in [0, 1]. */
+    public Builder opacity(double value) {
+      return opacity(ScalarChannel.of(Values.number("opacity", value, 0, 1), 0));
+    }
+
+    /** Sets the fraction of non-reflected light that is transmitted, in [0, 1]. */
+    public Builder transmission(double value) {
+      return transmission(ScalarChannel.of(Values.number("transmission", value, 0, 1), 0));
+    }
+
+    /** Sets the strength of the clear coat, in [0, 1]. */
+    public Builder clearcoat(double value) {
+      return clearcoat(ScalarChannel.of(Values.number("clearcoat", value, 0, 1), 0));
     }
 
     /** Returns the material. */

@@ -96,6 +96,15 @@ public final class Transform {
     return new Transform(matrix, origin, matrix.inverseNear(cofactors), determinant);
   }
 
+  /**
+   * Returns the map that rotates about the local origin and then moves it to a point.
+   *
+   * @param degrees as in {@link #rotationDegrees}
+   */
+  public static Transform placed(Vec3 position, Vec3 degrees) {
+    return translation(position).times(rotationDegrees(degrees));
+  }
+
   /** Returns the map from a frame's local space at a point to world space. */
   public static Transform ofFrame(Frame axes, Vec3 origin) {
     return ofAxes(axes.tangent(), axes.bitangent(), axes.normal(), origin);

@@ -35,7 +35,7 @@ public final class ModelFile implements SceneContent {
     this.files = new TreeMap<>(files);
     this.options = options;
     this.model = model;
-    local = new ModelScene(model, ModelScene.TO_LEFT_HANDED, Kernel.AUTO, Long.MAX_VALUE);
+    local = new ModelScene(model, ModelScene.TO_LEFT_HANDED, Kernel.AUTO, Long.MAX_VALUE, false);
     local.decode();
     movable = false;
     usesLights = true;

@@ -64,15 +64,18 @@ public final class ModelScene {
    * @param toWorld from the model's world space to the scene's, invertible
    * @param kernel traversal kernel of shared meshes
    * @param maxTexels the largest number of texels of all pictures
+   * @param sharesAll whether all meshes have hierarchies in their local space, also those that the
+   *     model places once
    */
-  public ModelScene(Model model, Transform toWorld, Kernel kernel, long maxTexels) {
+  public ModelScene(
+      Model model, Transform toWorld, Kernel kernel, long maxTexels, boolean sharesAll) {
     this.model = Objects.requireNonNull(model, "model");
     this.toWorld = Objects.requireNonNull(toWorld, "toWorld");
     this.kernel = Objects.requireNonNull(kernel, "kernel");
     materials = new ModelMaterials(toWorld, maxTexels);
     meshes = new ConcurrentHashMap<>();
     shared = Collections.synchronizedMap(new IdentityHashMap<>());
-    sharesAll = false;
+    this.sharesAll = sharesAll;
   }
 
   private ModelScene(ModelScene other, Transform toWorld, boolean sharesAll) {

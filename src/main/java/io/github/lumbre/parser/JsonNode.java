@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /**
  * A value of a JSON text that knows its path. Immutable once {@link JsonTree} has read the text.
@@ -364,6 +365,26 @@ final class JsonNode {
     }
     unexpected("one of " + String.join(", ", choices.keySet()));
     return Optional.empty();
+  }
+
+  /**
+   * Returns an array of finite numbers; empty, with an error added, if it is none.
+   *
+   * @param lengths allowed numbers of elements
+   */
+  double[] numbers(String childKey, List<Integer> lengths) {
+    Optional<JsonNode> array = find(childKey);
+    if (array.isEmpty() || !array.get().isArray()) {
+      array.ifPresent(node -> node.unexpected("an array of numbers"));
+      return new double[0];
+    }
+    List<JsonNode> elements = array.get().elements();
+    if (!lengths.contains(elements.size())) {
+      String expected = lengths.stream().map(String::valueOf).collect(Collectors.joining(" or "));
+      array.get().error("expected " + expected + " numbers, found " + elements.size());
+      return new double[0];
+    }
+    return elements.stream().mapToDouble(node -> node.number(0, Range.ANY)).toArray();
   }
 
   /** Returns the vector {x, y, z}; the default replaces missing components. */

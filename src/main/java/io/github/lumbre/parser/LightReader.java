@@ -5,6 +5,7 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Directions;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
@@ -196,7 +197,9 @@ final class LightReader {
   }
 
   private static Vec3 axis(Placed light) {
-    return light.toWorld().vector(Vec3.Z).normalized();
+    return light.node().has("matrix")
+        ? Directions.axis(light.toWorld())
+        : light.toWorld().vector(Vec3.Z).normalized();
   }
 
   private void warnOfGlass(Placed light) {

@@ -25,7 +25,7 @@ import java.util.stream.Stream;
 
 /** Reads each material at its first use. */
 final class MaterialReader {
-  private static final double MAX_IOR = 1e6;
+  static final double MAX_IOR = 1e6;
   private static final Range IOR = Range.above(0, MAX_IOR);
   private static final Range ROUGHNESS = Range.closed(0, 1);
   private static final Map<String, Kind> DISTRIBUTIONS = new LinkedHashMap<>();
@@ -48,6 +48,7 @@ final class MaterialReader {
       new Family<Reader>("materialType", AssetTable.COMMON_KEYS)
           .with("Diffuse", this::diffuse, keys("color", "normal"))
           .with("Color", this::color, keys("color"))
+          .with("AreaLight", this::areaLight, areaLightKeys())
           .with("Reflective", this::reflective, keys("reflectivityColor", "normal"))
           .with(
               "Refractive",
@@ -147,6 +148,27 @@ final class MaterialReader {
     return (shape, scene) -> scene.addEmissive(shape, emission);
   }
 
+  private static String[] areaLightKeys() {
+    List<String> all = new ArrayList<>(List.of(keys("color")));
+    all.add("twoSided");
+    return all.toArray(String[]::new);
+  }
+
+  /** An infinite plane cannot be sampled; it is as one of type Color. */
+  private Surface areaLight(JsonNode material) {
+    Emission emission =
+        new Emission(
+            textures.colour(material, "color", material.rgb("color")),
+            material.flag("twoSided", false));
+    return (shape, scene) -> {
+      if (Double.isFinite(shape.area())) {
+        scene.addAreaLight(shape, emission);
+      } else {
+        scene.addEmissive(shape, emission);
+      }
+    };
+  }
+
   private Surface reflective(JsonNode material) {
     return surface(material, new Mirror(reflectances(material, "reflectivityColor").get(0)));
   }
@@ -230,7 +252,7 @@ final class MaterialReader {
     }
     if (material.has("attenuationDistance")) {
       double distance = material.number("attenuationDistance", 1, Range.POSITIVE);
-      builder.volume(MetallicRoughness.absorption(material.rgb("attenuationColor"), distance));
+      builder.volume(material.rgb("attenuationColor").clampedToOne(), distance);
       hasGlass = true;
     }
     return surface(material, builder.build());

@@ -33,7 +33,16 @@ final class ModelObjects {
 
   static {
     KEYS.addAll(
-        Set.of("file", "up", "unit", "pose", "seconds", "variant", "useLights", "materials"));
+        Set.of(
+            "file",
+            "up",
+            "unit",
+            "pose",
+            "seconds",
+            "variant",
+            "useLights",
+            "materials",
+            "shared"));
     UPS.put("y", Up.Y);
     UPS.put("z", Up.Z);
   }
@@ -92,8 +101,9 @@ final class ModelObjects {
       model.warnings().forEach(warning -> node.warn("file", name + ": " + warning));
       Transform toWorld = object.toWorld().times(ModelScene.TO_LEFT_HANDED);
       long maxTexels = data.allowance().texelsLeft();
-      return parts(
-          node, name, new ModelScene(model, toWorld, kernel, maxTexels), overrides(node));
+      boolean sharesAll = node.flag("shared", false);
+      ModelScene scene = new ModelScene(model, toWorld, kernel, maxTexels, sharesAll);
+      return parts(node, name, scene, overrides(node));
     } catch (ModelFormatException e) {
       report(node, name, e);
     } catch (IOException e) {

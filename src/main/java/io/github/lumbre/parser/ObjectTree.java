@@ -25,14 +25,22 @@ final class ObjectTree {
 
   /** Keys that are valid for every object. */
   static final Set<String> COMMON_KEYS =
-      Set.of("type", "name", "id", "children", "localPosition", "localRotation", "localScale");
+      Set.of(
+          "type",
+          "name",
+          "id",
+          "children",
+          "localPosition",
+          "localRotation",
+          "localScale",
+          "lookAt",
+          "lookAtUp",
+          "matrix");
 
   /** Keys that are valid for every object that can emit light. */
   static final Set<String> EMITTER_KEYS =
       Stream.concat(COMMON_KEYS.stream(), Stream.of(LIGHT_GROUP))
           .collect(Collectors.toUnmodifiableSet());
-
-  private static final Vec3 ONE = new Vec3(1, 1, 1);
 
   /** The type of an object. */
   enum Type {
@@ -135,18 +143,16 @@ final class ObjectTree {
       return;
     }
     noteId(node);
-    Transform turn = Transform.rotationDegrees(node.vec3("localRotation", Vec3.ZERO));
-    Transform local =
-        Transform.translation(node.vec3("localPosition", Vec3.ZERO))
-            .times(turn)
-            .times(Transform.scale(node.vec3("localScale", ONE)));
-    Transform toWorld = visit.toWorld.times(local);
+    LocalTransform local = LocalTransform.of(node);
+    // The outermost transform of a matrix is the matrix, bit for bit.
+    boolean isOutermost = visit.depth == 1 && local.isMatrix();
+    Transform toWorld = isOutermost ? local.transform() : visit.toWorld.times(local.transform());
     if (!toWorld.isInvertible()) {
       node.error(
           "singular transform: combined with those of its parents, it has no finite inverse");
       toWorld = visit.toWorld;
     }
-    Transform rotation = visit.rotation.times(turn);
+    Transform rotation = isOutermost ? local.turn() : visit.rotation.times(local.turn());
     objects.add(new Placed(node, node.choice("type", TYPES, Type.NONE), toWorld, rotation));
     push(node.objects("children"), visit.depth + 1, toWorld, rotation);
   }

@@ -51,8 +51,9 @@ final class ProceduralReader {
     return texture.integer("height", DEFAULT_SIDE, 1, TexelTexture.MAX_SIDE);
   }
 
-  /** Returns a seed that depends on the scene's seed and on the texture's id. */
+  /** Returns the texture's own seed; without one, it depends on the scene's and on the id. */
   private long seedOf(JsonNode texture) {
-    return Hash.of(Hash.mix(seed), texture.id("id").orElseThrow());
+    long derived = Hash.of(Hash.mix(seed), texture.id("id").orElseThrow());
+    return texture.integer("seed", derived, Long.MIN_VALUE, Long.MAX_VALUE);
   }
 }

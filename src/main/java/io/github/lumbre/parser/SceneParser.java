@@ -172,7 +172,7 @@ public final class SceneParser {
         problems,
         () -> {
           byte[] text = read(file, problems, limits.bytes());
-          return parse(file, text, Optional.empty(), Map.of(), problems);
+          return parse(file, text, Optional.empty(), Map.of(), Optional.empty(), problems);
         });
   }
 
@@ -190,7 +190,8 @@ public final class SceneParser {
         problems,
         () -> {
           SceneText text = setup.limitedTo(limits).sceneOf(model, modelAspect());
-          return parse(text.path(), text.json(), Optional.of(text), Map.of(), problems);
+          return parse(
+              text.path(), text.json(), Optional.of(text), Map.of(), Optional.empty(), problems);
         });
   }
 
@@ -217,7 +218,13 @@ public final class SceneParser {
         () -> {
           ModelSetup limited = setup.limitedTo(limits);
           SceneText text = limited.sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
-          return parse(text.path(), text.json(), Optional.of(text), Map.of(name, model), problems);
+          return parse(
+              text.path(),
+              text.json(),
+              Optional.of(text),
+              Map.of(name, model),
+              Optional.empty(),
+              problems);
         });
   }
 
@@ -264,19 +271,22 @@ public final class SceneParser {
    * @throws CancellationException if the calling thread is interrupted
    */
   public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
-    return parse(new SceneText(content, file), Map.of());
+    return parse(new SceneText(content, file), Map.of(), Optional.empty());
   }
 
   /**
    * Reads a scene that is not in a file.
    *
    * @param files bytes of asset files that need not exist, by the names that assets use
+   * @param known the same scene, if code has built it
    */
-  private SceneFile parse(SceneText text, Map<String, byte[]> files) throws SceneFormatException {
+  SceneFile parse(SceneText text, Map<String, byte[]> files, Optional<Scene> known)
+      throws SceneFormatException {
     Path file = text.path();
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     try {
-      return timed(problems, () -> parse(file, text.json(), Optional.of(text), files, problems));
+      return timed(
+          problems, () -> parse(file, text.json(), Optional.of(text), files, known, problems));
     } catch (InterruptedIOException e) {
       CancellationException cancelled = new CancellationException(e.getMessage());
       cancelled.initCause(e);
@@ -369,6 +379,7 @@ public final class SceneParser {
       byte[] text,
       Optional<SceneText> source,
       Map<String, byte[]> files,
+      Optional<Scene> known,
       Problems problems)
       throws SceneFormatException {
     Allowance allowance = new Allowance(limits);
@@ -401,7 +412,7 @@ public final class SceneParser {
             String.valueOf(file.getFileName()));
     world.read(settings.aspect(), background);
     problems.throwIfAny();
-    Scene scene = world.scene();
+    Scene scene = world.scene(known);
     SceneFile made =
         new SceneFile(
             scene,

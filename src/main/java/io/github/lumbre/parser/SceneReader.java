@@ -182,8 +182,12 @@ final class SceneReader {
     return root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root);
   }
 
-  /** Returns the scene; there must be no errors. */
-  Scene scene() {
+  /**
+   * Returns the scene; there must be no errors.
+   *
+   * @param known the same scene, if code has built it: it gets the names of the file
+   */
+  Scene scene(Optional<Scene> known) {
     SceneAssembly scene = new SceneAssembly(camera.orElseThrow()).searchedBy(kernel);
     backplate.ifPresent(scene::backplate);
     OriginNames objects = new OriginNames("object");
@@ -195,7 +199,7 @@ final class SceneReader {
       addition.action.accept(scene);
       note(addition, scene);
     }
-    return scene.build();
+    return known.map(same -> same.named(scene)).orElseGet(scene::build);
   }
 
   /** Records the origin of the primitives or lights that were just added. */

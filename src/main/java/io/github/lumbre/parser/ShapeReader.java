@@ -44,7 +44,7 @@ final class ShapeReader {
           .with("Sphere", this::sphere, "materialID", "radius")
           .with("Plane", this::plane, "finite", "width", "height", "twoSided")
           .with("Cube", this::cube, "width", "height", "depth")
-          .with(MESH, this::mesh, "meshId");
+          .with(MESH, this::mesh, "meshId", "shared");
 
   /**
    * @param shapes all shape objects of the scene
@@ -143,7 +143,8 @@ final class ShapeReader {
 
   private Shape placed(Placed object, JsonNode asset, TriangleMesh mesh) {
     triangles += mesh.triangleCount();
-    if (placements.get(asset) == 1) {
+    boolean isShared = object.node().flag("shared", false);
+    if (placements.get(asset) == 1 && !isShared) {
       return Mesh.baked(mesh, object.toWorld());
     }
     SharedMesh one = shared.computeIfAbsent(asset, a -> new SharedMesh(mesh, kernel));

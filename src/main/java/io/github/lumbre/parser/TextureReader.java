@@ -62,16 +62,24 @@ final class TextureReader {
   private final Family<Reader> family =
       new Family<Reader>("textureType", AssetTable.COMMON_KEYS)
           .with("Image", this::image, BASE64_KEY, AssetData.FILE_KEY, "filter")
-          .with("Wood", t -> computed(t, ProceduralReader::wood), "width", "height", "rings")
-          .with("Marble", t -> computed(t, ProceduralReader::marble), "width", "height")
-          .with("Cloud", t -> computed(t, ProceduralReader::cloud), "width", "height", "density")
+          .with(
+              "Wood", t -> computed(t, ProceduralReader::wood), "width", "height", "rings", "seed")
+          .with("Marble", t -> computed(t, ProceduralReader::marble), "width", "height", "seed")
+          .with(
+              "Cloud",
+              t -> computed(t, ProceduralReader::cloud),
+              "width",
+              "height",
+              "density",
+              "seed")
           .with(
               "Voronoi",
               t -> computed(t, ProceduralReader::voronoi),
               "width",
               "height",
               "samples",
-              "blackAndWhite");
+              "blackAndWhite",
+              "seed");
 
   /**
    * @param seed seed of the scene; with their ids, it determines procedural textures

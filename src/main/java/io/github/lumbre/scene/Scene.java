@@ -137,7 +137,18 @@ public final class Scene {
       Set<Specialization> shortcuts,
       Camera camera,
       Optional<Viewpoint> viewpoint) {
+    this(other, bvh, shortcuts, camera, viewpoint, other.names);
+  }
+
+  private Scene(
+      Scene other,
+      Bvh bvh,
+      Set<Specialization> shortcuts,
+      Camera camera,
+      Optional<Viewpoint> viewpoint,
+      SurfaceNames names) {
     this.camera = camera;
+    this.names = names;
     this.viewpoint = viewpoint;
     built = other.built;
     kernel = other.kernel;
@@ -153,7 +164,6 @@ public final class Scene {
     backplate = other.backplate;
     radius = other.radius;
     lightGroups = other.lightGroups;
-    names = other.names;
     emitterOfPrimitive = other.emitterOfPrimitive;
     hasTransparency = other.hasTransparency;
     this.shortcuts = Set.copyOf(shortcuts);
@@ -300,6 +310,27 @@ public final class Scene {
     return viewpoint
         .map(from -> new Scene(this, bvh, shortcuts, from.camera(aspect), viewpoint))
         .orElse(this);
+  }
+
+  /**
+   * Returns this scene with the names of another assembly of it.
+   *
+   * @throws IllegalArgumentException if the numbers of primitives or emitters differ
+   */
+  public Scene named(SceneAssembly same) {
+    if (same.primitiveCount() != primitives.size() || same.emitterCount() != emitters.size()) {
+      throw new IllegalArgumentException(
+          "same: expected %d primitives and %d emitters, found %d and %d"
+              .formatted(
+                  primitives.size(), emitters.size(), same.primitiveCount(), same.emitterCount()));
+    }
+    return new Scene(
+        this,
+        bvh,
+        shortcuts,
+        camera,
+        viewpoint,
+        SurfaceNames.of(same.objectNames, same.materialNames));
   }
 
   /** Returns what the scene was built from; empty if it was read from a file. */

@@ -7,6 +7,8 @@ public final class CloudTexture implements TexelTexture {
   private static final double GREEN_OF_SKY = .753;
   private static final double GREEN_OF_CLOUDS = .247;
 
+  private final long seed;
+  private final double density;
   private final Texels thickness;
 
   /**
@@ -19,7 +21,19 @@ public final class CloudTexture implements TexelTexture {
    * @throws IllegalArgumentException if a number is out of range
    */
   public CloudTexture(long seed, int width, int height, double density) {
+    this.seed = seed;
+    this.density = density;
     thickness = new Texels(width, height, new Noise(seed, width, height, density)::turbulence);
+  }
+
+  /** Returns the seed of all random numbers. */
+  public long seed() {
+    return seed;
+  }
+
+  /** Returns the size of the largest clouds in texels. */
+  public double density() {
+    return density;
   }
 
   @Override

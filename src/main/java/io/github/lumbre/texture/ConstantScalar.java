@@ -1,7 +1,7 @@
 package io.github.lumbre.texture;
 
 /** A scalar texture with the same value everywhere. */
-record ConstantScalar(double value) implements ScalarTexture {
+public record ConstantScalar(double value) implements ScalarTexture {
   @Override
   public double at(double u, double v) {
     return value;

@@ -56,6 +56,7 @@ public final class ImageTexture implements Texture<Rgb> {
   }
 
   private final Pixels pixels;
+  private final Role role;
   private final double[] decoded;
   private final Filter filter;
   private final Rgb tint;
@@ -64,12 +65,14 @@ public final class ImageTexture implements Texture<Rgb> {
   public ImageTexture(Pixels pixels, Role role, Filter filter) {
     this(
         Objects.requireNonNull(pixels, "pixels"),
+        role,
         table(Objects.requireNonNull(role, "role"), pixels.max()),
         Objects.requireNonNull(filter, "filter"),
         Rgb.WHITE);
   }
 
-  private ImageTexture(Pixels pixels, double[] decoded, Filter filter, Rgb tint) {
+  private ImageTexture(Pixels pixels, Role role, double[] decoded, Filter filter, Rgb tint) {
+    this.role = role;
     this.pixels = pixels;
     this.decoded = decoded;
     this.filter = filter;
@@ -86,7 +89,27 @@ public final class ImageTexture implements Texture<Rgb> {
 
   /** Returns the product of this texture and a constant. */
   ImageTexture tinted(Rgb factor) {
-    return new ImageTexture(pixels, decoded, filter, tint.times(factor));
+    return new ImageTexture(pixels, role, decoded, filter, tint.times(factor));
+  }
+
+  /** Returns the encoded texels. */
+  public Pixels pixels() {
+    return pixels;
+  }
+
+  /** Returns the meaning of the file's values. */
+  public Role role() {
+    return role;
+  }
+
+  /** Returns the interpolation between texels. */
+  public Filter filter() {
+    return filter;
+  }
+
+  /** Returns the constant factor of the decoded values. */
+  public Rgb tint() {
+    return tint;
   }
 
   /** Returns the width in texels. */

@@ -17,6 +17,11 @@ public final class LinearTexture implements Texture<Rgb> {
     this.image = Objects.requireNonNull(image, "image");
   }
 
+  /** Returns the picture. */
+  public Image image() {
+    return image;
+  }
+
   @Override
   public Rgb at(double u, double v) {
     Bilinear around = Bilinear.around(u, v, image.width(), image.height());

@@ -10,6 +10,7 @@ public final class MarbleTexture implements TexelTexture {
   private static final double VEINS_ACROSS = 5;
   private static final double VEINS_DOWN = 10;
 
+  private final long seed;
   private final Noise noise;
   private final Texels grey;
 
@@ -22,6 +23,7 @@ public final class MarbleTexture implements TexelTexture {
    * @throws IllegalArgumentException if a size is out of range
    */
   public MarbleTexture(long seed, int width, int height) {
+    this.seed = seed;
     noise = new Noise(seed, width, height, COARSEST);
     grey = new Texels(width, height, this::grey);
   }
@@ -32,6 +34,11 @@ public final class MarbleTexture implements TexelTexture {
             + VEINS_DOWN * row / grey.height()
             + BENDING * noise.turbulence(column, row);
     return Math.abs(Elementary.sinTurns(halfTurns / 2));
+  }
+
+  /** Returns the seed of all random numbers. */
+  public long seed() {
+    return seed;
   }
 
   @Override

@@ -39,6 +39,31 @@ public final class NormalMap {
     this(normals, UvMapping.IDENTITY, strength);
   }
 
+  /**
+   * Returns the unchanged map of a picture that stores normals.
+   *
+   * @param picture of any role; its tint is ignored
+   */
+  public static NormalMap of(ImageTexture picture) {
+    return new NormalMap(
+        new ImageTexture(picture.pixels(), ImageTexture.Role.NORMAL, picture.filter()), 1);
+  }
+
+  /** Returns the texture of normals, without the mapping. */
+  public Texture<Rgb> normals() {
+    return normals;
+  }
+
+  /** Returns the mapping of texture coordinates. */
+  public UvMapping mapping() {
+    return mapping;
+  }
+
+  /** Returns the factor of the slopes. */
+  public double strength() {
+    return strength;
+  }
+
   /** Returns the map's stored value at a point of the texture, without mapping and strength. */
   public Rgb value(TexturePoint p) {
     return normals.at(p);

@@ -38,7 +38,20 @@ public record UvMapping(double offsetX, double offsetY, double scaleX, double sc
   /** Returns the texture with this mapping applied to its coordinates. */
   public <T> Texture<T> over(Texture<T> texture) {
     Objects.requireNonNull(texture, "texture");
-    return equals(IDENTITY) ? texture : (u, v) -> texture.at(u(u), v(v));
+    return equals(IDENTITY) ? texture : new Mapped<>(this, texture);
+  }
+
+  /** A texture whose coordinates are mapped. */
+  public record Mapped<T>(UvMapping mapping, Texture<T> texture) implements Texture<T> {
+    @Override
+    public T at(double u, double v) {
+      return texture.at(mapping.u(u), mapping.v(v));
+    }
+  }
+
+  /** Returns the mapping that repeats a texture so many times over u and v from 0 to 1. */
+  public static UvMapping repeating(double timesU, double timesV) {
+    return new UvMapping(0, 0, timesU, timesV);
   }
 
   private static void requireFinite(double value, String name) {

@@ -15,6 +15,7 @@ public final class VoronoiTexture implements TexelTexture {
   private static final int NUMBERS = 5;
 
   private final long seed;
+  private final int samples;
   private final boolean blackAndWhite;
   private final ToroidalSites sites;
   private final Texels nearest;
@@ -36,6 +37,7 @@ public final class VoronoiTexture implements TexelTexture {
           "samples: expected 1 to " + MAX_SAMPLES + ", found " + samples);
     }
     this.seed = seed;
+    this.samples = samples;
     this.blackAndWhite = blackAndWhite;
     sites = stratified(width, height, samples);
     nearest = new Texels(width, height, (i, j) -> sites.nearest(i + .5, j + .5));
@@ -63,6 +65,21 @@ public final class VoronoiTexture implements TexelTexture {
 
   private double random(int sample, int number) {
     return Hash.unit(Hash.of(seed, (long) NUMBERS * sample + number));
+  }
+
+  /** Returns the seed of all random numbers. */
+  public long seed() {
+    return seed;
+  }
+
+  /** Returns the number of cells. */
+  public int samples() {
+    return samples;
+  }
+
+  /** Returns whether the colors are shades of gray. */
+  public boolean isBlackAndWhite() {
+    return blackAndWhite;
   }
 
   @Override

@@ -10,6 +10,7 @@ public final class WoodTexture implements TexelTexture {
   private static final double RED = 80 / 255.0;
   private static final double GREEN_AND_BLUE = 30 / 255.0;
 
+  private final long seed;
   private final Noise noise;
   private final double rings;
   private final Texels light;
@@ -27,6 +28,7 @@ public final class WoodTexture implements TexelTexture {
     if (!(rings >= 0) || Double.isInfinite(rings)) {
       throw new IllegalArgumentException("rings: expected a finite number >= 0, found " + rings);
     }
+    this.seed = seed;
     this.rings = rings;
     noise = new Noise(seed, width, height, COARSEST);
     light = new Texels(width, height, this::light);
@@ -40,6 +42,16 @@ public final class WoodTexture implements TexelTexture {
     // Removing whole turns does not change the result, but keeps the argument in the range of the
     // sine.
     return Math.abs(Elementary.sinTurns(turns - Math.floor(turns))) / 2;
+  }
+
+  /** Returns the seed of all random numbers. */
+  public long seed() {
+    return seed;
+  }
+
+  /** Returns the number of dark rings from the center to the middle of a side. */
+  public double rings() {
+    return rings;
   }
 
   @Override

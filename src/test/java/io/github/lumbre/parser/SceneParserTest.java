@@ -516,9 +516,9 @@ class SceneParserTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "'materialType': 'Velvet'"
-            + "|.materialType: expected one of Diffuse, Color, Reflective, Refractive, None, Phong,"
-            + " CookTorrance, ShadowCatcher, MetallicRoughness, found 'Velvet'",
+        "'materialType': 'Velvet'|.materialType: expected one of Diffuse, Color, AreaLight,"
+            + " Reflective, Refractive, None, Phong, CookTorrance, ShadowCatcher,"
+            + " MetallicRoughness, found 'Velvet'",
         "'materialType': 'Phong', 'exponent': -1"
             + "|.exponent: expected a finite number >= 0, found -1",
         "'materialType': 'CookTorrance', 'roughness': 1.5"

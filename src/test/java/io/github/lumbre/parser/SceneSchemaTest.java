@@ -100,6 +100,7 @@ class SceneSchemaTest {
           ": expected the id of a \\w+, found -?\\d|each id once|main camera's id once"
               + "|: expected base64, |: expected a file|relative path|: PNG |: expected a PNG"
               + "|: line \\d|: singular|within 1e150|infinite one|a mask with|width x height"
+              + "|lookAt: expected a point other|the inverse of the matrix"
               + "|penumbra: expected a number from 0 to [-0-9.e]+, found \\d");
 
   @TempDir private Path folder;

@@ -1,0 +1,37 @@
+package io.github.lumbre.parser;
+
+import com.google.gson.JsonObject;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Vec3;
+
+/** Values of scene files that are written. */
+final class Written {
+  private Written() {}
+
+  static JsonObject color(Rgb color) {
+    JsonObject object = new JsonObject();
+    object.addProperty("r", color.r());
+    object.addProperty("g", color.g());
+    object.addProperty("b", color.b());
+    return object;
+  }
+
+  static JsonObject vector(Vec3 vector) {
+    JsonObject object = point(vector.x(), vector.y());
+    object.addProperty("z", vector.z());
+    return object;
+  }
+
+  static JsonObject point(double x, double y) {
+    JsonObject object = new JsonObject();
+    object.addProperty("x", x);
+    object.addProperty("y", y);
+    return object;
+  }
+
+  /** Returns the name of the class of a thing that the format does not have. */
+  static String name(Object thing) {
+    String name = thing.getClass().getSimpleName();
+    return name.isEmpty() || thing.getClass().isSynthetic() ? "one that code computes" : name;
+  }
+}
