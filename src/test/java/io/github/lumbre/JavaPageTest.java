@@ -57,6 +57,24 @@ class JavaPageTest {
     runs(blocks("servers.md").get(0), blocks("servers.md").get(1));
   }
 
+  /** The page names the six imports of the first picture. */
+  @Test
+  void firstPictureNeedsSixImports() throws Exception {
+    String page = Files.readString(Path.of("docs", "java.md"));
+    String sentence =
+        page.substring(page.indexOf("It needs six imports"), page.indexOf("## Build a"));
+    List<String> imports =
+        Pattern.compile("`([a-z.]+\\.\\*)`")
+            .matcher(sentence)
+            .results()
+            .map(match -> "import " + match.group(1) + ";\n")
+            .toList();
+    assertThat(imports).hasSize(6);
+    String first =
+        blocks().stream().filter(b -> b.startsWith("Scene first =")).findFirst().orElseThrow();
+    runs(String.join("", imports), first);
+  }
+
   private void runs(String imports, String example) throws Exception {
     String code = example.replace("target/java/", directory + "/");
     Path source =
@@ -91,7 +109,14 @@ class JavaPageTest {
   @Test
   void thereAreExamplesOfEverythingThatThePagePromises() throws Exception {
     assertThat(String.join("", blocks()))
-        .contains("SceneParser", "Scene.builder", "isCancelled", "Budget(", "ImageWriter.write")
+        .contains(
+            "SceneParser",
+            "Scene.builder",
+            "SceneWriter.write",
+            "toBuilder",
+            "isCancelled",
+            "Budget(",
+            "ImageWriter.write")
         .contains("CheckpointFile", "FilmMerge", "PixelReplay", "ModelSetup");
   }
 }

@@ -83,6 +83,15 @@ public final class SceneBuilder {
     return lookingAt(eye, target, Vec3.Y, lens);
   }
 
+  /**
+   * Sets where a pinhole camera stands and looks, with +y up; see {@link #lookingAt}.
+   *
+   * @param fovDegrees the full vertical angle of view, in degrees, in (0, 180)
+   */
+  public SceneBuilder lookingAt(Vec3 eye, Vec3 target, double fovDegrees) {
+    return lookingAt(eye, target, Lens.pinhole(fovDegrees));
+  }
+
   /** Sets where the camera stands and looks. */
   public SceneBuilder seenFrom(Viewpoint newViewpoint) {
     requireScene("the camera");
@@ -292,6 +301,11 @@ public final class SceneBuilder {
     requireScene("a background");
     nodes.add(new SceneNode.Background(lightGroup, Objects.requireNonNull(radiance, "radiance")));
     return this;
+  }
+
+  /** Adds a uniform environment light of white light; see {@link #addBackground(Rgb)}. */
+  public SceneBuilder addBackground(double radiance) {
+    return addBackground(Rgb.grey(radiance));
   }
 
   /**
