@@ -398,7 +398,7 @@ public record ModelSetup(
     if (transparent) {
       render.addProperty("background", "transparent");
     }
-    background.ifPresent(color -> render.add("backplate", color(color)));
+    background.ifPresent(color -> render.add("backplate", Written.color(color)));
     return render;
   }
 
@@ -413,8 +413,8 @@ public record ModelSetup(
     object.addProperty("id", 1);
     object.addProperty("cameraType", "Pinhole");
     object.addProperty("fieldOfView", fov);
-    object.add("localPosition", vector(framing.eye(from, fov, aspect.orElse(4 / 3.))));
-    object.add("localRotation", vector(new Vec3(from.elevation(), -from.azimuth(), 0)));
+    object.add("localPosition", Written.vector(framing.eye(from, fov, aspect.orElse(4 / 3.))));
+    object.add("localRotation", Written.vector(new Vec3(from.elevation(), -from.azimuth(), 0)));
     return object;
   }
 
@@ -459,8 +459,8 @@ public record ModelSetup(
       object.addProperty("cameraType", "Pinhole");
       object.addProperty("fieldOfView", Math.toDegrees(angle));
     }
-    object.add("localPosition", vector(toWorld.point(Vec3.ZERO)));
-    object.add("localRotation", vector(Rotations.degrees(ModelScene.axes(toWorld))));
+    object.add("localPosition", Written.vector(toWorld.point(Vec3.ZERO)));
+    object.add("localRotation", Written.vector(Rotations.degrees(ModelScene.axes(toWorld))));
     return object;
   }
 
@@ -468,7 +468,7 @@ public record ModelSetup(
     JsonObject dome = object("Light");
     dome.addProperty("lightType", "Dome");
     dome.addProperty("intensity", skyIntensity);
-    dome.add("localRotation", vector(new Vec3(0, skyRotation, 0)));
+    dome.add("localRotation", Written.vector(new Vec3(0, skyRotation, 0)));
     if (sky.equals("studio")) {
       dome.addProperty("sky", "studio");
     } else if (!sky.equals("white")) {
@@ -487,20 +487,7 @@ public record ModelSetup(
   private JsonObject modelObject(Path name) {
     JsonObject object = object("Model");
     object.addProperty("file", slashed(name));
-    if (options.up() == ModelOptions.Up.Z) {
-      object.addProperty("up", "z");
-    }
-    if (options.unit() != 1) {
-      object.addProperty("unit", options.unit());
-    }
-    options
-        .pose()
-        .ifPresent(
-            pose -> {
-              object.addProperty("pose", pose.animation());
-              object.addProperty("seconds", pose.seconds());
-            });
-    options.variant().ifPresent(variant -> object.addProperty("variant", variant));
+    Written.options(object, options);
     return object;
   }
 
@@ -509,7 +496,7 @@ public record ModelSetup(
     material.addProperty("assetType", "Material");
     material.addProperty("id", 2);
     material.addProperty("materialType", transparent ? "ShadowCatcher" : "Diffuse");
-    material.add("color", color(Rgb.grey(GROUND_GRAY)));
+    material.add("color", Written.color(Rgb.grey(GROUND_GRAY)));
     return material;
   }
 
@@ -517,7 +504,7 @@ public record ModelSetup(
     JsonObject floor = object("Shape");
     floor.addProperty("shapeType", "Plane");
     floor.addProperty("materialID", 2);
-    floor.add("localPosition", vector(new Vec3(0, y, 0)));
+    floor.add("localPosition", Written.vector(new Vec3(0, y, 0)));
     return floor;
   }
 
@@ -529,21 +516,5 @@ public record ModelSetup(
 
   private static String slashed(Path path) {
     return path.toString().replace('\\', '/');
-  }
-
-  private static JsonObject vector(Vec3 v) {
-    JsonObject object = new JsonObject();
-    object.addProperty("x", v.x());
-    object.addProperty("y", v.y());
-    object.addProperty("z", v.z());
-    return object;
-  }
-
-  private static JsonObject color(Rgb c) {
-    JsonObject object = new JsonObject();
-    object.addProperty("r", c.r());
-    object.addProperty("g", c.g());
-    object.addProperty("b", c.b());
-    return object;
   }
 }

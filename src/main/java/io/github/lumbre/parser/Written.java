@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelOptions;
 
 /** Values of scene files that are written. */
 final class Written {
@@ -27,6 +28,24 @@ final class Written {
     object.addProperty("x", x);
     object.addProperty("y", y);
     return object;
+  }
+
+  /** Adds what a model object reads of its file; defaults are left out. */
+  static void options(JsonObject object, ModelOptions options) {
+    if (options.up() == ModelOptions.Up.Z) {
+      object.addProperty("up", "z");
+    }
+    if (options.unit() != 1) {
+      object.addProperty("unit", options.unit());
+    }
+    options
+        .pose()
+        .ifPresent(
+            pose -> {
+              object.addProperty("pose", pose.animation());
+              object.addProperty("seconds", pose.seconds());
+            });
+    options.variant().ifPresent(variant -> object.addProperty("variant", variant));
   }
 
   /** Returns the name of the class of a thing that the format does not have. */

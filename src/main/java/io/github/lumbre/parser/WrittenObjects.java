@@ -17,7 +17,6 @@ import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFile;
-import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.scene.SceneNode;
 import io.github.lumbre.scene.SurfaceNames;
 import java.nio.charset.StandardCharsets;
@@ -175,17 +174,7 @@ final class WrittenObjects {
       object.addProperty("lightGroup", part.lightGroup());
     }
     object.addProperty("file", file(model));
-    ModelOptions options = model.options();
-    object.addProperty("up", options.up() == ModelOptions.Up.Y ? "y" : "z");
-    object.addProperty("unit", options.unit());
-    options
-        .pose()
-        .ifPresent(
-            pose -> {
-              object.addProperty("pose", pose.animation());
-              object.addProperty("seconds", pose.seconds());
-            });
-    options.variant().ifPresent(variant -> object.addProperty("variant", variant));
+    Written.options(object, model.options());
     object.addProperty("useLights", model.usesLights());
     object.addProperty("shared", model.isMovable());
     return object;

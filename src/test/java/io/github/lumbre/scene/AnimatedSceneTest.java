@@ -6,13 +6,11 @@ import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.Viewpoint;
 import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.Plane;
-import io.github.lumbre.geometry.SharedMesh;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFile;
-import io.github.lumbre.model.ModelPart;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.render.BucketRenderer;
 import java.nio.file.Path;
@@ -91,6 +89,17 @@ class AnimatedSceneTest {
     assertThat(frames).doesNotHaveDuplicates();
   }
 
+  private static Set<Object> sharedMeshes(Scene scene) {
+    Set<Object> meshes = identities();
+    for (Primitive primitive : scene.primitives()) {
+      if (primitive.shape() instanceof MeshInstance instance) {
+        meshes.add(instance.shared());
+      }
+    }
+    return meshes;
+  }
+
+  /** The surfaces that emit light are not among these: they are divided anew. */
   @Test
   void movedModelsBuildTheirHierarchiesOnce() throws Exception {
     ModelFile lantern = lantern().movable();
@@ -103,18 +112,12 @@ class AnimatedSceneTest {
                 frame -> {
                   Scene scene = first.toBuilder().place("turntable", turn(frame)).build();
                   synchronized (meshes) {
-                    scene.primitives().stream()
-                        .map(Primitive::shape)
-                        .filter(MeshInstance.class::isInstance)
-                        .map(shape -> ((MeshInstance) shape).shared())
-                        .forEach(meshes::add);
+                    meshes.addAll(sharedMeshes(scene));
                   }
                   return hash(scene);
                 })
             .toList();
-    assertThat(meshes)
-        .hasSize((int) lantern.model().parts().stream().map(ModelPart::geometry).distinct().count())
-        .allMatch(SharedMesh.class::isInstance);
+    assertThat(meshes).hasSizeGreaterThan(3).isEqualTo(sharedMeshes(first));
     for (int frame = 0; frame < FRAMES; frame++) {
       assertThat(frames.get(frame)).isEqualTo(hash(single(lantern().movable(), frame, 0)));
     }
