@@ -116,7 +116,7 @@ public final class ThumbnailServer implements AutoCloseable {
 
   private static void reply(HttpExchange exchange, int status, byte[] body) throws IOException {
     // What is left of the upload is read and dropped, so that the client can read the answer.
-    exchange.getRequestBody().skip(Long.MAX_VALUE);
+    exchange.getRequestBody().transferTo(OutputStream.nullOutputStream());
     exchange.getResponseHeaders().set("Content-Type", status == 200 ? "image/png" : "text/plain");
     exchange.sendResponseHeaders(status, body.length);
     try (OutputStream out = exchange.getResponseBody()) {

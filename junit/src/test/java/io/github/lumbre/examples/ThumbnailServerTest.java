@@ -83,7 +83,7 @@ class ThumbnailServerTest {
     all.put("too many bytes", new Upload("obj", huge, 413));
     all.put("too many triangles", text("obj", triangle + "f 1 2 3\n".repeat(30_000), 413));
     all.put("claims 4e9 triangles", new Upload("stl", stl(2, -1), 422));
-    all.put("claims 1e9 faces", text("ply", ply.formatted("1000000000"), 422));
+    all.put("claims 1e9 faces", text("ply", ply.formatted("1000000000"), 413));
     all.put("numbers that are none", text("obj", "v a b c\nf 1 2 3\n", 422));
     all.put("vertices that are missing", text("obj", "v 0 0 0\nf 1 2 99\n", 422));
     all.put("not a number", text("obj", "v nan 0 0\nv 1e999 0 0\nf 1 2 1\n", 422));
@@ -97,7 +97,7 @@ class ThumbnailServerTest {
                 + "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,"
                 + "\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"../../etc/passwd\"}]}",
             422));
-    all.put("deep JSON", text("gltf", "[".repeat(500_000), 422));
+    all.put("deep JSON", text("gltf", "[".repeat(500_000), 413));
     all.put(
         "noise",
         new Upload("glb", "glTF\2\0\0\0\377noise".getBytes(StandardCharsets.ISO_8859_1), 422));
