@@ -55,6 +55,7 @@ class OutputGuardTest {
           "denoise --oidn",
           "view SCENE",
           "view --compare",
+          "views MODEL",
           "trade SCENE",
           "trade table STUDY.json",
           "trade quality SCENE",
@@ -77,6 +78,7 @@ class OutputGuardTest {
           Map.entry("layers --png", "layers T/a.film --png OUT"),
           Map.entry("trade --output", "trade T/wood.json -o OUT.html"),
           Map.entry("trade table --output", "trade table T/study.json -o OUT"),
+          Map.entry("views --output", "views T/mesh.obj -o OUT"),
           Map.entry("gallery --out", "gallery wood --scenes T --out OUT"));
 
   @TempDir private Path directory;
@@ -148,7 +150,7 @@ class OutputGuardTest {
   }
 
   static Stream<String> commands() {
-    Set<String> folders = Set.of("gallery --out", "layers --png");
+    Set<String> folders = Set.of("gallery --out", "layers --png", "views --output");
     return OUTPUTS.keySet().stream().filter(name -> !folders.contains(name)).sorted();
   }
 
@@ -194,6 +196,17 @@ class OutputGuardTest {
     Files.writeString(directory.resolve("x-noise.svg"), "");
     assertRefused(line, reason, "choose another path with");
     assertRefused(line + " --overwrite", reason, "choose another path with");
+  }
+
+  @Test
+  void viewsReplaceNoTextureOfTheModel() throws IOException {
+    Files.copy(directory.resolve("wood.png"), directory.resolve("front.png"));
+    Files.writeString(directory.resolve("own.mtl"), "newmtl a\nmap_Kd front.png\n");
+    Files.writeString(
+        directory.resolve("own.obj"),
+        "mtllib own.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+    assertRefused("views T/own.obj -o T", "front.png", "choose another path with -o");
+    assertRefused("views T/own.obj -o T --overwrite", "front.png");
   }
 
   @ParameterizedTest
