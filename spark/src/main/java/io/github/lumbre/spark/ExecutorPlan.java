@@ -1,11 +1,11 @@
 package io.github.lumbre.spark;
 
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.lab.MemoryEstimate;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.scene.RenderSettings;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;

@@ -3,6 +3,7 @@ package io.github.lumbre.spark;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.image.LayeredImage;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -179,6 +180,33 @@ class RenderOnSparkTest {
       String own = path(name + ".png");
       assertDone(here("render", SCENES + name + ".json", "-s", "9", "--size", "40x30", "-o", own));
       assertThat(pixels("out/" + name + ".png")).isEqualTo(pixels(name + ".png"));
+    }
+  }
+
+  @Test
+  void layersAndDenoisedPicturesAreBitIdentical() throws IOException {
+    String[] args = {
+      SCENES + "glass-and-mirror.json", "-s", "8", "--size", "40x30", "--layers", "all", "--denoise"
+    };
+    List<String> here = new ArrayList<>(List.of("render"));
+    here.addAll(List.of(args));
+    here.addAll(List.of("-o", path("here.exr")));
+    assertDone(here(here.toArray(String[]::new)));
+    List<String> there = new ArrayList<>(List.of(args));
+    there.addAll(List.of("-o", path("spark.exr"), "--unit", "0.1s"));
+    assertDone(onSpark(there));
+
+    assertSameLayers("spark.exr", "here.exr");
+    assertSameLayers("spark.denoised.exr", "here.denoised.exr");
+  }
+
+  private void assertSameLayers(String name, String expectedName) throws IOException {
+    LayeredImage found = LayeredImage.read(directory.resolve(name));
+    LayeredImage expected = LayeredImage.read(directory.resolve(expectedName));
+    assertThat(found.layers()).hasSameSizeAs(expected.layers());
+    for (int i = 0; i < expected.layers().size(); i++) {
+      assertThat(found.layers().get(i).name()).isEqualTo(expected.layers().get(i).name());
+      assertThat(found.layers().get(i).values()).isEqualTo(expected.layers().get(i).values());
     }
   }
 
