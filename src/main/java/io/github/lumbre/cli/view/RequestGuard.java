@@ -17,7 +17,7 @@ import java.util.Set;
  * @param token the secret first part of every path
  */
 record RequestGuard(String token) {
-  /** The names of this machine, of which each may be followed by a port. */
+  /** The names of this machine; each may be followed by a port. */
   private static final Set<String> HOSTS = Set.of("127.0.0.1", "localhost", "[::1]");
 
   private static final Set<String> OWN_SITES = Set.of("same-origin", "none");
