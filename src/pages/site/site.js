@@ -51,8 +51,11 @@
   }
 
   function excerpt(section, word) {
-    const at = Math.max(0, section.text.toLowerCase().indexOf(word) - 30);
-    return section.text.slice(at, at + 140);
+    const found = section.text.toLowerCase().indexOf(word);
+    // Begins at a whole word.
+    const start = found < 30 ? 0 : section.text.indexOf(' ', found - 30) + 1;
+    const at = Math.max(0, Math.min(start, found));
+    return (at > 0 ? '… ' : '') + section.text.slice(at, at + 140);
   }
 
   async function search(query, results) {
