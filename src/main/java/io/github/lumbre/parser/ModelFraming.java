@@ -7,6 +7,8 @@ import io.github.lumbre.model.Model;
 import io.github.lumbre.model.ModelPart;
 import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.ModelSetup.View;
+import java.util.BitSet;
+import java.util.List;
 import java.util.function.Consumer;
 
 /** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
@@ -23,21 +25,47 @@ final class ModelFraming {
   /** The largest number of passes over the vertices. */
   private static final int MAX_PASSES = 20;
 
-  private final Model model;
+  private final List<Vertices> parts;
   private final Vec3 min;
   private final Vec3 max;
 
-  private ModelFraming(Model model, Vec3 min, Vec3 max) {
-    this.model = model;
+  private ModelFraming(List<Vertices> parts, Vec3 min, Vec3 max) {
+    this.parts = parts;
     this.min = min;
     this.max = max;
   }
 
+  /**
+   * The vertices of a part.
+   *
+   * @param positions of all vertices, in the space of the part
+   * @param used the indices of those that belong to a triangle
+   */
+  private record Vertices(Transform toWorld, double[] positions, BitSet used) {
+    static Vertices of(ModelPart part) {
+      BitSet used = new BitSet(part.geometry().positions().length / 3);
+      for (int vertex : part.geometry().indices()) {
+        used.set(vertex);
+      }
+      Transform toWorld = ModelScene.TO_LEFT_HANDED.times(part.toWorld());
+      return new Vertices(toWorld, part.geometry().positions(), used);
+    }
+
+    /** Calls the visitor with each vertex in world space. */
+    void forEach(Consumer<Vec3> visitor) {
+      for (int v = used.nextSetBit(0); v >= 0; v = used.nextSetBit(v + 1)) {
+        visitor.accept(
+            toWorld.point(new Vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2])));
+      }
+    }
+  }
+
   static ModelFraming of(Model model) {
+    List<Vertices> parts = model.parts().stream().map(Vertices::of).toList();
     double infinity = Double.POSITIVE_INFINITY;
     double[] box = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
     forVertices(
-        model,
+        parts,
         v -> {
           box[0] = Math.min(box[0], v.x());
           box[1] = Math.min(box[1], v.y());
@@ -47,23 +75,13 @@ final class ModelFraming {
           box[5] = Math.max(box[5], v.z());
         });
     return box[0] > box[3]
-        ? new ModelFraming(model, Vec3.ZERO, Vec3.ZERO)
+        ? new ModelFraming(parts, Vec3.ZERO, Vec3.ZERO)
         : new ModelFraming(
-            model, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
+            parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
   }
 
-  /** Calls the visitor with each vertex in world space, once for each of its triangles. */
-  private static void forVertices(Model model, Consumer<Vec3> visitor) {
-    for (ModelPart part : model.parts()) {
-      Transform toWorld = ModelScene.TO_LEFT_HANDED.times(part.toWorld());
-      double[] positions = part.geometry().positions();
-      for (int vertex : part.geometry().indices()) {
-        visitor.accept(
-            toWorld.point(
-                new Vec3(
-                    positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2])));
-      }
-    }
+  private static void forVertices(List<Vertices> parts, Consumer<Vec3> visitor) {
+    parts.forEach(part -> part.forEach(visitor));
   }
 
   /** Returns the height of the lowest vertex. */
@@ -108,7 +126,7 @@ final class ModelFraming {
             nearest[0] = Math.max(nearest[0], depth);
           }
         };
-    forVertices(model, measure);
+    forVertices(parts, measure);
     double margin = NEAR * max.minus(min).length();
     double distance =
         Math.max(nearest[0] + margin, Math.max(across.distance(), upwards.distance()));
@@ -116,7 +134,7 @@ final class ModelFraming {
     boolean isEven = distance == 0;
     for (int pass = 0; !isEven && pass < MAX_PASSES; pass++) {
       isEven = across.fitTo(distance) & upwards.fitTo(distance);
-      forVertices(model, measure);
+      forVertices(parts, measure);
     }
     return center
         .plus(distance > 0 ? distance : 1, back)

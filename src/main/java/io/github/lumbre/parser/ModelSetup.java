@@ -2,7 +2,6 @@ package io.github.lumbre.parser;
 
 import static java.util.stream.Collectors.joining;
 
-import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
@@ -330,8 +329,7 @@ public record ModelSetup(
     String name = String.valueOf(file.getFileName());
     JsonObject scene = checked(name, () -> scene(model, folder.relativize(file), folder, aspect));
     // One line, which the header of a checkpoint file can hold.
-    String text = new GsonBuilder().disableHtmlEscaping().create().toJson(scene);
-    return new SceneText(text.getBytes(StandardCharsets.UTF_8), folder.resolve(name));
+    return new SceneText(scene.toString().getBytes(StandardCharsets.UTF_8), folder.resolve(name));
   }
 
   /** Work with a model that may be damaged. */

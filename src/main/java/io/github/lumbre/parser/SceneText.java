@@ -29,8 +29,7 @@ public record SceneText(byte[] json, Path path) {
     camera.add(scene.getAsJsonArray("objects").get(0));
     scene.add("objects", camera);
     scene.add("assets", new JsonArray());
-    String text = new GsonBuilder().disableHtmlEscaping().create().toJson(scene);
-    return new SceneText(text.getBytes(StandardCharsets.UTF_8), path);
+    return new SceneText(scene.toString().getBytes(StandardCharsets.UTF_8), path);
   }
 
   /** Returns the scene with line breaks and indentation. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.File;
@@ -210,6 +211,38 @@ final class Browser implements AutoCloseable {
       }
       Thread.sleep(20);
     }
+  }
+
+  /**
+   * Stops to record network requests, so that a page that is open for long takes no memory here.
+   */
+  void forgetRequests() {
+    send("Network.disable", Map.of());
+    events.removeIf(event -> event.get("method").getAsString().startsWith("Network."));
+  }
+
+  /** Returns a metric of the page, such as JSHeapUsedSize, after a garbage collection. */
+  long metric(String name) {
+    send("Performance.enable", Map.of());
+    send("HeapProfiler.collectGarbage", Map.of());
+    return send("Performance.getMetrics", Map.of()).getAsJsonArray("metrics").asList().stream()
+        .map(JsonElement::getAsJsonObject)
+        .filter(metric -> metric.get("name").getAsString().equals(name))
+        .mapToLong(metric -> metric.get("value").getAsLong())
+        .findAny()
+        .orElseThrow();
+  }
+
+  /** Returns the resident memory of the processes that run pages, in bytes. */
+  long rendererMemory() throws IOException {
+    long sum = 0;
+    for (ProcessHandle child : process.descendants().toList()) {
+      Path line = Path.of("/proc", String.valueOf(child.pid()), "cmdline");
+      if (Files.exists(line) && Files.readString(line).contains("--type=renderer")) {
+        sum += MemoryInUse.resident(child.pid());
+      }
+    }
+    return sum;
   }
 
   private List<JsonObject> named(String method) {

@@ -18,20 +18,13 @@ import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
-import java.lang.management.ManagementFactory;
-import java.lang.management.MemoryPoolMXBean;
-import java.lang.management.MemoryType;
-import java.lang.management.MemoryUsage;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.FutureTask;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -72,7 +65,7 @@ class EnduranceTest {
         PassResult result = renderer.addSamples(film, pass, keeper.pausing(Progress.NONE));
         keeper.saveIfDue(film, result.statistics());
         if (pass % PASSES_PER_LOOK == 0) {
-          found.add(new Memory(seconds(start), heap(), resident()));
+          found.add(new Memory(seconds(start), MemoryInUse.heap(), MemoryInUse.resident()));
         }
       }
       keeper.saveLast(film);
@@ -111,7 +104,7 @@ class EnduranceTest {
     List<Memory> found = new ArrayList<>();
     renderer.join(INTERVAL.toMillis());
     while (seconds(start) < whole.minus(INTERVAL.dividedBy(2)).toSeconds()) {
-      found.add(new Memory(seconds(start), heap(), resident()));
+      found.add(new Memory(seconds(start), MemoryInUse.heap(), MemoryInUse.resident()));
       renderer.join(INTERVAL.toMillis());
     }
     renderer.join();
@@ -152,32 +145,6 @@ class EnduranceTest {
       directory.resolve("a.exr").toString()
     };
     return Lumbre.run(args, nowhere, nowhere);
-  }
-
-  /** Returns the used heap after a full garbage collection, in bytes. */
-  private static long heap() {
-    System.gc();
-    return ManagementFactory.getMemoryPoolMXBeans().stream()
-        .filter(pool -> pool.getType() == MemoryType.HEAP)
-        .map(MemoryPoolMXBean::getCollectionUsage)
-        .filter(Objects::nonNull)
-        .mapToLong(MemoryUsage::getUsed)
-        .sum();
-  }
-
-  /** Returns the resident memory of the process, in bytes; 0 where that is not available. */
-  private static long resident() throws IOException {
-    Path status = Path.of("/proc/self/status");
-    if (!Files.exists(status)) {
-      return 0;
-    }
-    try (Stream<String> lines = Files.lines(status)) {
-      return lines
-          .filter(line -> line.startsWith("VmRSS:"))
-          .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")) << 10)
-          .findAny()
-          .orElse(0);
-    }
   }
 
   private static String table(List<Memory> found) {

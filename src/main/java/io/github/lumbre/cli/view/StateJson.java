@@ -1,7 +1,5 @@
 package io.github.lumbre.cli.view;
 
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.cli.view.ViewSession.Snapshot;
@@ -12,11 +10,10 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** The state of a session as JSON for the page. */
 final class StateJson {
-  private static final Gson GSON = new GsonBuilder().disableHtmlEscaping().create();
-
   private StateJson() {}
 
   /**
@@ -31,7 +28,7 @@ final class StateJson {
     json.addProperty("name", state.name());
     json.addProperty("status", state.status());
     json.addProperty("isMoved", state.isMoved());
-    json.add("problems", GSON.toJsonTree(state.problems()));
+    json.add("problems", texts(state.problems().stream()));
     json.addProperty("other", other);
     json.addProperty("toneMap", look.curve().label());
     look.exposure()
@@ -41,7 +38,7 @@ final class StateJson {
             () -> json.addProperty("exposure", "auto"));
     state.frame().ifPresent(frame -> json.add("frame", frame(frame)));
     state.settings().ifPresent(settings -> json.add("render", render(state, settings)));
-    return GSON.toJson(json);
+    return json.toString();
   }
 
   /**
@@ -60,7 +57,7 @@ final class StateJson {
     json.addProperty("samples", frame.samples());
     json.addProperty("isDraft", frame.isDraft());
     json.addProperty("isFinal", frame.isFinal());
-    json.add("layers", GSON.toJsonTree(frame.layers().stream().map(ImageLayer::name).toList()));
+    json.add("layers", texts(frame.layers().stream().map(ImageLayer::name)));
     return json;
   }
 
@@ -77,7 +74,7 @@ final class StateJson {
     json.addProperty("seconds", state.seconds());
     double left = Math.max(0, (double) pixels * settings.samples() - state.samples());
     json.addProperty("secondsLeft", state.rate() > 0 ? left / state.rate() : -1);
-    json.add("recorded", GSON.toJsonTree(settings.layers().stream().map(Layer::text).toList()));
+    json.add("recorded", texts(settings.layers().stream().map(Layer::text)));
     json.add("errors", errors(state.errors()));
     return json;
   }
@@ -90,6 +87,12 @@ final class StateJson {
       all.add(numbers(p.seconds(), p.samples(), p.error(), bound));
     }
     return all;
+  }
+
+  private static JsonArray texts(Stream<String> values) {
+    JsonArray array = new JsonArray();
+    values.forEach(array::add);
+    return array;
   }
 
   private static JsonArray numbers(double... values) {

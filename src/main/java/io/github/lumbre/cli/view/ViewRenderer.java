@@ -26,7 +26,10 @@ public final class ViewRenderer implements Runnable {
   /** The time that a draft should take. */
   private static final double DRAFT_SECONDS = .08;
 
-  /** The pixels of the first draft, whose speed is not known yet. */
+  /** The pixels of the very first draft, which mostly waits for classes and the JIT. */
+  private static final double COLD_PIXELS = 3000;
+
+  /** The pixels of the next draft, whose speed is not known yet. */
   private static final double FIRST_PIXELS = 12_000;
 
   private static final int LEAST_WIDTH = 64;
@@ -36,7 +39,7 @@ public final class ViewRenderer implements Runnable {
 
   private final ViewSession session;
   private final PreviewListener also;
-  private double draftPixels = FIRST_PIXELS;
+  private double draftPixels = COLD_PIXELS;
   private long drafted = -1;
   private Optional<Full> full = Optional.empty();
 
@@ -150,12 +153,23 @@ public final class ViewRenderer implements Runnable {
     }
   }
 
-  /** Renders a quick picture with fewer pixels. */
+  /** Renders a quick picture with fewer pixels; the first time, an even quicker one before it. */
   private void draft(ViewSession.Job job) throws InterruptedException {
-    RenderSettings settings = job.file().settings();
-    if (settings.crop().isPresent()) {
+    if (job.file().settings().crop().isPresent()) {
       return;
     }
+    boolean isCold = drafted < 0;
+    double fitting = showDraft(job);
+    if (isCold && !session.isStale(job)) {
+      draftPixels = FIRST_PIXELS;
+      fitting = showDraft(job);
+    }
+    draftPixels = Math.max(3000, Math.min(Math.sqrt(fitting * draftPixels), 300_000));
+  }
+
+  /** Shows a draft of the wanted size. Returns the number of pixels that takes the wanted time. */
+  private double showDraft(ViewSession.Job job) throws InterruptedException {
+    RenderSettings settings = job.file().settings();
     double pixels = (double) settings.width() * settings.height();
     double scale = Math.min(1, Math.sqrt(draftPixels / pixels));
     int width = Math.max(Math.min(LEAST_WIDTH, settings.width()), (int) (settings.width() * scale));
@@ -175,13 +189,11 @@ public final class ViewRenderer implements Runnable {
     renderer.addSamples(film, 1, clock);
     clock.stop();
     double seconds = Math.max(1e-4, clock.seconds());
-    // Approach the size that takes the wanted time; the first ones also wait for the JIT.
-    double fitting = width * (double) height * DRAFT_SECONDS / seconds;
-    draftPixels = Math.max(3000, Math.min(Math.sqrt(fitting * draftPixels), 300_000));
     Preview preview =
         new Preview(
             film.develop(), List.of(), 1, film.totalSamples(), true, Optional.empty(), Map.of());
     session.show(job.generation(), preview, true, false);
+    return width * (double) height * DRAFT_SECONDS / seconds;
   }
 
   private void render(ViewSession.Job job) throws InterruptedException {

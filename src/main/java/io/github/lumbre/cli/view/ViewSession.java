@@ -6,7 +6,6 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.preview.Preview;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -24,7 +23,7 @@ public final class ViewSession {
 
   private final String name;
   private final Viewers viewers = new Viewers(System::nanoTime);
-  private final List<ErrorPoint> errors = new ArrayList<>();
+  private final ErrorHistory errors = new ErrorHistory();
   private Optional<Frame> frame = Optional.empty();
   private Optional<Image> draft = Optional.empty();
   private Optional<SceneFile> home = Optional.empty();
@@ -325,7 +324,7 @@ public final class ViewSession {
         clock.samples(),
         clock.rate(),
         clock.seconds(),
-        List.copyOf(errors),
+        errors.points(),
         problems,
         pose.isPresent());
   }
