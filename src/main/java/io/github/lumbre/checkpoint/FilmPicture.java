@@ -80,13 +80,23 @@ public record FilmPicture(Image image, List<ImageLayer> layers, Map<String, Stri
 
   private static List<ImageLayer> lights(Film film, List<String> groups) {
     List<ImageLayer> layers = new ArrayList<>();
-    String prefix = Layer.LIGHTS.text() + ".";
+    List<String> names = lightNames(groups);
     for (int i = 0; i < groups.size(); i++) {
-      layers.add(layer(film, prefix + groups.get(i), Layer.LIGHTS, film.developLightGroup(i)));
+      layers.add(layer(film, names.get(i), Layer.LIGHTS, film.developLightGroup(i)));
     }
-    String rest = groups.contains(UNGROUPED) ? "ungrouped" : UNGROUPED;
-    layers.add(layer(film, prefix + rest, Layer.LIGHTS, film.developUngroupedLight()));
+    String rest = names.get(groups.size());
+    layers.add(layer(film, rest, Layer.LIGHTS, film.developUngroupedLight()));
     return layers;
+  }
+
+  /**
+   * Returns the names of the layers that {@link Layer#LIGHTS} is written as: one for each light
+   * group, and one for the light of lights without a group.
+   */
+  public static List<String> lightNames(List<String> groups) {
+    List<String> names = new ArrayList<>(groups);
+    names.add(groups.contains(UNGROUPED) ? "ungrouped" : UNGROUPED);
+    return names.stream().map(name -> Layer.LIGHTS.text() + "." + name).toList();
   }
 
   private static void add(

@@ -33,7 +33,6 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
-import io.github.lumbre.cli.view.DisplayServer;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.lab.MemoryCheck;
@@ -277,15 +276,7 @@ final class RenderCommand implements Callable<Integer> {
           budgets.since(start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
       RenderJob job = job(file, picture, keeper, monitor, budget, report).denoising(denoised);
       interruption.requireRender();
-      return viewer.isPresent() ? displayed(job, viewer.get()) : job.run(flags.firstSample());
-    }
-  }
-
-  private int displayed(RenderJob job, InetSocketAddress viewer) throws TaskException {
-    String name = String.valueOf(options.scene().getFileName());
-    DisplayServer server = DisplayServer.start(viewer, name, run.errors()::line);
-    try (DisplayedEngine displayed = new DisplayedEngine(engine, server)) {
-      return job.by(displayed).run(flags.firstSample());
+      return DisplayedEngine.showing(viewer, job, shown -> shown.run(flags.firstSample()));
     }
   }
 

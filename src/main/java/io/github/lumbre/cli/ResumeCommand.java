@@ -6,6 +6,7 @@ import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
+import io.github.lumbre.cli.option.DisplayServerFlag;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
@@ -38,6 +39,7 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting.Group;
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -128,6 +130,8 @@ final class ResumeCommand implements Callable<Integer> {
 
   @Mixin private CheckpointFlags checkpoints;
 
+  @Mixin private DisplayServerFlag display;
+
   @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
 
@@ -143,6 +147,7 @@ final class ResumeCommand implements Callable<Integer> {
 
   private int run(JsonSummary report) throws TaskException, SceneFormatException {
     validate();
+    Optional<InetSocketAddress> viewer = display.address();
     Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
     Duration startup = Duration.between(start, Instant.now());
@@ -182,7 +187,8 @@ final class ResumeCommand implements Callable<Integer> {
             FilmNotes.of(path, file, target, notes.bits(), notes.lenient(), budget),
             header.faults(),
             file.settings());
-        return new RenderJob(
+        RenderJob job =
+            new RenderJob(
                 path,
                 file,
                 picture,
@@ -192,8 +198,8 @@ final class ResumeCommand implements Callable<Integer> {
                 report,
                 budget,
                 run.how(notes.bits(), false),
-                engine)
-            .run(loaded.file());
+                engine);
+        return DisplayedEngine.showing(viewer, job, shown -> shown.run(loaded.file()));
       }
     }
   }

@@ -2,9 +2,11 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.DisplayServerFlag;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.QualityFlags;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
@@ -20,6 +22,7 @@ import io.github.lumbre.cli.view.DisplayServer;
 import io.github.lumbre.cli.view.SceneSource;
 import io.github.lumbre.cli.view.SystemBrowser;
 import io.github.lumbre.cli.view.View;
+import io.github.lumbre.cli.view.ViewLimits;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageFormatException;
@@ -47,6 +50,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -111,6 +115,10 @@ final class ViewCommand implements Callable<Integer> {
 
   @Mixin private RenderFlags flags;
 
+  @Mixin private BudgetFlags budgets;
+
+  @Mixin private QualityFlags quality;
+
   @Mixin private KernelFlag kernel;
 
   @Mixin private DisplayServerFlag display;
@@ -120,6 +128,7 @@ final class ViewCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     flags.validate();
+    budgets.validate();
     kernel.validate();
     Optional<InetSocketAddress> viewer = display.address();
     FlagChecks checks = new FlagChecks(spec);
@@ -141,7 +150,9 @@ final class ViewCommand implements Callable<Integer> {
       Optional<DisplayServer> server =
           viewer.map(address -> DisplayServer.start(address, name, errors::line));
       try {
-        view.open(server.map(PreviewListener.class::cast).orElse(PreviewListener.NONE));
+        view.open(
+            server.map(PreviewListener.class::cast).orElse(PreviewListener.NONE),
+            new ViewLimits(targetError(), budgets.confidence(), budgets.time()));
         view.run(monitor::isCancelled);
       } finally {
         server.ifPresent(DisplayServer::close);
@@ -151,6 +162,16 @@ final class ViewCommand implements Callable<Integer> {
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
     }
+  }
+
+  private OptionalDouble targetError() {
+    return budgets.targetError().isPresent() ? budgets.targetError() : quality.targetError();
+  }
+
+  private SceneParser parser() {
+    boolean isOpen = budgets.time().isPresent() || targetError().isPresent();
+    SceneParser parser = kernel.over(options.parser(), budgets.time());
+    return flags.over(parser, isOpen, quality.isAdaptive(), quality.depth());
   }
 
   private void announce(View view) {
@@ -191,11 +212,13 @@ final class ViewCommand implements Callable<Integer> {
     }
     try {
       boolean isExr = String.valueOf(path.getFileName()).toLowerCase(Locale.ROOT).endsWith(".exr");
+      Optional<LayeredImage> exr = isExr ? Optional.of(LayeredImage.read(path)) : Optional.empty();
       List<ImageLayer> layers =
-          isExr
-              ? LayeredImage.read(path).layers().stream().filter(l -> !l.name().isEmpty()).toList()
-              : List.of();
-      return new View.Picture(LinearReader.read(path), layers, Map.of());
+          exr.map(LayeredImage::layers).orElse(List.of()).stream()
+              .filter(layer -> !layer.name().isEmpty())
+              .toList();
+      Map<String, String> texts = exr.map(LayeredImage::texts).orElse(Map.of());
+      return new View.Picture(LinearReader.read(path), layers, texts);
     } catch (ImageFormatException e) {
       boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(
@@ -210,8 +233,7 @@ final class ViewCommand implements Callable<Integer> {
       @Override
       public SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
         options.forget();
-        SceneParser parser = kernel.over(flags.over(options.parser()));
-        SceneFile file = options.load(parser, errors);
+        SceneFile file = options.load(parser(), errors);
         RenderSettings settings = file.settings();
         Set<Layer> all = EnumSet.noneOf(Layer.class);
         all.addAll(settings.layers());

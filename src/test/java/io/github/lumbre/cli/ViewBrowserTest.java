@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 
 import io.github.lumbre.cli.view.SceneSource;
 import io.github.lumbre.cli.view.View;
+import io.github.lumbre.cli.view.ViewLimits;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
@@ -104,7 +105,7 @@ class ViewBrowserTest {
   void start() throws Exception {
     scene = Files.copy(Path.of("scenes/cornell-box.json"), directory.resolve("cornell-box.json"));
     view = View.of(source(), new View.Options(scene, 0, Optional.empty(), ""));
-    view.open(PreviewListener.NONE);
+    view.open(PreviewListener.NONE, ViewLimits.NONE);
     runner =
         new Thread(
             () -> {

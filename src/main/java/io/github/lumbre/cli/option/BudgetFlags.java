@@ -26,8 +26,9 @@ public final class BudgetFlags {
       paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
       description =
-          "Take as many samples as fit into this time, loading and saving included, but at least 1"
-              + " per pixel: 90s, 5m, 2h. Without --samples, the number of samples is unlimited.")
+          "Take as many samples as fit into this time, loading and saving included (in 'view':"
+              + " rendering alone), but at least 1 per pixel: 90s, 5m, 2h. Without --samples, the"
+              + " number of samples is unlimited.")
   private Optional<Duration> time = Optional.empty();
 
   @Option(
@@ -71,6 +72,16 @@ public final class BudgetFlags {
   /** Returns the time limit of the whole command; empty if there is none. */
   public Optional<Duration> time() {
     return time;
+  }
+
+  /** Returns the target error; empty if there is none. */
+  public OptionalDouble targetError() {
+    return targetError.isPresent() ? OptionalDouble.of(targetError.get()) : OptionalDouble.empty();
+  }
+
+  /** Returns the confidence level of the noise bound. */
+  public double confidence() {
+    return sureness.orElse(Budget.CONFIDENCE);
   }
 
   /** Returns whether a time limit or a target error is given. */

@@ -20,8 +20,8 @@ import java.util.function.Consumer;
 /**
  * Sends previews to an image viewer that speaks tev's protocol. A thread of its own sends, always
  * the latest preview; the render never waits for the viewer. If the viewer cannot be reached,
- * closes the connection, or takes nothing for some time, a warning is printed once and nothing more
- * is sent.
+ * closes the connection, or takes nothing for some time, a warning is printed once, and the thread
+ * tries to connect again from time to time.
  */
 public final class DisplayServer implements PreviewListener, AutoCloseable {
   /** The default port of tev. */
@@ -38,10 +38,15 @@ public final class DisplayServer implements PreviewListener, AutoCloseable {
    * @param connect to accept the connection
    * @param packet to take one packet
    * @param end to take the last preview, after the render
+   * @param pause until the next attempt to connect
    */
-  record Patience(Duration connect, Duration packet, Duration end) {
+  record Patience(Duration connect, Duration packet, Duration end, Duration pause) {
     static final Patience USUAL =
-        new Patience(Duration.ofSeconds(3), Duration.ofSeconds(10), Duration.ofSeconds(20));
+        new Patience(
+            Duration.ofSeconds(3),
+            Duration.ofSeconds(10),
+            Duration.ofSeconds(20),
+            Duration.ofSeconds(5));
   }
 
   private final InetSocketAddress address;
@@ -54,7 +59,12 @@ public final class DisplayServer implements PreviewListener, AutoCloseable {
   private long packetStart;
   private boolean isSending;
   private boolean isEnding;
-  private boolean hasFailed;
+  private boolean isAway;
+  private boolean hasWarned;
+
+  /** Whether the viewer has received nothing since it was connected. */
+  private boolean isNew;
+
   private long costNanos;
 
   /** The size and the channels of the viewer's image; they belong to the thread. */
@@ -90,7 +100,7 @@ public final class DisplayServer implements PreviewListener, AutoCloseable {
 
   @Override
   public synchronized void show(Preview preview) {
-    if (!hasFailed) {
+    if (!isAway) {
       next = Optional.of(preview);
       notifyAll();
     }
@@ -102,7 +112,13 @@ public final class DisplayServer implements PreviewListener, AutoCloseable {
     if (isSending && System.nanoTime() - packetStart > patience.packet().toNanos()) {
       fail("takes nothing for " + patience.packet().toSeconds() + " s");
     }
-    return !hasFailed && (isEnding || next.isEmpty() && !isSending);
+    return !isAway && (isEnding || next.isEmpty() && !isSending);
+  }
+
+  /** Returns whether the viewer was connected and has received nothing yet. */
+  @Override
+  public synchronized boolean isUrgent() {
+    return isNew && next.isEmpty();
   }
 
   /** Returns all layers: those that the render records are shown. */
@@ -124,35 +140,57 @@ public final class DisplayServer implements PreviewListener, AutoCloseable {
   }
 
   private void run() {
-    try (Socket connected = new Socket()) {
-      synchronized (this) {
-        socket = Optional.of(connected);
-      }
-      InetSocketAddress resolved =
-          new InetSocketAddress(address.getHostString(), address.getPort());
-      if (resolved.isUnresolved()) {
-        throw new IOException("unknown host");
-      }
-      connected.connect(resolved, (int) patience.connect().toMillis());
-      for (Optional<Preview> preview = take(); preview.isPresent(); preview = take()) {
-        send(preview.get(), connected.getOutputStream());
-        done();
-      }
-    } catch (IOException e) {
-      fail(String.valueOf(e.getMessage()));
+    try {
+      do {
+        try (Socket connected = new Socket()) {
+          sendOver(connected);
+        } catch (IOException e) {
+          fail(String.valueOf(e.getMessage()));
+        }
+      } while (isToRetry());
     } catch (InterruptedException e) {
       // The program ends.
       fail("stopped");
     }
   }
 
+  private void sendOver(Socket connected) throws IOException, InterruptedException {
+    synchronized (this) {
+      socket = Optional.of(connected);
+    }
+    InetSocketAddress resolved = new InetSocketAddress(address.getHostString(), address.getPort());
+    if (resolved.isUnresolved()) {
+      throw new IOException("unknown host");
+    }
+    connected.connect(resolved, (int) patience.connect().toMillis());
+    created = "";
+    synchronized (this) {
+      isAway = false;
+      isNew = true;
+    }
+    for (Optional<Preview> preview = take(); preview.isPresent(); preview = take()) {
+      send(preview.get(), connected.getOutputStream());
+      done();
+    }
+  }
+
+  /** Waits before the next attempt to connect. Returns whether to make one. */
+  private synchronized boolean isToRetry() throws InterruptedException {
+    long end = System.nanoTime() + patience.pause().toNanos();
+    while (!isEnding && System.nanoTime() < end) {
+      wait(LOOK_MILLIS);
+    }
+    return !isEnding;
+  }
+
   private synchronized Optional<Preview> take() throws InterruptedException {
-    while (next.isEmpty() && !isEnding && !hasFailed) {
+    while (next.isEmpty() && !isEnding && !isAway) {
       wait();
     }
     Optional<Preview> taken = next;
     next = Optional.empty();
     isSending = taken.isPresent();
+    isNew &= taken.isEmpty();
     packetStart = System.nanoTime();
     return taken;
   }
@@ -163,12 +201,14 @@ public final class DisplayServer implements PreviewListener, AutoCloseable {
   }
 
   private synchronized void fail(String reason) {
-    if (!hasFailed) {
-      hasFailed = true;
-      next = Optional.empty();
-      isSending = false;
+    isAway = true;
+    isNew = false;
+    next = Optional.empty();
+    isSending = false;
+    if (!hasWarned) {
+      hasWarned = true;
       warnings.accept(
-          "warning: --display-server: %s:%d: %s; the render continues without it"
+          "warning: --display-server: %s:%d: %s; the render continues without it until it is back"
               .formatted(address.getHostString(), address.getPort(), reason));
     }
     try {
@@ -247,7 +287,7 @@ public final class DisplayServer implements PreviewListener, AutoCloseable {
       synchronized (this) {
         isEnding = true;
         notifyAll();
-        while (!hasFailed && (isSending || next.isPresent()) && System.nanoTime() < end) {
+        while (!isAway && (isSending || next.isPresent()) && System.nanoTime() < end) {
           wait(LOOK_MILLIS);
           isWatching();
         }

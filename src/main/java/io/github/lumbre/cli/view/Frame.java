@@ -34,4 +34,22 @@ record Frame(
   Optional<ImageLayer> layer(String name) {
     return layers.stream().filter(layer -> layer.name().equals(name)).findFirst();
   }
+
+  /**
+   * Returns a picture whose black pixels, most of them without samples yet, are those of a draft.
+   */
+  static Image filled(Image image, Image draft) {
+    if (image.hasAlpha()) {
+      return image;
+    }
+    float[] rgb = image.rgb().clone();
+    for (int i = 0; i < rgb.length; i += 3) {
+      if (rgb[i] == 0 && rgb[i + 1] == 0 && rgb[i + 2] == 0) {
+        int x = (int) ((long) (i / 3 % image.width()) * draft.width() / image.width());
+        int y = (int) ((long) (i / 3 / image.width()) * draft.height() / image.height());
+        System.arraycopy(draft.rgb(), 3 * (y * draft.width() + x), rgb, i, 3);
+      }
+    }
+    return new Image(image.width(), image.height(), rgb, new float[0]);
+  }
 }

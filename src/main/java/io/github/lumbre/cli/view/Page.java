@@ -28,7 +28,6 @@ final class Page {
             .collect(Collectors.joining());
     String layers =
         Arrays.stream(Layer.values())
-            .filter(layer -> !layer.channels().isEmpty())
             .map(layer -> "<option>" + layer.text() + "</option>")
             .collect(Collectors.joining());
     return resource("page.html")

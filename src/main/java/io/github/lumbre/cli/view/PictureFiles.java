@@ -6,6 +6,7 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.parser.CameraPose;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,10 +42,11 @@ record PictureFiles(Path viewed) {
   }
 
   private Map<String, String> metadata(Frame frame, SceneFile file, ViewSession session) {
-    ViewSession.Snapshot state = session.snapshot();
+    Snapshot state = session.snapshot();
     Map<String, String> metadata =
         PictureMetadata.of(viewed, file, file.settings(), state.seconds());
-    if (frame.samples() < file.settings().samples()) {
+    boolean isOpen = file.settings().samples() == RenderSettings.MAX_SAMPLES;
+    if (!isOpen && frame.samples() < file.settings().samples()) {
       metadata.put(
           "Partial",
           String.format(

@@ -12,6 +12,8 @@ final class RenderClock implements Progress {
   private volatile long activeNanos;
   private volatile long startNanos;
   private volatile boolean isRunning;
+  private volatile long goal = Long.MAX_VALUE;
+  private volatile double limit = Double.POSITIVE_INFINITY;
 
   RenderClock(BooleanSupplier isCancelled) {
     this.isCancelled = isCancelled;
@@ -44,6 +46,16 @@ final class RenderClock implements Progress {
     samples.set(allSamples);
   }
 
+  /** Sets the expected number of samples at the end, over all pixels. */
+  void expect(long allSamples) {
+    goal = allSamples;
+  }
+
+  /** Sets the seconds of rendering at the end. */
+  void limit(double seconds) {
+    limit = seconds;
+  }
+
   long samples() {
     return samples.get();
   }
@@ -59,9 +71,14 @@ final class RenderClock implements Progress {
     return seconds > 0 ? samples.get() / seconds : 0;
   }
 
-  /** Returns the seconds that further samples take; empty while the rate is unknown. */
-  OptionalDouble secondsFor(long more) {
+  /** Returns the expected seconds of rendering until the end; empty if unknown. */
+  OptionalDouble secondsLeft() {
     double rate = rate();
-    return rate > 0 ? OptionalDouble.of(Math.max(0, more) / rate) : OptionalDouble.empty();
+    double bySamples =
+        goal < Long.MAX_VALUE && rate > 0
+            ? Math.max(0, goal - samples.get()) / rate
+            : Double.POSITIVE_INFINITY;
+    double left = Math.min(bySamples, Math.max(0, limit - seconds()));
+    return left < Double.POSITIVE_INFINITY ? OptionalDouble.of(left) : OptionalDouble.empty();
   }
 }

@@ -2,11 +2,9 @@ package io.github.lumbre.cli.view;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import io.github.lumbre.cli.view.ViewSession.Snapshot;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.List;
@@ -68,13 +66,13 @@ final class StateJson {
     json.addProperty("width", settings.width());
     json.addProperty("height", settings.height());
     json.add("window", numbers(window.x(), window.y(), window.width(), window.height()));
-    json.addProperty("goal", settings.samples());
+    boolean isOpen = settings.samples() == RenderSettings.MAX_SAMPLES;
+    json.addProperty("goal", isOpen ? -1 : settings.samples());
     json.addProperty("samples", (double) state.samples() / pixels);
     json.addProperty("rate", state.rate());
     json.addProperty("seconds", state.seconds());
-    double left = Math.max(0, (double) pixels * settings.samples() - state.samples());
-    json.addProperty("secondsLeft", state.rate() > 0 ? left / state.rate() : -1);
-    json.add("recorded", texts(settings.layers().stream().map(Layer::text)));
+    json.addProperty("secondsLeft", state.secondsLeft().orElse(-1));
+    json.add("recorded", texts(state.layers().stream()));
     json.add("errors", errors(state.errors()));
     return json;
   }

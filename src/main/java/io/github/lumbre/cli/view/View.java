@@ -112,13 +112,15 @@ public final class View implements AutoCloseable {
    * Reads the scene for the first time and starts to render it.
    *
    * @param also receives previews besides the page
+   * @param limits what ends the render besides its samples
    * @throws SceneFormatException if the scene is invalid; later, the page shows such errors
    */
-  public void open(PreviewListener also) throws SceneFormatException, TaskException {
+  public void open(PreviewListener also, ViewLimits limits)
+      throws SceneFormatException, TaskException {
     if (source.isPresent()) {
       SceneFile file = source.get().read(Set.of());
       session.open(file);
-      Thread thread = new Thread(new ViewRenderer(session, also), "lumbre-view");
+      Thread thread = new Thread(new ViewRenderer(session, also, limits), "lumbre-view");
       thread.setDaemon(true);
       thread.start();
       renderer = Optional.of(thread);

@@ -7,14 +7,14 @@ import io.github.lumbre.preview.PreviewListener;
 import io.github.lumbre.preview.PreviewRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
-import io.github.lumbre.scene.Setting;
-import java.util.List;
-import java.util.Map;
+import io.github.lumbre.stopping.BudgetWatch;
 import java.util.Optional;
 import java.util.Set;
 
@@ -23,41 +23,40 @@ import java.util.Set;
  * by one thread; its film stays when the render is stopped.
  */
 public final class ViewRenderer implements Runnable {
-  /** The time that a draft should take. */
-  private static final double DRAFT_SECONDS = .08;
-
-  /** The pixels of the very first draft, which mostly waits for classes and the JIT. */
-  private static final double COLD_PIXELS = 3000;
-
-  /** The pixels of the next draft, whose speed is not known yet. */
-  private static final double FIRST_PIXELS = 12_000;
-
-  private static final int LEAST_WIDTH = 64;
-
   /** How long a draft is shown if the first pass takes longer. */
   private static final long DRAFT_NANOS = 2_000_000_000;
 
   private final ViewSession session;
   private final PreviewListener also;
-  private double draftPixels = COLD_PIXELS;
+  private final ViewLimits limits;
+  private final Drafts drafts;
   private long drafted = -1;
   private Optional<Full> full = Optional.empty();
 
-  /** The full render of a generation. */
+  /**
+   * The full render of a generation.
+   *
+   * @param goal the largest number of samples, over all pixels
+   */
   private record Full(
       long generation,
       PreviewRenderer renderer,
       Film film,
       Schedule schedule,
       RenderClock clock,
-      Sink sink) {}
+      Sink sink,
+      BudgetWatch watch,
+      long goal) {}
 
   /**
    * @param also receives the previews of full renders besides the session
+   * @param limits what ends a full render besides its samples
    */
-  public ViewRenderer(ViewSession session, PreviewListener also) {
+  ViewRenderer(ViewSession session, PreviewListener also, ViewLimits limits) {
     this.session = session;
     this.also = also;
+    this.limits = limits;
+    drafts = new Drafts(session);
   }
 
   /** Passes previews of a generation to the session. */
@@ -88,7 +87,7 @@ public final class ViewRenderer implements Runnable {
 
     @Override
     public boolean isUrgent() {
-      return session.viewers().isUrgent();
+      return session.viewers().isUrgent() || also.isUrgent();
     }
 
     @Override
@@ -134,7 +133,7 @@ public final class ViewRenderer implements Runnable {
         if (job.isEmpty()) {
           refresh();
         } else if (job.get().isDraft()) {
-          draft(job.get());
+          drafts.show(job.get());
           drafted = job.get().generation();
         } else {
           render(job.get());
@@ -146,54 +145,12 @@ public final class ViewRenderer implements Runnable {
     }
   }
 
-  /** Shows the film again if a page wants a layer of it. */
+  /** Shows the film again if a page wants a layer of it, or a display server is there again. */
   private void refresh() {
-    if (full.isPresent() && session.viewers().isUrgent() && full.get().generation() == drafted) {
+    boolean isUrgent = session.viewers().isUrgent() || also.isUrgent();
+    if (full.isPresent() && isUrgent && full.get().generation() == drafted) {
       full.get().sink().showLast(full.get().renderer(), full.get().film());
     }
-  }
-
-  /** Renders a quick picture with fewer pixels; the first time, an even quicker one before it. */
-  private void draft(ViewSession.Job job) throws InterruptedException {
-    if (job.file().settings().crop().isPresent()) {
-      return;
-    }
-    boolean isCold = drafted < 0;
-    double fitting = showDraft(job);
-    if (isCold && !session.isStale(job)) {
-      draftPixels = FIRST_PIXELS;
-      fitting = showDraft(job);
-    }
-    draftPixels = Math.max(3000, Math.min(Math.sqrt(fitting * draftPixels), 300_000));
-  }
-
-  /** Shows a draft of the wanted size. Returns the number of pixels that takes the wanted time. */
-  private double showDraft(ViewSession.Job job) throws InterruptedException {
-    RenderSettings settings = job.file().settings();
-    double pixels = (double) settings.width() * settings.height();
-    double scale = Math.min(1, Math.sqrt(draftPixels / pixels));
-    int width = Math.max(Math.min(LEAST_WIDTH, settings.width()), (int) (settings.width() * scale));
-    int height = Math.max(1, Math.round((float) width * settings.height() / settings.width()));
-    RenderSettings small =
-        settings.toBuilder()
-            .size(width, height)
-            .samples(1)
-            .set(Setting.LAYERS, Set.of())
-            .adaptive(false)
-            .build();
-    SceneFile file = job.file();
-    FilmRenderer renderer = new FilmRenderer(small, file.scene());
-    Film film = renderer.newFilm();
-    RenderClock clock = new RenderClock(() -> false);
-    clock.start();
-    renderer.addSamples(film, 1, clock);
-    clock.stop();
-    double seconds = Math.max(1e-4, clock.seconds());
-    Preview preview =
-        new Preview(
-            film.develop(), List.of(), 1, film.totalSamples(), true, Optional.empty(), Map.of());
-    session.show(job.generation(), preview, true, false);
-    return width * (double) height * DRAFT_SECONDS / seconds;
   }
 
   private void render(ViewSession.Job job) throws InterruptedException {
@@ -204,21 +161,46 @@ public final class ViewRenderer implements Runnable {
     session.timedBy(job.generation(), now.clock());
     now.clock().start();
     try {
+      boolean isUsedUp = isUsedUp(now);
       Optional<SampleTarget> target = now.schedule().next(now.film());
-      while (target.isPresent() && !session.mustPause(job)) {
-        now.renderer().addSamples(now.film(), target.get(), now.clock());
+      while (target.isPresent() && !isUsedUp && !session.mustPause(job)) {
+        isUsedUp = addPass(now, target.get());
         target = now.schedule().next(now.film());
       }
       now.clock().stop();
       if (!session.isStale(job)) {
         now.sink().showLast(now.renderer(), now.film());
       }
-      if (target.isEmpty()) {
+      if (target.isEmpty() || isUsedUp) {
         session.finish(job.generation());
       }
     } finally {
       now.clock().stop();
     }
+  }
+
+  /** Adds a pass, or as much of it as there is time for. Returns whether the render is over. */
+  private boolean addPass(Full now, SampleTarget target) throws InterruptedException {
+    // Every pixel gets a sample, however long that takes.
+    boolean isFirst = now.film().fewestSamples() == 0;
+    Progress progress =
+        isFirst ? now.clock() : now.clock().cancelledAlsoIf(() -> isOver(now.clock()));
+    PassResult pass = now.renderer().addSamples(now.film(), target, progress);
+    boolean isReached = pass.complete() && now.watch().isReachedBy(now.film());
+    long pixels = (long) now.film().window().width() * now.film().window().height();
+    now.watch()
+        .forecast()
+        .ifPresent(f -> now.clock().expect(Math.min(now.goal(), Math.round(pixels * f.likely()))));
+    return isReached || isUsedUp(now);
+  }
+
+  private boolean isOver(RenderClock clock) {
+    return limits.isOver(clock.seconds());
+  }
+
+  private boolean isUsedUp(Full now) {
+    boolean isHopeless = limits.time().isEmpty() && now.watch().isHopeless(now.film());
+    return isHopeless || now.film().fewestSamples() > 0 && isOver(now.clock());
   }
 
   private Full begin(ViewSession.Job job) {
@@ -228,8 +210,21 @@ public final class ViewRenderer implements Runnable {
     PreviewRenderer previewed =
         new PreviewRenderer(renderer, RecordedLayers.of(file.settings(), file.scene()), sink);
     RenderClock clock = new RenderClock(() -> session.mustPause(job));
+    limits.time().ifPresent(time -> clock.limit(time.toNanos() * 1e-9));
     sink.clock = clock;
+    Crop window = file.settings().window();
+    int samples = file.settings().samples();
+    boolean isOpen = samples == RenderSettings.MAX_SAMPLES;
+    long goal = isOpen ? Long.MAX_VALUE : (long) window.width() * window.height() * samples;
+    clock.expect(goal);
     return new Full(
-        job.generation(), previewed, renderer.newFilm(), previewed.schedule(), clock, sink);
+        job.generation(),
+        previewed,
+        renderer.newFilm(),
+        previewed.schedule(),
+        clock,
+        sink,
+        new BudgetWatch(limits.budget(file.settings())),
+        goal);
   }
 }

@@ -62,6 +62,7 @@ final class ViewRoutes {
       case "/" -> page();
       case "/state" -> state(query);
       case "/image" -> image(query);
+      case "/names" -> names(query);
       case "/other" -> other.map(ViewRoutes::exact).orElseGet(ViewRoutes::missing);
       case "/pixel" -> alone(() -> pixel(query));
       case "/camera" -> camera();
@@ -135,12 +136,21 @@ final class ViewRoutes {
             .layer(name)
             .or(() -> frame.layers().stream().filter(l -> isPart(l, name)).findFirst());
     return layer
-        .map(l -> Answer.bytes(PictureBytes.of(l, isExact, frame.version())))
+        .map(l -> PictureBytes.of(l, isExact || LayerNames.isMatte(l.name()), frame.version()))
+        .map(Answer::bytes)
         .orElseGet(ViewRoutes::missing);
   }
 
   private static boolean isPart(ImageLayer layer, String name) {
     return Layer.named(name).filter(l -> LayerNames.belongsTo(layer.name(), l)).isPresent();
+  }
+
+  /** Returns the names of the items of a matte by their ids, which are the bits of its values. */
+  private Answer names(Query query) {
+    String name = query.text("layer").orElse("");
+    JsonObject names = new JsonObject();
+    session.frame().ifPresent(frame -> LayerNames.items(frame, name, names::addProperty));
+    return Answer.json(names.toString());
   }
 
   private static Answer exact(Frame frame) {

@@ -26,10 +26,7 @@ public final class ViewSession {
   private final ErrorHistory errors = new ErrorHistory();
   private Optional<Frame> frame = Optional.empty();
   private Optional<Image> draft = Optional.empty();
-  private Optional<SceneFile> home = Optional.empty();
-  private Optional<SceneFile> current = Optional.empty();
-  private Optional<Orbit> orbit = Optional.empty();
-  private Optional<CameraPose> pose = Optional.empty();
+  private final SceneCamera camera = new SceneCamera();
   private Set<Layer> extraLayers = Set.of();
   private List<String> problems = List.of();
   private RenderClock clock = new RenderClock(() -> true);
@@ -86,7 +83,7 @@ public final class ViewSession {
       clock.correct(preview.totalSamples());
     }
     if (!isDraft && preview.samples() < 1 && draft.isPresent()) {
-      image = filled(image, draft.get());
+      image = Frame.filled(image, draft.get());
     }
     frame =
         Optional.of(
@@ -108,24 +105,6 @@ public final class ViewSession {
                         preview.samples(),
                         n.relativeRmse(),
                         n.upperRelativeRmse())));
-  }
-
-  /**
-   * Returns a picture whose black pixels, most of them without samples yet, are those of a draft.
-   */
-  private static Image filled(Image image, Image draft) {
-    if (image.hasAlpha()) {
-      return image;
-    }
-    float[] rgb = image.rgb().clone();
-    for (int i = 0; i < rgb.length; i += 3) {
-      if (rgb[i] == 0 && rgb[i + 1] == 0 && rgb[i + 2] == 0) {
-        int x = (int) ((long) (i / 3 % image.width()) * draft.width() / image.width());
-        int y = (int) ((long) (i / 3 / image.width()) * draft.height() / image.height());
-        System.arraycopy(draft.rgb(), 3 * (y * draft.width() + x), rgb, i, 3);
-      }
-    }
-    return new Image(image.width(), image.height(), rgb, new float[0]);
   }
 
   synchronized Optional<Frame> frame() {
@@ -159,10 +138,7 @@ public final class ViewSession {
 
   /** Starts to render a scene that was read; the camera stays where the page has moved it. */
   public synchronized void open(SceneFile file) {
-    boolean isFirst = home.isEmpty();
-    home = Optional.of(file);
-    orbit = isFirst || pose.isEmpty() ? Optional.of(Orbit.of(file.scene())) : orbit;
-    current = Optional.of(pose.map(file::seenFrom).orElse(file));
+    camera.open(file);
     problems = List.of();
     restart();
   }
@@ -200,9 +176,10 @@ public final class ViewSession {
       isDragging = false;
     }
     boolean isNew = drafted != generation;
-    boolean hasWork = current.isPresent() && (isNew || !isDragging && (isRunning && !isFinished));
+    boolean hasWork =
+        camera.scene().isPresent() && (isNew || !isDragging && (isRunning && !isFinished));
     if (hasWork && !isClosed) {
-      return Optional.of(new Job(generation, current.get(), isNew));
+      return Optional.of(new Job(generation, camera.scene().get(), isNew));
     }
     wait(200);
     return Optional.empty();
@@ -235,15 +212,11 @@ public final class ViewSession {
 
   /** Moves the camera. */
   synchronized void move(Orbit next, boolean isStill) {
-    if (home.isEmpty()) {
-      return;
+    if (camera.move(next)) {
+      isDragging = !isStill;
+      dragNanos = System.nanoTime();
+      restart();
     }
-    orbit = Optional.of(next);
-    pose = Optional.of(next.pose());
-    current = home.map(file -> file.seenFrom(pose.get()));
-    isDragging = !isStill;
-    dragNanos = System.nanoTime();
-    restart();
   }
 
   /** Ends a drag without moving the camera. */
@@ -254,10 +227,8 @@ public final class ViewSession {
 
   /** Moves the camera back to where the scene has it. */
   synchronized void goHome() {
-    pose = Optional.empty();
+    camera.goHome();
     isDragging = false;
-    home.ifPresent(file -> orbit = Optional.of(Orbit.of(file.scene())));
-    current = home;
     restart();
   }
 
@@ -274,16 +245,16 @@ public final class ViewSession {
   }
 
   synchronized Optional<Orbit> orbit() {
-    return orbit;
+    return camera.orbit();
   }
 
   synchronized Optional<CameraPose> pose() {
-    return pose;
+    return camera.pose();
   }
 
   /** Returns the scene as it is rendered, with the camera where it is. */
   synchronized Optional<SceneFile> scene() {
-    return current;
+    return camera.scene();
   }
 
   synchronized boolean isClosed() {
@@ -314,23 +285,25 @@ public final class ViewSession {
 
   /** Returns a consistent copy of what the page shows besides the picture. */
   synchronized Snapshot snapshot() {
-    Optional<RenderSettings> settings = current.map(SceneFile::settings);
+    Optional<RenderSettings> settings = camera.scene().map(SceneFile::settings);
     return new Snapshot(
         version,
         name,
         frame,
         status(),
         settings,
+        camera.scene().map(LayerNames::recorded).orElse(List.of()),
         clock.samples(),
         clock.rate(),
         clock.seconds(),
+        clock.secondsLeft(),
         errors.points(),
         problems,
-        pose.isPresent());
+        camera.pose().isPresent());
   }
 
   private String status() {
-    if (current.isEmpty()) {
+    if (camera.scene().isEmpty()) {
       return frame.isPresent() ? "still" : "reading";
     }
     if (isDragging) {
@@ -338,26 +311,4 @@ public final class ViewSession {
     }
     return isFinished ? "finished" : isRunning ? "rendering" : "stopped";
   }
-
-  /**
-   * What the page shows besides the picture.
-   *
-   * @param settings of the render; empty for a picture that is not rendered here
-   * @param samples added in this render, over all pixels
-   * @param rate samples per second
-   * @param seconds of rendering
-   * @param isMoved whether the camera is not where the scene has it
-   */
-  record Snapshot(
-      long version,
-      String name,
-      Optional<Frame> frame,
-      String status,
-      Optional<RenderSettings> settings,
-      long samples,
-      double rate,
-      double seconds,
-      List<ErrorPoint> errors,
-      List<String> problems,
-      boolean isMoved) {}
 }

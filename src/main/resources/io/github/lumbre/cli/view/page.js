@@ -2,6 +2,7 @@
   const $ = id => document.getElementById(id);
   const canvas = $('picture'), overlay = $('overlay'), stage = $('stage');
   const LIGHT = /^(|albedo|direct|indirect|denoisingAlbedo|lights.*)$/;
+  const MATTE = /^(object|material|CryptoObject\d*|CryptoMaterial\d*)$/;
   const SIGNED = /^(normal|geometricNormal|denoisingNormal)$/;
   const LAYERS = [...new DOMParser().parseFromString('<select><!--layers--></select>', 'text/html').querySelectorAll('option')]
     .map(o => o.textContent);
@@ -90,7 +91,8 @@
     target.height = p.height;
     const context = target.getContext('2d', {willReadFrequently: true});
     const image = context.createImageData(p.width, p.height);
-    if (!LIGHT.test(p.layer || '')) Tone.scale(p, ...limits(p), image.data);
+    if (MATTE.test(p.layer || '')) Tone.matte(p, image.data);
+    else if (!LIGHT.test(p.layer || '')) Tone.scale(p, ...limits(p), image.data);
     else Tone.develop(p, factor, $('tone').value, image.data);
     context.putImageData(image, 0, 0);
   };
@@ -113,12 +115,13 @@
     factor = exposureFactor(base);
     if ($('auto').checked) $('stops').textContent = Math.log2(factor).toFixed(1);
     const b = rival(), mode = b ? $('mode').value : '';
-    const same = b && b.width === picture.width && b.height === picture.height;
+    const isLight = LIGHT.test(picture.layer || '');
+    const same = b && isLight && b.width === picture.width && b.height === picture.height;
     $('second').hidden = mode !== 'side';
     $('caption').hidden = !mode;
     let shown = picture, text = state.name;
     if (mode === 'diff' && same) { shown = difference(picture, b); text = 'absolute difference'; }
-    if (mode === 'diff' && !same) text = 'no difference: the pictures have different sizes';
+    if (mode === 'diff' && !same) text = isLight ? 'no difference: the pictures have different sizes' : 'no difference: this layer is not light';
     if (mode === 'other') { shown = b; text = b.name; }
     put(canvas, shown);
     if (mode === 'side') { put($('otherpicture'), b); $('othercaption').textContent = b.name; }
@@ -126,7 +129,7 @@
     if (b) {
       $('comparison').textContent = same
         ? `Compared with ${b.name}: mean absolute difference ${meanDifference(picture, b).toPrecision(3)}.`
-        : `${b.name} has ${b.width}×${b.height} pixels, this picture ${picture.width}×${picture.height}.`;
+        : !isLight ? 'Layers that are not light are not compared.' : `${b.name} has ${b.width}×${b.height} pixels, this picture ${picture.width}×${picture.height}.`;
     }
     layout();
     magnify();
@@ -195,21 +198,38 @@
     target.drawImage(canvas, x - 5, y - 5, 11, 11, 0, 0, 143, 143);
     target.strokeStyle = '#000'; target.strokeRect(64.5, 64.5, 14, 14);
     target.strokeStyle = '#fff'; target.strokeRect(65.5, 65.5, 12, 12);
-    const names = picture.layer ? picture.channels === 3 && LIGHT.test(picture.layer) ? ['R', 'G', 'B'] : ['X', 'Y', 'Z', 'W'] : ['R', 'G', 'B', 'Alpha'];
+    if (MATTE.test(picture.layer)) {
+      const found = Tone.items(picture, y * picture.width + x);
+      showValues([['Pixel', `${x}, ${y}`], ...found.map(([id, share]) => [names[id] || id, percent(share)])]);
+      if (found.some(([id]) => !names[id])) learnNames();
+      return;
+    }
+    const letters = picture.layer ? picture.channels === 3 && LIGHT.test(picture.layer) ? ['R', 'G', 'B'] : ['X', 'Y', 'Z', 'W'] : ['R', 'G', 'B', 'Alpha'];
     const rows = [['Pixel', `${x}, ${y}`]];
     const i = (y * picture.width + x) * picture.channels;
-    for (let c = 0; c < picture.channels; c++) rows.push([names[c] || c, digits(picture.values[i + c])]);
+    for (let c = 0; c < picture.channels; c++) rows.push([letters[c] || c, digits(picture.values[i + c])]);
     if (!picture.layer) rows.push(['Luminance', digits(Tone.luminance(picture.values[i], picture.values[i + 1], picture.values[i + 2]))]);
     const b = rival();
     if (b && b.width === picture.width && b.height === picture.height) {
       const j = (y * b.width + x) * b.channels;
       rows.push(['Other', [0, 1, 2].map(c => +b.values[j + Math.min(c, b.channels - 1)].toPrecision(3)).join(' ')]);
     }
-    $('values').replaceChildren(...rows.map(([name, value]) => {
-      const div = document.createElement('div'), dt = document.createElement('dt'), dd = document.createElement('dd');
-      dt.textContent = name; dd.textContent = value; div.append(dt, dd);
-      return div;
-    }));
+    showValues(rows);
+  };
+
+  const showValues = rows => $('values').replaceChildren(...rows.map(([name, value]) => {
+    const div = document.createElement('div'), dt = document.createElement('dt'), dd = document.createElement('dd');
+    dt.textContent = name; dd.textContent = value; div.append(dt, dd);
+    return div;
+  }));
+
+  // The names of objects and materials by their ids, for the frame that is shown.
+  let names = {}, namesOf = '';
+  const learnNames = async () => {
+    if (namesOf === picture.key) return;
+    namesOf = picture.key;
+    const answer = await fetch('names?layer=' + encodeURIComponent(picture.layer));
+    if (answer.ok) { names = {...names, ...await answer.json()}; magnify(); }
   };
 
   const pixelAt = event => {
@@ -324,9 +344,12 @@
     if (!r) return;
     $('run').textContent = state.status === 'stopped' ? 'Continue' : 'Stop';
     $('run').disabled = state.status === 'finished';
-    const done = Math.min(r.samples, r.goal);
-    $('samples').textContent = `${number(done)} of ${number(r.goal)}`;
-    const share = Math.round(100 * done / r.goal);
+    const done = r.goal < 0 ? r.samples : Math.min(r.samples, r.goal);
+    $('samples').textContent = r.goal < 0 ? number(done) : `${number(done)} of ${number(r.goal)}`;
+    // Without a number of samples, a limit of time or error ends the render.
+    const isOver = state.status === 'finished';
+    const part = isOver ? 1 : r.goal > 0 ? done / r.goal : r.secondsLeft < 0 ? 0 : r.seconds / Math.max(1e-9, r.seconds + r.secondsLeft);
+    const share = Math.round(100 * part);
     $('bar').setAttribute('aria-valuenow', share);
     $('bar').firstElementChild.style.width = share + '%';
     $('rate').textContent = r.rate >= 1e6 ? `${(r.rate / 1e6).toFixed(2)} M/s` : `${Math.round(r.rate / 1e3)} k/s`;
@@ -342,17 +365,20 @@
   const layers = () => {
     const own = state.frame ? state.frame.layers : [];
     const recorded = state.render ? state.render.recorded : own;
-    const names = state.render ? LAYERS : own;
-    const key = names.join() + '/' + recorded.join();
+    const all = !state.render ? own : LAYERS.flatMap(name => {
+      const parts = recorded.filter(r => r === name || name === 'lights' && r.startsWith('lights.'));
+      return parts.length ? parts : [name];
+    });
+    const key = all.join() + '/' + recorded.join();
     if (key === layerKey) return;
     layerKey = key;
     const chosen = $('layer').value;
-    const options = names.map(name => {
+    const options = all.map(name => {
       const has = recorded.includes(name);
       return new Option(has ? name : name + ' (renders anew)', name);
     });
     $('layer').replaceChildren(new Option('picture', ''), ...options);
-    $('layer').value = chosen;
+    $('layer').value = all.includes(chosen) ? chosen : all.find(name => chosen && name.startsWith(chosen + '.')) || '';
   };
 
   const loadOther = async () => {

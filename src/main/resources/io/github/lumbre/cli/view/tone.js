@@ -136,5 +136,34 @@ const Tone = (() => {
     }
   };
 
-  return {read, develop, scale, automatic, decode, luminance, curves};
+  // The bits of values, which are ids in mattes.
+  const ids = p => new Uint32Array(p.values.buffer, p.values.byteOffset, p.values.length);
+
+  // Fills the pixels of a canvas with a color for each item of a matte, by the shares of two items.
+  const matte = (p, out) => {
+    const id = ids(p), v = p.values;
+    const tints = new Map();
+    const tint = key => {
+      if (!tints.has(key)) {
+        // Hues of any ids are far apart: multiples of the golden ratio of a whole turn.
+        const hue = Math.imul(key, 0x9e3779b1) >>> 0, h = hue / 2 ** 32 * 6, l = .45 + .3 * ((hue >>> 3 & 255) / 255);
+        tints.set(key, [0, 4, 2].map(k => 255 * (l + .5 * Math.min(l, 1 - l) * Math.max(-1, Math.min(1, Math.abs((h + k) % 6 - 3) - 1)))));
+      }
+      return tints.get(key);
+    };
+    for (let i = 0; i < v.length; i += 4) {
+      let r = 0, g = 0, b = 0;
+      for (let k = 0; k < 4; k += 2) {
+        const share = v[i + k + 1];
+        if (share > 0) { const t = tint(id[i + k]); r += share * t[0]; g += share * t[1]; b += share * t[2]; }
+      }
+      out[i] = r; out[i + 1] = g; out[i + 2] = b; out[i + 3] = 255;
+    }
+  };
+
+  // The items of a pixel of a matte, as pairs of an id in hexadecimal and a share.
+  const items = (p, pixel) => [0, 2].map(k => 4 * pixel + k).filter(i => p.values[i + 1] > 0)
+    .map(i => [ids(p)[i].toString(16).padStart(8, '0'), p.values[i + 1]]);
+
+  return {read, matte, items, develop, scale, automatic, decode, luminance, curves};
 })();

@@ -41,7 +41,10 @@ import org.junit.jupiter.api.io.TempDir;
 class DisplayServerTest {
   private static final DisplayServer.Patience SHORT =
       new DisplayServer.Patience(
-          Duration.ofSeconds(2), Duration.ofSeconds(1), Duration.ofSeconds(4));
+          Duration.ofSeconds(2),
+          Duration.ofSeconds(1),
+          Duration.ofSeconds(4),
+          Duration.ofMillis(100));
 
   @TempDir private Path directory;
   private final List<String> warnings = new CopyOnWriteArrayList<>();
@@ -260,6 +263,64 @@ class DisplayServerTest {
       display.close();
       assertThat(warnings).hasSize(1);
       assertThat(display.isWatching()).isFalse();
+    }
+  }
+
+  @Test
+  void viewerThatComesBackReceivesThePicture() throws Exception {
+    int port;
+    try (ServerSocket first = server()) {
+      port = first.getLocalPort();
+    }
+    InetSocketAddress address = InetSocketAddress.createUnresolved("127.0.0.1", port);
+    DisplayServer display = DisplayServer.start(address, "tiny.json", warnings::add, SHORT);
+    awaitUrgent(display, false);
+    try (ServerSocket server = new ServerSocket(port, 1, InetAddress.getByName("127.0.0.1"))) {
+      awaitUrgent(display, true);
+      try (Socket vanishing = server.accept()) {
+        display.show(preview(5, 4, 0));
+        assertThat(vanishing.getInputStream().read()).isNotNegative();
+      }
+      CompletableFuture<Viewer> viewer = Viewer.on(server);
+      for (int i = 0; i < 40; i++) {
+        display.show(preview(5, 4, 1));
+        Thread.sleep(50);
+      }
+      display.show(preview(5, 4, 2));
+      display.close();
+      Viewer seen = viewer.get(30, TimeUnit.SECONDS);
+      assertThat(seen.creations).isEqualTo(1);
+      assertThat(seen.channels.get("R")).containsOnly(2);
+    }
+    assertThat(warnings).hasSize(1);
+  }
+
+  private void awaitUrgent(DisplayServer display, boolean isUrgent) throws InterruptedException {
+    for (int i = 0; i < 300 && (display.isUrgent() != isUrgent || warnings.isEmpty()); i++) {
+      Thread.sleep(50);
+    }
+    assertThat(display.isUrgent()).isEqualTo(isUrgent);
+  }
+
+  @Test
+  void resumedRenderAppears() throws Exception {
+    Path scene = TinyScene.write(directory, TinyScene.JSON);
+    Path film = directory.resolve("a.film");
+    Path png = directory.resolve("a.png");
+    Outcome.of("render", scene + "", "-o", png + "", "--checkpoint", film + "", "-s", "2");
+    try (ServerSocket server = server()) {
+      CompletableFuture<Viewer> viewer = Viewer.on(server);
+      String address = "127.0.0.1:" + server.getLocalPort();
+      Path exr = directory.resolve("a.exr");
+      Outcome outcome =
+          Outcome.of("resume", film + "", "-s", "8", "-o", exr + "", "--display-server", address);
+      assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+      Viewer seen = viewer.get(30, TimeUnit.SECONDS);
+      float[] rgb = LinearReader.read(exr).rgb();
+      float[] green = seen.channels.get("G");
+      for (int i = 0; i < green.length; i++) {
+        assertThat(green[i]).isEqualTo(rgb[3 * i + 1]);
+      }
     }
   }
 

@@ -17,8 +17,14 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.preview.PreviewListener;
 import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.stopping.BudgetRenderer;
+import io.github.lumbre.stopping.BudgetResult;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -29,11 +35,13 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -109,8 +117,12 @@ class ViewServerTest {
   }
 
   private void start() throws Exception {
+    start(ViewLimits.NONE);
+  }
+
+  private void start(ViewLimits limits) throws Exception {
     view = View.of(new Source(), options());
-    view.open(PreviewListener.NONE);
+    view.open(PreviewListener.NONE, limits);
     runner =
         new Thread(
             () -> {
@@ -305,6 +317,77 @@ class ViewServerTest {
   }
 
   @Test
+  void lightsAreShownByGroup() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    act("{\"action\": \"record\", \"layer\": \"lights\"}");
+    await(s -> recorded(s).contains("lights.other") && isFinished(s));
+    assertThat(values("image?layer=lights.other&exact=1")).hasSize(3 * 16 * 12);
+    assertThat(values("image?layer=lights&exact=1"))
+        .isEqualTo(values("image?layer=lights.other&exact=1"));
+  }
+
+  private static String recorded(JsonObject state) {
+    return state.getAsJsonObject("render").getAsJsonArray("recorded").toString();
+  }
+
+  @Test
+  void mattesHaveExactIdsAndNames() throws Exception {
+    start();
+    await(ViewServerTest::isFinished);
+    for (String layer : new String[] {"object", "material"}) {
+      act("{\"action\": \"record\", \"layer\": \"" + layer + "\"}");
+      await(s -> recorded(s).contains(layer) && isFinished(s));
+      // Four values: ids and shares of two items. Halves would destroy the ids.
+      float[] values = values("image?layer=" + layer + "&exact=0");
+      assertThat(values).hasSize(4 * 16 * 12);
+      JsonObject names =
+          JsonParser.parseString(get("names?layer=" + layer).text()).getAsJsonObject();
+      assertThat(names.size()).isPositive();
+      int hits = 0;
+      for (int i = 0; i < values.length; i += 4) {
+        if (values[i + 1] > 0) {
+          hits++;
+          assertThat(names.has("%08x".formatted(Float.floatToRawIntBits(values[i])))).isTrue();
+        }
+      }
+      assertThat(hits).isPositive();
+    }
+    assertThat(get("names?layer=normal").text()).isEqualTo("{}");
+    assertThat(values("image?exact=1")).isEqualTo(rendered(scene));
+  }
+
+  @Test
+  void targetErrorEndsTheRenderWithTheBitsOfTheSameRenderWithoutAPage() throws Exception {
+    samples = RenderSettings.MAX_SAMPLES;
+    ViewLimits limits = new ViewLimits(OptionalDouble.of(.1), .95, Optional.empty());
+    start(limits);
+    JsonObject state = await(ViewServerTest::isFinished);
+    SceneFile file = new Source().read(Set.of());
+    FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
+    Film film = renderer.newFilm();
+    BudgetResult result =
+        new BudgetRenderer(renderer, limits.budget(file.settings())).render(film, Progress.NONE);
+    assertThat(result.reachedTarget()).isTrue();
+    JsonObject render = state.getAsJsonObject("render");
+    assertThat(render.get("samples").getAsDouble()).isEqualTo(film.meanSamples());
+    assertThat(render.get("goal").getAsInt()).isEqualTo(-1);
+    assertThat(values("image?exact=1")).isEqualTo(film.develop().rgb());
+  }
+
+  @Test
+  void timeEndsTheRenderAndAMovedCameraStartsAnew() throws Exception {
+    samples = RenderSettings.MAX_SAMPLES;
+    start(new ViewLimits(OptionalDouble.empty(), .95, Optional.of(Duration.ofMillis(300))));
+    JsonObject first = await(ViewServerTest::isFinished);
+    assertThat(first.getAsJsonObject("render").get("samples").getAsDouble()).isPositive();
+    assertThat(first.getAsJsonObject("render").get("secondsLeft").getAsDouble()).isZero();
+    act("{\"action\": \"move\", \"right\": 3, \"still\": true}");
+    await(s -> s.get("isMoved").getAsBoolean() && !isFinished(s));
+    await(ViewServerTest::isFinished);
+  }
+
+  @Test
   void pixelHasPathsInThePicture() throws Exception {
     start();
     await(ViewServerTest::isFinished);
@@ -427,7 +510,7 @@ class ViewServerTest {
     View.Picture picture = new View.Picture(image, List.of(), Map.of());
     View.Options options = new View.Options(scene, 0, Optional.of(picture), "other.exr");
     view = View.of(picture, Exposure.of(1), ToneCurve.AGX, options);
-    view.open(PreviewListener.NONE);
+    view.open(PreviewListener.NONE, ViewLimits.NONE);
     JsonObject state = state(0);
     assertThat(state.get("status").getAsString()).isEqualTo("still");
     assertThat(state.get("toneMap").getAsString()).isEqualTo("agx");
