@@ -30,6 +30,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -237,6 +238,11 @@ class ViewBrowserTest {
         .matches("(?s)pixel 60,6[23], sample .*");
     await("document.querySelectorAll('#vertices li').length > 0");
     await("document.getElementById('values').textContent.includes('60, 6')");
+    assertThat(
+            browser.evaluate(
+                "String([...document.querySelectorAll('aside dd')].every(e =>"
+                    + " e.getBoundingClientRect().right <= screen.width - 16))"))
+        .isEqualTo("true");
     browser.photograph(FOLDER.resolve("view-paths.png"));
     key("Escape");
     await("document.getElementById('paths').hidden");
@@ -273,6 +279,43 @@ class ViewBrowserTest {
       Thread.sleep(100);
     }
     assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void objectsAreColoredAndNamed() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    byte[] light = canvas();
+    browser.evaluate(
+        """
+        (() => {
+          const list = document.getElementById('layer');
+          list.value = 'object';
+          list.dispatchEvent(new Event('change'));
+          return '';
+        })()
+        """);
+    await("document.getElementById('layer').selectedOptions[0].textContent === 'object'");
+    awaitFinished();
+    long end = System.nanoTime() + PATIENCE_NANOS;
+    while (colors(canvas()) > 3000 || Arrays.equals(canvas(), light)) {
+      assertThat(System.nanoTime()).isLessThan(end);
+      Thread.sleep(100);
+    }
+    double[] at = center();
+    mouse("mouseMoved", at[0], at[1]);
+    mouse("mouseMoved", at[0] + 1, at[1]);
+    await("/[a-z] ?[a-z]+.*100 %/i.test(document.getElementById('values').textContent)");
+    browser.photograph(FOLDER.resolve("view-objects.png"));
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  /** Returns the number of different colors. */
+  private static long colors(byte[] rgb) {
+    return IntStream.range(0, rgb.length / 3)
+        .map(i -> rgb[3 * i] << 16 ^ rgb[3 * i + 1] << 8 ^ rgb[3 * i + 2])
+        .distinct()
+        .count();
   }
 
   @Test
@@ -329,6 +372,10 @@ class ViewBrowserTest {
     assertThat(browser.evaluate(outside)).isEmpty();
     assertThat(browser.evaluate("String(document.documentElement.scrollWidth <= screen.width)"))
         .isEqualTo("true");
+    if (width > 760) {
+      assertThat(browser.evaluate("String(document.documentElement.scrollHeight)"))
+          .isEqualTo(String.valueOf(height));
+    }
     assertThat(browser.complaints()).isEmpty();
   }
 

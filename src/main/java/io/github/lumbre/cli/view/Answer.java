@@ -20,6 +20,11 @@ record Answer(int status, String type, Map<String, String> headers, byte[] body)
         200, type, Map.of("Content-Disposition", "attachment; filename=\"" + safe + "\""), body);
   }
 
+  /** Returns an answer without content: what is wanted will exist later. */
+  static Answer nothingYet() {
+    return new Answer(204, "text/plain", Map.of(), new byte[0]);
+  }
+
   static Answer refused(int status, String text) {
     return new Answer(status, "text/plain; charset=utf-8", Map.of(), utf8(text + "\n"));
   }

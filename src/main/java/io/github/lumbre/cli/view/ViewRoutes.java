@@ -116,20 +116,29 @@ final class ViewRoutes {
     String name = query.text("layer").orElse("");
     boolean isExact = query.number("exact", 0, 1, 0) == 1;
     Set<Layer> needed = LayerNames.layerOf(name).map(Set::of).orElse(Set.of());
+    Optional<SceneFile> scene = session.scene();
+    if (scene.filter(file -> !file.settings().layers().containsAll(needed)).isPresent()) {
+      return Answer.nothingYet();
+    }
     Optional<Frame> frame =
-        needed.isEmpty() ? session.frame() : session.frameWith(needed, LAYER_MILLIS);
+        needed.isEmpty() || scene.isEmpty()
+            ? session.frame()
+            : session.frameWith(needed, LAYER_MILLIS);
     if (frame.isEmpty()) {
       return missing();
     }
     long start = System.nanoTime();
-    Answer answer = bytes(frame.get(), name, isExact);
+    Answer answer =
+        bytes(frame.get(), name, isExact)
+            .orElseGet(() -> needed.isEmpty() ? missing() : Answer.nothingYet());
     session.viewers().spend(System.nanoTime() - start);
     return answer;
   }
 
-  private static Answer bytes(Frame frame, String name, boolean isExact) {
+  /** Returns the picture or a layer of a frame; empty if the frame does not have it. */
+  private static Optional<Answer> bytes(Frame frame, String name, boolean isExact) {
     if (name.isEmpty()) {
-      return Answer.bytes(PictureBytes.of(frame.image(), isExact, frame.version()));
+      return Optional.of(Answer.bytes(PictureBytes.of(frame.image(), isExact, frame.version())));
     }
     Optional<ImageLayer> layer =
         frame
@@ -137,8 +146,7 @@ final class ViewRoutes {
             .or(() -> frame.layers().stream().filter(l -> isPart(l, name)).findFirst());
     return layer
         .map(l -> PictureBytes.of(l, isExact || LayerNames.isMatte(l.name()), frame.version()))
-        .map(Answer::bytes)
-        .orElseGet(ViewRoutes::missing);
+        .map(Answer::bytes);
   }
 
   private static boolean isPart(ImageLayer layer, String name) {

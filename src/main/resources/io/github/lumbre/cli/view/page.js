@@ -22,7 +22,8 @@
 
   const fetchPicture = async (path) => {
     const answer = await fetch(path);
-    return answer.ok ? Tone.read(await answer.arrayBuffer()) : null;
+    // 204: the render does not have this layer yet.
+    return answer.status === 200 ? Tone.read(await answer.arrayBuffer()) : null;
   };
 
   const poll = async () => {

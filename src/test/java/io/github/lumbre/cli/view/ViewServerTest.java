@@ -308,6 +308,8 @@ class ViewServerTest {
   void layersAreRecordedOnRequest() throws Exception {
     start();
     await(ViewServerTest::isFinished);
+    assertThat(get("image?layer=normal").status()).isEqualTo(204);
+    assertThat(get("image?layer=unknown").status()).isEqualTo(404);
     assertThat(act("{\"action\": \"record\", \"layer\": \"normal\"}").status()).isEqualTo(200);
     await(s -> s.getAsJsonObject("render").getAsJsonArray("recorded").size() == 1 && isFinished(s));
     assertThat(values("image?layer=normal&exact=1")).hasSize(3 * 16 * 12);
