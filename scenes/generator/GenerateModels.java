@@ -73,6 +73,10 @@ public final class GenerateModels {
     if (wants("lantern")) {
       Lantern.glb().write(models.resolve("lantern.glb"), "A burning oil lantern, 0.42 units tall");
     }
+    if (wants("clockwork")) {
+      Clockwork.glb()
+          .write(models.resolve("clockwork.glb"), "The movement of a clock, 0.35 units wide");
+    }
     if (wants("table")) {
       Table.obj().write(models.resolve("table.obj"), "A table, 1.6 x 0.9 units, 0.75 tall.");
     }

@@ -37,6 +37,7 @@ public final class GenerateScenes {
     scenes.addAll(Courtyard.all());
     scenes.add(torusKnot());
     scenes.add(lantern());
+    scenes.add(clockwork());
     scenes.addAll(TableScenes.all());
     for (Scene scene : scenes) {
       Files.writeString(folder.resolve(scene.name + ".json"), scene.toJson());
@@ -92,6 +93,22 @@ public final class GenerateScenes {
     s.add(s.studio("studio", .22));
     s.add(s.model("lantern", "models/lantern.glb").at(0, .03, 0).turn(0, 24, 0));
     s.add(s.infinitePlane("floor", floor));
+    return s;
+  }
+
+  /** The movement of a clock from near, with the far wheels out of focus. */
+  private static Scene clockwork() {
+    Scene s = new Scene("clockwork", 960, 600, 256).set("maxTraceDepth", 10);
+    s.set("toneMap", "neutral").set("exposure", 1.1);
+    int table = s.diffuse("table", .05, .045, .04);
+    s.camera("ThinLens", "fieldOfView", 26, "focusDistance", .56, "aperture", .012)
+        .at(-.12, .36, -.52)
+        .turn(33, 14, 0);
+    s.add(s.studio("studio", .35));
+    double[] daylight = Scene.rgb(9, 8.6, 8);
+    s.add(s.rectangleLight("window", .5, .3, daylight).at(-.6, .6, .5).turn(40, 130, 0));
+    s.add(s.model("clockwork", "models/clockwork.glb").at(0, .016, 0));
+    s.add(s.infinitePlane("table", table));
     return s;
   }
 }

@@ -6,7 +6,8 @@
  * generator.Paint}. {@link generator.Workshop} turns it into files: {@link generator.Mesher} finds
  * the surface, {@link generator.Decimator} thins it out, {@link generator.Atlas} unwraps it, and
  * {@link generator.Baker} paints the colours and the relief into the unwrapped square. Glasses are
- * turned on a {@link generator.Lathe}.
+ * turned on a {@link generator.Lathe}; the wheels of {@link generator.Clockwork} are {@link
+ * generator.Gears}.
  *
  * <p>Space is left-handed: +x right, +y up, +z forward; figures stand on y = 0 and face -z. Lengths
  * are metres. Only operations with the same result on every machine are used, so that every run
