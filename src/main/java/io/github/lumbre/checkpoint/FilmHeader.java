@@ -55,6 +55,12 @@ public record FilmHeader(
   /** Name in the identity: {@link FilmRenderer#REVISION}. */
   public static final String REVISION = "revision";
 
+  /**
+   * Name in the identity: SHA-256 of the plan of a pilot render, for {@link
+   * RenderSettings#AUTO_SPLIT}. It is known once the pilot is rendered.
+   */
+  public static final String SPLIT_PLAN = "split-plan";
+
   private static final String NOTHING = "nothing";
 
   /** The settings that every identity contains in an entry with its own format. */

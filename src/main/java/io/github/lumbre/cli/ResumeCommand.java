@@ -45,7 +45,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -308,8 +310,12 @@ final class ResumeCommand implements Callable<Integer> {
 
   private void requireSame(FilmHeader header, SceneFile file, Path path) throws TaskException {
     try {
-      header.requireSame(
-          FilmHeader.identity(file.hash(), file.settings()), film.toString(), path.toString());
+      Map<String, String> here =
+          new LinkedHashMap<>(FilmHeader.identity(file.hash(), file.settings()));
+      // The pilot render is compared when it is rendered.
+      Optional.ofNullable(header.identity().get(FilmHeader.SPLIT_PLAN))
+          .ifPresent(plan -> here.put(FilmHeader.SPLIT_PLAN, plan));
+      header.requireSame(here, film.toString(), path.toString());
     } catch (FilmMismatchException e) {
       throw new TaskException(Kind.SCENE, e.getMessage(), e);
     }

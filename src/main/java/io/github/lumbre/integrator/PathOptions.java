@@ -14,7 +14,8 @@ import java.util.Objects;
  * @param firstRoulette number of the first vertex at which Russian roulette may end a path, at
  *     least 0; the vertex that the camera sees is 0
  * @param split number of branches into which a path is split at its first non-specular vertex, at
- *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5)
+ *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5). {@link
+ *     #PLANNED} if it is that of {@link RenderContext#splitInto}
  */
 public record PathOptions(
     int maxDepth,
@@ -25,6 +26,9 @@ public record PathOptions(
   /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 3;
 
+  /** Stands for the number of branches that the {@link RenderContext} of a sample has. */
+  public static final int PLANNED = RenderSettings.AUTO_SPLIT;
+
   public PathOptions {
     Objects.requireNonNull(heuristic, "heuristic");
     Objects.requireNonNull(lightSampler, "lightSampler");
@@ -32,7 +36,7 @@ public record PathOptions(
       throw new IllegalArgumentException(
           "maxDepth, firstRoulette: expected at least 0, found " + maxDepth + ", " + firstRoulette);
     }
-    if (split < 1) {
+    if (split < 1 && split != PLANNED) {
       throw new IllegalArgumentException("split: expected at least 1, found " + split);
     }
   }
@@ -42,12 +46,9 @@ public record PathOptions(
     return new PathOptions(maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1);
   }
 
-  /**
-   * Returns the options that a render with these settings uses. A number of branches that a pilot
-   * render chooses counts as 1.
-   */
+  /** Returns the options that a render with these settings uses. */
   public static PathOptions of(RenderSettings settings) {
-    return toDepth(settings.maxTraceDepth()).splitInto(Math.max(1, settings.split()));
+    return toDepth(settings.maxTraceDepth()).splitInto(settings.split());
   }
 
   /** Returns the same options with another heuristic. */

@@ -41,7 +41,12 @@ public final class PathTracer implements Integrator {
   private final LightSampler selector;
   private final MisHeuristic heuristic;
   private final int firstRoulette;
+
+  /** Number of branches, unless the context has it. */
   private final int split;
+
+  /** Whether the context has the number of branches of each sample. */
+  private final boolean isPlanned;
 
   /** Whether there is more than one light to select from. */
   private final boolean selects;
@@ -80,7 +85,8 @@ public final class PathTracer implements Integrator {
     maxDepth = options.maxDepth();
     heuristic = options.heuristic();
     firstRoulette = options.firstRoulette();
-    split = options.split();
+    isPlanned = options.split() == PathOptions.PLANNED;
+    split = Math.max(1, options.split());
     emitters = scene.emitters().toArray(Light[]::new);
     environments = scene.environments().toArray(EnvironmentLight[]::new);
     this.selector = Objects.requireNonNull(selector, "selector");
@@ -187,11 +193,11 @@ public final class PathTracer implements Integrator {
     }
     int dimension = Sampler.vertex(depth);
     boolean isSpecular = vertex.bsdf().isSpecular();
-    if (split > 1 && !isSpecular && !path.isSplit()) {
+    if (branches(context) > 1 && !isSpecular && !path.isSplit()) {
       if (samplesLights) {
         direct(vertex, sampler, dimension, context);
       }
-      path.split(depth, split);
+      path.split(depth, branches(context));
       return end(End.SPLIT, context);
     }
     // Drawn before the light is sampled, so that the processor can compute both points in parallel.
@@ -244,11 +250,17 @@ public final class PathTracer implements Integrator {
     return true;
   }
 
+  /** Returns the number of branches of a split path. */
+  private int branches(RenderContext context) {
+    return isPlanned ? context.branchCount : split;
+  }
+
   /** Traces all branches of a split path, each with an equal share of the throughput. */
   private void traceBranches(Sampler sampler, RenderContext context) {
     Vertex vertex = context.keepVertex();
-    for (int branch = 0; branch < split; branch++) {
-      sampler.startPart(branch, split);
+    int branches = branches(context);
+    for (int branch = 0; branch < branches; branch++) {
+      sampler.startPart(branch, branches);
       int depth = context.path.returnToSplit();
       if (context.isRecorded) {
         context.listener.branchStarted(branch);

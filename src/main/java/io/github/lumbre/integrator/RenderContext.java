@@ -41,6 +41,10 @@ public final class RenderContext {
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
   private Vertex otherVertex = new Vertex();
+
+  /** Number of branches of a split path, for integrators that follow a plan. */
+  int branchCount = 1;
+
   long rays;
   boolean hitSomething;
   private long shadowRays;
@@ -140,6 +144,16 @@ public final class RenderContext {
   public void startSample() {
     hitSomething = false;
     isRecorded = isListening;
+  }
+
+  /**
+   * Sets the number of branches of the next samples, for integrators that follow a plan. All
+   * samples of a pixel must have the same number.
+   *
+   * @param branches at least 1
+   */
+  public void splitInto(int branches) {
+    branchCount = branches;
   }
 
   /** Returns whether the current sample's camera ray hit a surface. */

@@ -75,7 +75,7 @@ public final class FilmRenderer implements PassRenderer {
   @SuppressWarnings("exports") // internal
   public FilmRenderer(
       RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
-    this(settings, scene, given(integrator), samplers, UnaryOperator.identity(), new OwnThreads());
+    this(settings, scene, IntegratorSource.of(integrator), samplers, UnaryOperator.identity(), new OwnThreads());
   }
 
   private FilmRenderer(
@@ -93,11 +93,6 @@ public final class FilmRenderer implements PassRenderer {
     this.integrators = integrators;
     layers = FilmLayers.of(settings, this.scene);
     hasAlpha = settings.transparent() || this.scene.camera().leavesBlanks();
-  }
-
-  private static IntegratorSource given(Integrator integrator) {
-    Objects.requireNonNull(integrator, "integrator");
-    return threads -> integrator;
   }
 
   /**
@@ -120,6 +115,38 @@ public final class FilmRenderer implements PassRenderer {
   public FilmRenderer on(Executor executor) {
     Crew shared = new SharedThreads(Objects.requireNonNull(executor, "executor"));
     return new FilmRenderer(settings, scene, integrators, samplers, order, shared);
+  }
+
+  /**
+   * Returns the same renderer with another window. It shares the pilot render.
+   *
+   * @param window in the full frame
+   */
+  public FilmRenderer in(RenderSettings.Crop window) {
+    RenderSettings changed = settings.toBuilder().crop(window).build();
+    return new FilmRenderer(changed, scene, integrators, samplers, order, crew);
+  }
+
+  /**
+   * Renders the pilot of {@link RenderSettings#AUTO_SPLIT} if there is none yet. The first pass does
+   * so as well.
+   *
+   * @param progress can cancel it
+   * @return the report; empty if the pilot was cancelled, and with other settings
+   * @throws InterruptedException if the calling thread is interrupted
+   * @throws RenderException if a path failed
+   */
+  public Optional<SplitReport> plan(Progress progress) throws InterruptedException {
+    try {
+      integrators.get(pilot(progress));
+    } catch (PilotRows.Stopped e) {
+      return Optional.empty();
+    }
+    return splitting();
+  }
+
+  private PilotRows pilot(Progress progress) {
+    return new PilotRows(crew.pilotThreads(threads()), progress::isCancelled);
   }
 
   /**
@@ -192,7 +219,12 @@ public final class FilmRenderer implements PassRenderer {
   public PassResult addSamples(Film film, SampleTarget target, Progress progress)
       throws InterruptedException {
     requireOwn(film);
-    Integrator integrator = integrators.get(crew.pilotThreads(threads()));
+    IntegratorSource.Planned integrator;
+    try {
+      integrator = integrators.get(pilot(progress));
+    } catch (PilotRows.Stopped e) {
+      return new PassResult(false, RenderStatistics.ZERO);
+    }
     List<Bucket> buckets = order.apply(buckets(settings.window()));
     RenderQueue queue = new RenderQueue(buckets, progress);
     List<BucketWorker> workers = new ArrayList<>();

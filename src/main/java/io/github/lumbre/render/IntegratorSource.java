@@ -3,37 +3,51 @@ package io.github.lumbre.render;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import java.util.Objects;
 import java.util.Optional;
 
 /** Makes the integrator of a renderer when the first pass needs it. Shared by threads. */
 interface IntegratorSource {
   /**
+   * An integrator and its plan.
+   *
+   * @param plan the number of branches of each pixel, for an integrator that follows it
+   */
+  record Planned(Integrator integrator, SplitPlan plan) {}
+
+  /**
    * Returns the integrator, the same at each call.
    *
-   * @param threads the number of threads that may work on it
+   * @param crew renders the pilot if there is none yet
    * @throws InterruptedException if the calling thread is interrupted; no thread then works on it
+   * @throws PilotRows.Stopped if the crew was stopped
    */
-  Integrator get(int threads) throws InterruptedException;
+  Planned get(PilotRows crew) throws InterruptedException, PilotRows.Stopped;
 
   /** Returns the report on the pilot render; empty if there is none, or none yet. */
   default Optional<SplitReport> report() {
     return Optional.empty();
   }
 
+  /** Returns the source of a given integrator. */
+  static IntegratorSource of(Integrator integrator) {
+    Objects.requireNonNull(integrator, "integrator");
+    Planned planned = new Planned(integrator, SplitPlan.NONE);
+    return crew -> planned;
+  }
+
   /** Returns the source of the integrator that the settings select. */
   static IntegratorSource of(RenderSettings settings, Scene scene) {
-    if (settings.split() == RenderSettings.AUTO_SPLIT) {
-      return new Piloted(settings, scene);
-    }
-    Integrator integrator = Integrator.of(scene, settings);
-    return threads -> integrator;
+    return settings.split() == RenderSettings.AUTO_SPLIT
+        ? new Piloted(settings, scene)
+        : of(Integrator.of(scene, settings));
   }
 
   /** A source that renders a pilot once. */
   final class Piloted implements IntegratorSource {
     private final RenderSettings settings;
     private final Scene scene;
-    private Optional<Integrator> integrator = Optional.empty();
+    private Optional<Planned> planned = Optional.empty();
     private volatile Optional<SplitReport> report = Optional.empty();
 
     private Piloted(RenderSettings settings, Scene scene) {
@@ -42,13 +56,15 @@ interface IntegratorSource {
     }
 
     @Override
-    public synchronized Integrator get(int threads) throws InterruptedException {
-      if (integrator.isEmpty()) {
-        SplitReport chosen = SplitPilot.choose(settings, scene, threads);
-        integrator = Optional.of(Integrator.of(scene, chosen.applyTo(settings)));
+    public synchronized Planned get(PilotRows crew)
+        throws InterruptedException, PilotRows.Stopped {
+      if (planned.isEmpty()) {
+        SplitReport chosen = SplitPilot.choose(settings, scene, crew);
+        Integrator integrator = Integrator.of(scene, chosen.applyTo(settings));
+        planned = Optional.of(new Planned(integrator, chosen.plan()));
         report = Optional.of(chosen);
       }
-      return integrator.get();
+      return planned.get();
     }
 
     @Override

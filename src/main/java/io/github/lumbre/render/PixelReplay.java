@@ -23,6 +23,7 @@ public final class PixelReplay {
   private final RenderSettings settings;
   private final Sampler sampler;
   private final Integrator integrator;
+  private final SplitPlan plan;
   private final SampleLimit limit;
   private final PathRecorder recorder = new PathRecorder();
   private final RenderContext context = RenderContext.recordedBy(recorder);
@@ -37,13 +38,29 @@ public final class PixelReplay {
     this.scene = scene.framed(settings.aspect());
     this.settings = settings;
     sampler = new SobolSampler(settings.seed());
-    integrator =
-        Integrator.of(
-            this.scene,
-            settings.split() == RenderSettings.AUTO_SPLIT
-                ? SplitPilot.choose(settings, this.scene).applyTo(settings)
-                : settings);
+    IntegratorSource.Planned planned = planned(settings, this.scene);
+    integrator = planned.integrator();
+    plan = planned.plan();
     limit = SampleLimit.of(settings);
+  }
+
+  /** Returns the integrator; renders the pilot even if the calling thread is interrupted. */
+  private static IntegratorSource.Planned planned(RenderSettings settings, Scene scene) {
+    boolean isInterrupted = Thread.interrupted();
+    IntegratorSource source = IntegratorSource.of(settings, scene);
+    while (true) {
+      try {
+        return source.get(PilotRows.HERE);
+      } catch (InterruptedException e) {
+        isInterrupted = true;
+      } catch (PilotRows.Stopped e) {
+        throw new AssertionError("nothing stops it", e);
+      } finally {
+        if (isInterrupted) {
+          Thread.currentThread().interrupt();
+        }
+      }
+    }
   }
 
   /**
@@ -102,6 +119,7 @@ public final class PixelReplay {
    */
   public Sample sample(int x, int y, int number) {
     context.startSample();
+    context.splitInto(plan.branches(x, y));
     if (!CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {
       return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false, false);
     }

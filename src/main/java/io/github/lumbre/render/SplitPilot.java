@@ -1,103 +1,95 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.PathOptions;
+import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.integrator.RenderContext;
+import io.github.lumbre.render.SplitCells.Place;
+import io.github.lumbre.sampling.Hash;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
-import java.util.stream.IntStream;
 
 /**
  * The pilot render of {@code --split auto}. It renders pixels that are spread over the full frame
- * with 1, 2, 4 and 8 branches, and measures error times rays, until more branches are not better.
+ * with 1 and with 4 branches. From their errors and rays, {@link SplitChoice} chooses a number of
+ * branches for each of {@link SplitCells}.
  *
  * <p>Its work is fixed, and each row of pixels is one thread's. Sums are taken in a fixed order,
- * and cost is counted in rays. The choice is therefore a function of the scene, the settings that
+ * and cost is counted in rays. The plan is therefore a function of the scene, the settings that
  * samples depend on, and the seed alone. It is the same for any crop, threads and number of
  * samples. The random numbers are not those of the picture. Immutable and stateless.
  */
 final class SplitPilot {
-  /** The largest number of branches tried. */
-  static final int MOST = 8;
+  /** Samples of a pixel in each of four independent sets; two sets are a half of the pilot. */
+  static final int SAMPLES = 8;
 
-  /** The largest number of pixels rendered. */
-  static final int MOST_PIXELS = 1024;
+  private static final int SETS = 4;
 
-  /** The pixels of the frame for each pixel of the pilot, in small frames. */
-  private static final int SHARE = 16;
+  /** The number of branches that is compared with 1. */
+  private static final int BRANCHES = 4;
 
-  /** Samples of a pixel in each of two independent sets. */
-  private static final int SAMPLES = 8;
+  /** The most work for a pixel, in samples of unsplit paths. */
+  static final int WORK = SETS * SAMPLES * (1 + BRANCHES);
 
-  /**
-   * How many times better the first split, and each further doubling, must be. The pilot has fewer
-   * samples than most pictures and overrates splitting: by up to 1.3 times in a test.
-   */
-  private static final double FIRST_GAIN = 1.25;
+  /** The largest share of a render's work. */
+  static final double LARGEST_SHARE = .02;
 
-  private static final double NEXT_GAIN = 1.05;
+  /** Cells of the plan's grid for each pixel of the pilot, if the frame has as many pixels. */
+  private static final int GRID = 16;
 
   /** Part of the denominator of relative errors, as in {@code relmse}. */
   private static final double FLOOR = .01;
 
-  /** The largest relative error of a pixel, so that one firefly does not decide. */
-  private static final double LARGEST = 4;
+  /**
+   * The share of the pixels whose errors are limited to the largest error of the others, so that a
+   * few fireflies do not decide. Unsplit paths have more of them, which are therefore underrated.
+   */
+  private static final double LIMITED = .02;
 
   private static final long SEED = 0x73706c6974206f6eL;
-  private static final long OTHER_SEED = 0x6f72206e6f742069L;
 
   private final RenderSettings settings;
   private final Scene scene;
-  private final int threads;
-  private final int columns;
-  private final int rows;
+  private final Integrator integrator;
+  private final PilotRows crew;
+  private final PilotGrid pixels;
 
-  private SplitPilot(RenderSettings settings, Scene scene, int threads) {
+  private SplitPilot(RenderSettings settings, Scene scene, PilotRows crew) {
     this.settings = settings;
     this.scene = scene;
-    this.threads = threads;
-    double pixels = (double) settings.width() * settings.height();
-    double wanted = Math.max(1, Math.min(MOST_PIXELS, pixels / SHARE));
-    double side = Math.sqrt(wanted * settings.aspect());
-    columns = (int) Math.max(1, Math.min(Math.min(settings.width(), wanted), side));
-    rows = (int) Math.max(1, Math.min(settings.height(), wanted / columns));
+    this.crew = crew;
+    integrator =
+        new PathTracer(scene, PathOptions.of(settings).splitInto(PathOptions.PLANNED));
+    pixels = PilotGrid.of(settings, settings.splitPilot());
   }
 
   /**
    * Returns what the pilot of some settings chooses.
    *
    * @param scene framed for the settings
-   * @param threads number of threads to start; 0 renders in the calling thread, which then cannot
-   *     be interrupted
+   * @param crew renders the rows
    * @throws InterruptedException if the calling thread is interrupted; all threads have then ended
+   * @throws PilotRows.Stopped if the crew was stopped
    * @throws RenderException if a path failed
    */
-  static SplitReport choose(RenderSettings settings, Scene scene, int threads)
-      throws InterruptedException {
-    return findsLight(settings, scene)
-        ? new SplitPilot(settings, scene, threads).choose()
-        : new SplitReport(1, 1, 0);
-  }
-
-  /** Returns what the pilot chooses, rendered by the calling thread without interruption. */
-  static SplitReport choose(RenderSettings settings, Scene scene) {
-    try {
-      return choose(settings, scene, 0);
-    } catch (InterruptedException e) {
-      throw new AssertionError("no thread to wait for", e);
+  static SplitReport choose(RenderSettings settings, Scene scene, PilotRows crew)
+      throws InterruptedException, PilotRows.Stopped {
+    if (!findsLight(settings, scene)) {
+      return SplitReport.without(SplitReport.Reason.NO_LIGHT, 0);
     }
+    if (settings.splitPilot() == 0) {
+      return SplitReport.without(SplitReport.Reason.SHORT, 0);
+    }
+    return new SplitPilot(settings, scene, crew).choose();
   }
 
   /** Returns whether branches could find light. */
@@ -108,92 +100,67 @@ final class SplitPilot {
         && scene.primitives().stream().anyMatch(Primitive::scatters);
   }
 
-  private SplitReport choose() throws InterruptedException {
-    List<Pixel> whole = render(1);
-    double[] squares = squares(whole);
-    long pilotRays = rays(whole);
-    double unsplit = error(whole, squares) * pilotRays;
-    double best = unsplit;
-    int branches = 1;
-    for (int tried = 2; tried <= MOST && best > 0; tried *= 2) {
-      List<Pixel> split = render(tried);
-      pilotRays += rays(split);
-      double product = error(split, squares) * rays(split);
-      if (product * (branches == 1 ? FIRST_GAIN : NEXT_GAIN) >= best) {
-        break;
-      }
-      best = product;
-      branches = tried;
+  private SplitReport choose() throws InterruptedException, PilotRows.Stopped {
+    List<Pixel> rendered = new ArrayList<>();
+    crew.render(pixels.rows(), this::row).forEach(rendered::addAll);
+    long rays = rendered.stream().mapToLong(p -> p.rays + p.splitRays).sum();
+    SplitCells cells = SplitCells.of(rendered.stream().map(p -> p.place).toList());
+    SplitChoice.Chosen chosen = new SplitChoice(sums(rendered, cells)).choose();
+    if (chosen.bound() <= 1) {
+      return SplitReport.without(SplitReport.Reason.NOT_BETTER, rays);
     }
-    return new SplitReport(branches, branches == 1 ? 1 : unsplit / best, pilotRays);
+    return new SplitReport(
+        plan(cells, chosen.exponents()),
+        SplitReport.Reason.BETTER,
+        chosen.gain(),
+        chosen.bound(),
+        rays);
   }
 
-  /** The means of two independent sets of samples of a pixel, and the rays of all. */
-  private record Pixel(Rgb first, Rgb second, long rays) {}
+  /** The means of the sets of samples of a pixel, with 1 and with more branches, and their rays. */
+  private static final class Pixel {
+    final Place place;
+    final Rgb[] means = new Rgb[SETS];
+    final Rgb[] splitMeans = new Rgb[SETS];
+    long rays;
+    long splitRays;
 
-  /** Renders the pilot's pixels, row by row. */
-  private List<Pixel> render(int branches) throws InterruptedException {
-    Integrator integrator = Integrator.of(scene, settings.toBuilder().split(branches).build());
-    List<Pixel> pixels = new ArrayList<>();
-    if (threads == 0) {
-      IntStream.range(0, rows).forEach(row -> pixels.addAll(row(integrator, row)));
-      return pixels;
-    }
-    ExecutorService pool =
-        Executors.newFixedThreadPool(
-            Math.min(threads, rows),
-            task -> {
-              Thread thread = new Thread(task, "lumbre-pilot");
-              thread.setDaemon(true);
-              return thread;
-            });
-    try {
-      List<Callable<List<Pixel>>> tasks = new ArrayList<>();
-      IntStream.range(0, rows).forEach(row -> tasks.add(() -> row(integrator, row)));
-      for (Future<List<Pixel>> row : pool.invokeAll(tasks)) {
-        pixels.addAll(row.get());
-      }
-      return pixels;
-    } catch (ExecutionException e) {
-      throw Crew.failure(e.getCause());
-    } finally {
-      pool.shutdownNow();
-      awaitEnd(pool);
+    Pixel(Place place) {
+      this.place = place;
     }
   }
 
-  /** Waits for the threads, which end with their row, and restores the interrupt status. */
-  private static void awaitEnd(ExecutorService pool) {
-    boolean interrupted = Thread.interrupted();
-    while (!pool.isTerminated()) {
-      try {
-        pool.awaitTermination(1, TimeUnit.SECONDS);
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
-  }
-
-  private List<Pixel> row(Integrator integrator, int row) {
-    Sampler first = new SobolSampler(settings.seed() ^ SEED);
-    Sampler second = new SobolSampler(settings.seed() ^ OTHER_SEED);
+  private List<Pixel> row(int row) throws InterruptedException, PilotRows.Stopped {
     RenderContext context = new RenderContext();
-    int y = (int) ((2L * row + 1) * settings.height() / (2L * rows));
-    List<Pixel> pixels = new ArrayList<>();
-    for (int column = 0; column < columns; column++) {
-      int x = (int) ((2L * column + 1) * settings.width() / (2L * columns));
-      long before = context.rays() + context.shadowRays();
-      Rgb one = mean(integrator, context, first, x, y);
-      Rgb other = mean(integrator, context, second, x, y);
-      pixels.add(new Pixel(one, other, context.rays() + context.shadowRays() - before));
+    List<Pixel> done = new ArrayList<>();
+    for (int column = 0; column < pixels.columns(); column++) {
+      crew.check();
+      done.add(pixel(pixels.x(column), pixels.y(row), context));
     }
-    return pixels;
+    return done;
   }
 
-  private Rgb mean(Integrator integrator, RenderContext context, Sampler sampler, int x, int y) {
+  private Pixel pixel(int x, int y, RenderContext context) {
+    Pixel pixel = new Pixel(place(x, y));
+    for (int set = 0; set < SETS; set++) {
+      Sampler sampler = sampler(set);
+      long start = context.rays() + context.shadowRays();
+      context.splitInto(1);
+      pixel.means[set] = mean(context, sampler, x, y);
+      long middle = context.rays() + context.shadowRays();
+      context.splitInto(BRANCHES);
+      pixel.splitMeans[set] = mean(context, sampler, x, y);
+      pixel.rays += middle - start;
+      pixel.splitRays += context.rays() + context.shadowRays() - middle;
+    }
+    return pixel;
+  }
+
+  private Sampler sampler(int set) {
+    return new SobolSampler(Hash.of(settings.seed() ^ SEED, set));
+  }
+
+  private Rgb mean(RenderContext context, Sampler sampler, int x, int y) {
     CameraRay ray = new CameraRay();
     Rgb sum = Rgb.BLACK;
     for (int number = 0; number < SAMPLES; number++) {
@@ -206,23 +173,68 @@ final class SplitPilot {
     return sum.times(1. / SAMPLES);
   }
 
+  /** Returns a pixel with the surface that its first sample of the pilot sees first. */
+  private Place place(int x, int y) {
+    CameraRay ray = new CameraRay();
+    if (!CameraSamples.start(scene, settings, sampler(0), x, y, 0, ray)) {
+      return new Place(-1, x, y);
+    }
+    NearestHit hit = new NearestHit();
+    hit.aim(ray.toRay());
+    return new Place(scene.intersect(hit) ? hit.shape() : -1, x, y);
+  }
+
+  private double[][][][] sums(List<Pixel> rendered, SplitCells cells) {
+    double[] squares = squares(rendered);
+    double limit = limit(rendered, squares);
+    double[][][][] sums = new double[2][SplitChoice.GROUPS][cells.count()][4];
+    for (int i = 0; i < squares.length; i++) {
+      Pixel pixel = rendered.get(i);
+      int cell = cells.cell(pixel.place);
+      for (int half = 0; half < 2; half++) {
+        double[] sum = sums[half][i % SplitChoice.GROUPS][cell];
+        sum[SplitChoice.ERROR] += Math.min(limit, error(pixel.means, half, squares[i]));
+        sum[SplitChoice.SPLIT_ERROR] += Math.min(limit, error(pixel.splitMeans, half, squares[i]));
+        sum[SplitChoice.RAYS] += pixel.rays;
+        sum[SplitChoice.SPLIT_RAYS] += pixel.splitRays;
+      }
+    }
+    return sums;
+  }
+
+  private static double error(Rgb[] means, int half, double square) {
+    Rgb difference = means[2 * half].plus(means[2 * half + 1].times(-1));
+    return square(difference) / (square + FLOOR);
+  }
+
+  /** Returns the largest error of unsplit paths that counts in full. */
+  private static double limit(List<Pixel> rendered, double[] squares) {
+    double[] errors = new double[2 * squares.length];
+    for (int i = 0; i < errors.length; i++) {
+      errors[i] = error(rendered.get(i / 2).means, i % 2, squares[i / 2]);
+    }
+    Arrays.sort(errors);
+    return errors[(int) ((1 - LIMITED) * (errors.length - 1))];
+  }
+
   /**
    * Returns the square of the radiance around each pixel. A pixel does not count itself: if it did,
    * a low mean would make its own error large.
    */
-  private double[] squares(List<Pixel> pixels) {
-    double[] squares = new double[pixels.size()];
+  private double[] squares(List<Pixel> rendered) {
+    double[] squares = new double[rendered.size()];
     for (int i = 0; i < squares.length; i++) {
-      int x = i % columns;
-      int y = i / columns;
+      int column = i % pixels.columns();
+      int row = i / pixels.columns();
       Rgb sum = Rgb.BLACK;
       int count = 0;
-      for (int v = Math.max(0, y - 1); v <= Math.min(rows - 1, y + 1); v++) {
-        for (int u = Math.max(0, x - 1); u <= Math.min(columns - 1, x + 1); u++) {
-          if (u != x || v != y) {
-            Pixel near = pixels.get(v * columns + u);
-            sum = sum.plus(near.first()).plus(near.second());
-            count += 2;
+      for (int v = Math.max(0, row - 1); v <= Math.min(pixels.rows() - 1, row + 1); v++) {
+        for (int u = Math.max(0, column - 1); u <= Math.min(pixels.columns() - 1, column + 1); u++) {
+          if (u != column || v != row) {
+            for (Rgb mean : rendered.get(v * pixels.columns() + u).means) {
+              sum = sum.plus(mean);
+              count++;
+            }
           }
         }
       }
@@ -231,21 +243,31 @@ final class SplitPilot {
     return squares;
   }
 
-  private static double error(List<Pixel> pixels, double[] squares) {
-    double error = 0;
-    for (int i = 0; i < squares.length; i++) {
-      Pixel pixel = pixels.get(i);
-      double difference = square(pixel.first().plus(pixel.second().times(-1)));
-      error += Math.min(LARGEST, difference / (squares[i] + FLOOR));
-    }
-    return error;
-  }
-
   private static double square(Rgb c) {
     return (c.r() * c.r() + c.g() * c.g() + c.b() * c.b()) / 3;
   }
 
-  private static long rays(List<Pixel> pixels) {
-    return pixels.stream().mapToLong(Pixel::rays).sum();
+  /** Returns the plan for the whole frame. */
+  private SplitPlan plan(SplitCells cells, int[] exponents) throws InterruptedException, PilotRows.Stopped {
+    int most = Math.min(SplitPlan.MOST_CELLS, GRID * settings.splitPilot());
+    PilotGrid grid = PilotGrid.of(settings, most);
+    byte[] plan = new byte[grid.columns() * grid.rows()];
+    List<byte[]> rows =
+        crew.render(
+            grid.rows(),
+            row -> {
+              byte[] line = new byte[grid.columns()];
+              for (int column = 0; column < line.length; column++) {
+                crew.check();
+                int cell = cells.cell(place(grid.x(column), grid.y(row)));
+                line[column] = (byte) exponents[cell];
+              }
+              return line;
+            });
+    for (int row = 0; row < rows.size(); row++) {
+      System.arraycopy(rows.get(row), 0, plan, row * grid.columns(), grid.columns());
+    }
+    return new SplitPlan(
+        settings.width(), settings.height(), grid.columns(), grid.rows(), plan);
   }
 }

@@ -33,6 +33,11 @@ public final class RenderSettings {
   /** The number of branches that stands for a choice by a pilot render. */
   public static final int AUTO_SPLIT = -1;
 
+  private static final int SPLIT_PILOT = 256;
+
+  /** The largest allowed number of pixels of the pilot render that chooses it. */
+  public static final int MAX_SPLIT_PILOT = 4096;
+
   /** The largest allowed number of threads. */
   public static final int MAX_THREADS = 1024;
 
@@ -155,6 +160,12 @@ public final class RenderSettings {
   /** Returns {@link Setting#SPLIT}; {@link #AUTO_SPLIT} if a pilot render chooses. */
   public int split() {
     return get(Setting.SPLIT);
+  }
+
+  /** Returns {@link Setting#SPLIT_PILOT}, or 256 if it is {@link #AUTO_SPLIT}. */
+  public int splitPilot() {
+    int pixels = get(Setting.SPLIT_PILOT);
+    return pixels == AUTO_SPLIT ? SPLIT_PILOT : pixels;
   }
 
   /** Returns {@link Setting#CLAMP}. */
@@ -403,6 +414,11 @@ public final class RenderSettings {
     /** Sets {@link Setting#SPLIT}. */
     public Builder split(int value) {
       return set(Setting.SPLIT, value);
+    }
+
+    /** Sets {@link Setting#SPLIT_PILOT}. */
+    public Builder splitPilot(int value) {
+      return set(Setting.SPLIT_PILOT, value);
     }
 
     /** Sets {@link Setting#CLAMP}. */

@@ -113,6 +113,22 @@ public final class Setting<T> {
           .changingSamples();
 
   /**
+   * The number of pixels of the pilot render that chooses {@link #SPLIT}; with 0, paths are not
+   * split. Samples depend on it, because another pilot may choose other numbers.
+   */
+  public static final Setting<Integer> SPLIT_PILOT =
+      new Setting<>(
+              "split-pilot",
+              Group.TRANSPORT,
+              new CountType(RenderSettings.AUTO_SPLIT, 0, RenderSettings.MAX_SPLIT_PILOT),
+              RenderSettings.AUTO_SPLIT,
+              "Path mode: number of pixels of the pilot render of --split auto; with 0, paths are not"
+                  + " split. auto takes 4096, 1024, 256 or 0, so that the pilot traces at most 2 % of"
+                  + " the requested samples.")
+          .withFlag("--pilot", "PIXELS")
+          .changingSamples();
+
+  /**
    * The largest allowed RGB component of a sample. Brighter samples are scaled down, which biases
    * the result.
    */

@@ -70,7 +70,7 @@ class WatchdogTest {
     return new BucketWorker(
         SETTINGS,
         SCENE,
-        integrator,
+        new IntegratorSource.Planned(integrator, SplitPlan.NONE),
         new SobolSampler(0),
         renderer.newFilm(),
         (x, y) -> SETTINGS.samples(),

@@ -21,8 +21,8 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
     implements Serializable {
   private static final long serialVersionUID = 1;
 
-  /** The scenes of this executor, by their hashes and settings. */
-  private static final Map<String, SceneFile> SCENES = new ConcurrentHashMap<>();
+  /** The renderers of this executor, by the hashes and settings of their scenes. */
+  private static final Map<String, FilmRenderer> RENDERERS = new ConcurrentHashMap<>();
 
   private final Broadcast<SceneBundle> bundle;
 
@@ -33,11 +33,9 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
   @Override
   public UnitResult apply(Iterator<WorkUnit> units) {
     WorkUnit unit = units.next();
-    SceneFile scene = scene();
+    FilmRenderer whole = renderer();
     long start = System.nanoTime();
-    RenderSettings settings =
-        scene.settings().toBuilder().crop(unit.tile()).threads(1).adaptive(false).build();
-    FilmRenderer renderer = new FilmRenderer(settings, scene.scene());
+    FilmRenderer renderer = whole.in(unit.tile());
     Film film = renderer.newFilm(unit.first());
     try {
       PassResult pass = renderer.addSamples(film, unit.count(), untilKilled());
@@ -57,7 +55,7 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
     return Progress.NONE.cancelledAlsoIf(() -> task != null && task.isInterrupted());
   }
 
-  private SceneFile scene() {
+  private FilmRenderer renderer() {
     SceneBundle sent = bundle.value();
     if (sent.revision() != FilmRenderer.REVISION) {
       throw new IllegalStateException(
@@ -69,7 +67,12 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
               + sent.revision()
               + "; give all executors the same lumbre-spark.jar");
     }
-    return SCENES.computeIfAbsent(sent.hash() + sent.settings(), key -> sent.read());
+    return RENDERERS.computeIfAbsent(sent.hash() + sent.settings(), key -> renderer(sent.read()));
+  }
+
+  private static FilmRenderer renderer(SceneFile scene) {
+    RenderSettings settings = scene.settings().toBuilder().threads(1).adaptive(false).build();
+    return new FilmRenderer(settings, scene.scene());
   }
 
   private static String host() {

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.SplitReport;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -229,10 +230,12 @@ public final class RenderFlags {
     RenderSettings.Builder builder = inScene.toBuilder();
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
+    int requested = builder.build().samples();
     share().ifPresent(part -> select(part, builder));
     settings.override(builder);
     requirePathsFor(Setting.SPLIT, inScene.mode());
     size.ifPresent(s -> builder.size(s.width(), s.height()));
+    limitPilot(builder, requested);
     depth.ifPresent(n -> setDepth(builder, inScene.mode(), n));
     if (size.isEmpty()) {
       requireCropIn(inScene.width(), inScene.height());
@@ -242,6 +245,15 @@ public final class RenderFlags {
       builder.set(Setting.LAYERS, withDenoising(builder.build().layers()));
     }
     return builder.build();
+  }
+
+  /** Limits the pilot render of {@code --split auto} to a share of all requested samples. */
+  private void limitPilot(RenderSettings.Builder builder, int requested) {
+    RenderSettings changed = builder.build();
+    if (changed.split() == RenderSettings.AUTO_SPLIT && !settings.isGiven(Setting.SPLIT_PILOT)) {
+      long pixels = (long) changed.width() * changed.height();
+      builder.splitPilot(SplitReport.pilotPixels(pixels, requested));
+    }
   }
 
   private static Set<Layer> withDenoising(Set<Layer> layers) {

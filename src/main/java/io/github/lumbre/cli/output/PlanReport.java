@@ -118,8 +118,17 @@ public final class PlanReport {
     if (settings.mode() == RenderSettings.Mode.RAY) {
       return "skipped, ray mode has no paths";
     }
-    RenderSettings auto = settings.toBuilder().split(RenderSettings.AUTO_SPLIT).build();
-    return "with --split auto, " + SplitReport.of(auto, scene).text();
+    int pixels =
+        SplitReport.pilotPixels(
+            (long) settings.width() * settings.height(), settings.samples());
+    RenderSettings auto =
+        settings.toBuilder().split(RenderSettings.AUTO_SPLIT).splitPilot(pixels).build();
+    try {
+      return "with --split auto, " + SplitReport.of(auto, scene).text();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "not measured, because the pilot render was interrupted";
+    }
   }
 
   private String lens() {

@@ -16,6 +16,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 
@@ -76,6 +77,13 @@ public final class FilmKeeper implements AutoCloseable {
             f ->
                 new Checkpoints(
                     interval, MemoryEstimate.leavesRoomForCopy(settings, newLayers.ofFilm())));
+  }
+
+  /** Adds an entry to the identity of the films that are saved from now on. */
+  void identify(String name, String value) {
+    Map<String, String> more = new LinkedHashMap<>(identity);
+    more.put(name, value);
+    identity = more;
   }
 
   /** Returns a listener that pauses a pass when the film is due to be saved. */

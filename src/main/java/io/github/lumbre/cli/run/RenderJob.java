@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.output.ExitCodes;
@@ -101,23 +102,31 @@ public record RenderJob(
   /** Renders a new film. */
   public int run(int firstSample) throws TaskException {
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
-    return run(renderer, renderer.newFilm(firstSample), RenderStatistics.ZERO);
+    return run(renderer, renderer.newFilm(firstSample), Optional.empty());
   }
 
   /** Renders the remaining samples of a film and returns the exit code. */
   public int run(FilmFile begun) throws TaskException {
     budget.lookAgain(begun.film());
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
-    return run(renderer, begun.film(), begun.header().faults());
+    return run(renderer, begun.film(), Optional.of(begun.header()));
   }
 
-  private int run(FilmRenderer renderer, Film film, RenderStatistics faults) throws TaskException {
+  /**
+   * Renders a film.
+   *
+   * @param header of the film's existing samples
+   */
+  private int run(FilmRenderer renderer, Film film, Optional<FilmHeader> header)
+      throws TaskException {
+    RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
     long start = System.nanoTime();
     PassRenderer passes = engine.over(scene, file, renderer, budget.secondsLeft().isPresent());
     Schedule schedule = passes.schedule();
     RenderStatistics statistics;
     LightReport light;
     try (monitor) {
+      plan(renderer, header);
       statistics = addSamples(passes, schedule, film, faults);
       light = light(film, statistics);
     } catch (InterruptedException e) {
@@ -144,6 +153,31 @@ public record RenderJob(
       return ExitCodes.WARNINGS;
     }
     return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
+  }
+
+  /**
+   * Renders the pilot, if there is one, and stores its plan in the film.
+   *
+   * @throws TaskException if the film has samples of another plan
+   */
+  private void plan(FilmRenderer renderer, Optional<FilmHeader> header)
+      throws TaskException, InterruptedException {
+    Optional<SplitReport> splitting = renderer.plan(monitor);
+    if (splitting.isEmpty()) {
+      return;
+    }
+    String hash = splitting.get().hash();
+    if (header.isPresent()) {
+      String found = header.get().identity().getOrDefault(FilmHeader.SPLIT_PLAN, "nothing");
+      if (!found.equals(hash)) {
+        throw new TaskException(
+            Kind.SCENE,
+            "%s: the film has %s, the pilot render of --split auto now has %s; the film cannot be"
+                    .formatted(FilmHeader.SPLIT_PLAN, found, hash)
+                + " resumed, only developed: start a new one");
+      }
+    }
+    keeper.identify(FilmHeader.SPLIT_PLAN, hash);
   }
 
   /**

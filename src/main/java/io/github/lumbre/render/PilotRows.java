@@ -1,0 +1,104 @@
+package io.github.lumbre.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+
+/**
+ * Renders the rows of a pilot.
+ *
+ * @param threads number of threads to start; 0 renders in the calling thread
+ * @param isStopped whether the pilot must end; called by all threads
+ */
+record PilotRows(int threads, BooleanSupplier isStopped) {
+  /** Renders in the calling thread. */
+  static final PilotRows HERE = new PilotRows(0, () -> false);
+
+  /** Thrown if the pilot was stopped, so that there is no result. */
+  static final class Stopped extends Exception {
+    private static final long serialVersionUID = 1;
+  }
+
+  /** Renders a row. */
+  interface Row<T> {
+    /**
+     * Renders a row, for one thread.
+     *
+     * @throws InterruptedException if the thread is interrupted
+     */
+    T render(int row) throws InterruptedException, Stopped;
+  }
+
+  /** Checks whether to go on; rows call this before each pixel. */
+  void check() throws InterruptedException, Stopped {
+    if (Thread.interrupted()) {
+      throw new InterruptedException("the pilot render was interrupted");
+    }
+    if (isStopped.getAsBoolean()) {
+      throw new Stopped();
+    }
+  }
+
+  /**
+   * Renders all rows and returns them in order.
+   *
+   * @throws InterruptedException if the calling thread is interrupted; all threads have then ended
+   * @throws Stopped if the pilot was stopped; all threads have then ended
+   * @throws RenderException if a row failed
+   */
+  <T> List<T> render(int rows, Row<T> row) throws InterruptedException, Stopped {
+    List<T> done = new ArrayList<>();
+    if (threads == 0) {
+      for (int number = 0; number < rows; number++) {
+        done.add(row.render(number));
+      }
+      return done;
+    }
+    ExecutorService pool =
+        Executors.newFixedThreadPool(
+            Math.min(threads, rows),
+            task -> {
+              Thread thread = new Thread(task, "lumbre-pilot");
+              thread.setDaemon(true);
+              return thread;
+            });
+    try {
+      List<Callable<T>> tasks = new ArrayList<>();
+      IntStream.range(0, rows).forEach(number -> tasks.add(() -> row.render(number)));
+      for (Future<T> result : pool.invokeAll(tasks)) {
+        done.add(result.get());
+      }
+      return done;
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof Stopped stopped) {
+        throw stopped;
+      }
+      throw Crew.failure(e.getCause());
+    } finally {
+      pool.shutdownNow();
+      awaitEnd(pool);
+    }
+  }
+
+  /** Waits for the threads, which end with their pixel, and restores the interrupt status. */
+  private static void awaitEnd(ExecutorService pool) {
+    boolean interrupted = Thread.interrupted();
+    while (!pool.isTerminated()) {
+      try {
+        pool.awaitTermination(1, TimeUnit.SECONDS);
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}
