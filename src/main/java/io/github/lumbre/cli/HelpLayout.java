@@ -55,7 +55,8 @@ final class HelpLayout {
             "--up",
             "--unit"));
     FLAGS.put("Frame", List.of("--size", "--crop", "--filter"));
-    FLAGS.put("Light transport", List.of("--mode", "--depth", "--split", "--pilot", "--clamp", "--seed"));
+    FLAGS.put(
+        "Light transport", List.of("--mode", "--depth", "--split", "--pilot", "--clamp", "--seed"));
     FLAGS.put(
         "When to stop",
         List.of(

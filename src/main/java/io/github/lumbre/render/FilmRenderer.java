@@ -75,7 +75,13 @@ public final class FilmRenderer implements PassRenderer {
   @SuppressWarnings("exports") // internal
   public FilmRenderer(
       RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
-    this(settings, scene, IntegratorSource.of(integrator), samplers, UnaryOperator.identity(), new OwnThreads());
+    this(
+        settings,
+        scene,
+        IntegratorSource.of(integrator),
+        samplers,
+        UnaryOperator.identity(),
+        new OwnThreads());
   }
 
   private FilmRenderer(
@@ -128,8 +134,8 @@ public final class FilmRenderer implements PassRenderer {
   }
 
   /**
-   * Renders the pilot of {@link RenderSettings#AUTO_SPLIT} if there is none yet. The first pass does
-   * so as well.
+   * Renders the pilot of {@link RenderSettings#AUTO_SPLIT} if there is none yet. The first pass
+   * does so as well.
    *
    * @param progress can cancel it
    * @return the report; empty if the pilot was cancelled, and with other settings
@@ -271,9 +277,7 @@ public final class FilmRenderer implements PassRenderer {
   }
 
   private int threads() {
-    return settings.threads() == 0
-        ? Runtime.getRuntime().availableProcessors()
-        : settings.threads();
+    return PilotRows.threads(settings);
   }
 
   private List<Bucket> buckets(RenderSettings.Crop window) {

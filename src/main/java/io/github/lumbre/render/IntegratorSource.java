@@ -56,8 +56,7 @@ interface IntegratorSource {
     }
 
     @Override
-    public synchronized Planned get(PilotRows crew)
-        throws InterruptedException, PilotRows.Stopped {
+    public synchronized Planned get(PilotRows crew) throws InterruptedException, PilotRows.Stopped {
       if (planned.isEmpty()) {
         SplitReport chosen = SplitPilot.choose(settings, scene, crew);
         Integrator integrator = Integrator.of(scene, chosen.applyTo(settings));

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -20,6 +21,18 @@ import java.util.stream.IntStream;
 record PilotRows(int threads, BooleanSupplier isStopped) {
   /** Renders in the calling thread. */
   static final PilotRows HERE = new PilotRows(0, () -> false);
+
+  /** Returns rows on as many threads as the settings allow. */
+  static PilotRows of(RenderSettings settings) {
+    return new PilotRows(threads(settings), () -> false);
+  }
+
+  /** Returns the number of threads of a render. */
+  static int threads(RenderSettings settings) {
+    return settings.threads() == 0
+        ? Runtime.getRuntime().availableProcessors()
+        : settings.threads();
+  }
 
   /** Thrown if the pilot was stopped, so that there is no result. */
   static final class Stopped extends Exception {

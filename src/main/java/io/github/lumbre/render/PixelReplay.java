@@ -50,7 +50,7 @@ public final class PixelReplay {
     IntegratorSource source = IntegratorSource.of(settings, scene);
     while (true) {
       try {
-        return source.get(PilotRows.HERE);
+        return source.get(PilotRows.of(settings));
       } catch (InterruptedException e) {
         isInterrupted = true;
       } catch (PilotRows.Stopped e) {

@@ -4,11 +4,11 @@ import java.util.Arrays;
 
 /**
  * Chooses numbers of branches from the errors and the rays of pilot pixels. The model: with n
- * branches, a pixel's squared error is {@code shared + scattered / n}, and its rays grow by the same
- * number for each branch. Both are measured with 1 and with 4 branches.
+ * branches, a pixel's squared error is {@code shared + scattered / n}, and its rays grow by the
+ * same number for each branch. Both are measured with 1 and with 4 branches.
  *
- * <p>The pilot has two independent halves. What one half chooses is judged by the other one, so that
- * a choice that follows noise does not seem to gain. Immutable; all sums have a fixed order.
+ * <p>The pilot has two independent halves. What one half chooses is judged by the other one, so
+ * that a choice that follows noise does not seem to gain. Immutable; all sums have a fixed order.
  */
 final class SplitChoice {
   /** Logarithm to the base 2 of the largest number of branches, which is measured. */

@@ -67,8 +67,7 @@ final class SplitPilot {
     this.settings = settings;
     this.scene = scene;
     this.crew = crew;
-    integrator =
-        new PathTracer(scene, PathOptions.of(settings).splitInto(PathOptions.PLANNED));
+    integrator = new PathTracer(scene, PathOptions.of(settings).splitInto(PathOptions.PLANNED));
     pixels = PilotGrid.of(settings, settings.splitPilot());
   }
 
@@ -229,7 +228,9 @@ final class SplitPilot {
       Rgb sum = Rgb.BLACK;
       int count = 0;
       for (int v = Math.max(0, row - 1); v <= Math.min(pixels.rows() - 1, row + 1); v++) {
-        for (int u = Math.max(0, column - 1); u <= Math.min(pixels.columns() - 1, column + 1); u++) {
+        for (int u = Math.max(0, column - 1);
+            u <= Math.min(pixels.columns() - 1, column + 1);
+            u++) {
           if (u != column || v != row) {
             for (Rgb mean : rendered.get(v * pixels.columns() + u).means) {
               sum = sum.plus(mean);
@@ -248,7 +249,8 @@ final class SplitPilot {
   }
 
   /** Returns the plan for the whole frame. */
-  private SplitPlan plan(SplitCells cells, int[] exponents) throws InterruptedException, PilotRows.Stopped {
+  private SplitPlan plan(SplitCells cells, int[] exponents)
+      throws InterruptedException, PilotRows.Stopped {
     int most = Math.min(SplitPlan.MOST_CELLS, GRID * settings.splitPilot());
     PilotGrid grid = PilotGrid.of(settings, most);
     byte[] plan = new byte[grid.columns() * grid.rows()];
@@ -267,7 +269,6 @@ final class SplitPilot {
     for (int row = 0; row < rows.size(); row++) {
       System.arraycopy(rows.get(row), 0, plan, row * grid.columns(), grid.columns());
     }
-    return new SplitPlan(
-        settings.width(), settings.height(), grid.columns(), grid.rows(), plan);
+    return new SplitPlan(settings.width(), settings.height(), grid.columns(), grid.rows(), plan);
   }
 }

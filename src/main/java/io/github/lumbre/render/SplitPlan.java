@@ -87,8 +87,7 @@ final class SplitPlan {
     ByteBuffer numbers = ByteBuffer.allocate(16 + exponents.length);
     numbers.putInt(width).putInt(height).putInt(columns).putInt(rows).put(exponents);
     try {
-      return HexFormat.of()
-          .formatHex(MessageDigest.getInstance("SHA-256").digest(numbers.array()));
+      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(numbers.array()));
     } catch (NoSuchAlgorithmException e) {
       throw new AssertionError("every Java platform has SHA-256", e);
     }

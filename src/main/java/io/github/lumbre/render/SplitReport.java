@@ -59,7 +59,7 @@ public final class SplitReport {
    */
   public static SplitReport of(RenderSettings settings, Scene scene) throws InterruptedException {
     try {
-      return SplitPilot.choose(settings, scene.framed(settings.aspect()), PilotRows.HERE);
+      return SplitPilot.choose(settings, scene.framed(settings.aspect()), PilotRows.of(settings));
     } catch (PilotRows.Stopped e) {
       throw new AssertionError("nothing stops it", e);
     }
@@ -138,8 +138,8 @@ public final class SplitReport {
       case BETTER ->
           String.format(
               Locale.ROOT,
-              "paths are split into %s: %.2f times as efficient (at least %.2f) in a pilot render of"
-                  + " %d rays",
+              "paths are split into %s: %.2f times as efficient (at least %.2f) in a pilot render"
+                  + " of %d rays",
               numbers(),
               gain,
               bound,

@@ -55,8 +55,7 @@ class SplitPlanFilmTest {
         .containsEntry("split", "auto")
         .containsEntry("split-pilot", "1024")
         .containsEntry(FilmHeader.SPLIT_PLAN, splitting.get("plan").getAsString());
-    assertDone(
-        Outcome.of("resume", path("a.film"), "-s", "4", "--threads", "3", "--bucket", "5"));
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "4", "--threads", "3", "--bucket", "5"));
     assertDone(
         render(
             "b.pfm",
@@ -81,8 +80,7 @@ class SplitPlanFilmTest {
 
   @Test
   void aFilmIsNotResumedWithAnotherPlan() throws IOException {
-    assertDone(
-        render("a.pfm", "-s", "2", "--pilot", "256", "--checkpoint", path("a.film")));
+    assertDone(render("a.pfm", "-s", "2", "--pilot", "256", "--checkpoint", path("a.film")));
     setPlan("0".repeat(64));
     Outcome.of("resume", path("a.film"), "-s", "4")
         .assertFailed(ExitCodes.SCENE, "split-plan: the film has 000", "start a new one");

@@ -66,8 +66,7 @@ class SplitPilotTest {
     Scene scene = file.scene().framed(settings.aspect());
     SplitReport here = choose(settings, scene);
     for (int threads : new int[] {1, 3}) {
-      SplitReport there =
-          SplitPilot.choose(settings, scene, new PilotRows(threads, () -> false));
+      SplitReport there = SplitPilot.choose(settings, scene, new PilotRows(threads, () -> false));
       assertThat(there.values()).isEqualTo(here.values());
     }
     RenderSettings other =
@@ -210,9 +209,7 @@ class SplitPilotTest {
     for (int threads : new int[] {0, 2}) {
       Thread.currentThread().interrupt();
       assertThatThrownBy(
-              () ->
-                  SplitPilot.choose(
-                      file.settings(), scene, new PilotRows(threads, () -> false)))
+              () -> SplitPilot.choose(file.settings(), scene, new PilotRows(threads, () -> false)))
           .isInstanceOf(InterruptedException.class);
       assertThat(Thread.interrupted()).isFalse();
     }

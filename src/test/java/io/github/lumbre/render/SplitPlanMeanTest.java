@@ -30,8 +30,7 @@ class SplitPlanMeanTest {
     double[][] auto = means(name, RenderSettings.AUTO_SPLIT);
     for (int part = 0; part < PARTS; part++) {
       double difference = Math.abs(mean(whole[part]) - mean(auto[part]));
-      double error =
-          Math.sqrt((variance(whole[part]) + variance(auto[part])) / RENDERS);
+      double error = Math.sqrt((variance(whole[part]) + variance(auto[part])) / RENDERS);
       assertThat(error).as("standard error").isLessThan(.02 * mean(whole[part]));
       assertThat(difference / error).as("%s, part %d", name, part).isLessThan(CRITICAL);
     }

@@ -119,8 +119,7 @@ public final class PlanReport {
       return "skipped, ray mode has no paths";
     }
     int pixels =
-        SplitReport.pilotPixels(
-            (long) settings.width() * settings.height(), settings.samples());
+        SplitReport.pilotPixels((long) settings.width() * settings.height(), settings.samples());
     RenderSettings auto =
         settings.toBuilder().split(RenderSettings.AUTO_SPLIT).splitPilot(pixels).build();
     try {

@@ -65,6 +65,7 @@ final class Drafts {
         settings.toBuilder()
             .size(width, height)
             .samples(1)
+            .split(Math.max(1, settings.split()))
             .set(Setting.LAYERS, Set.of())
             .adaptive(false)
             .build();
