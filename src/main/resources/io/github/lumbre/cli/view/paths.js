@@ -77,11 +77,18 @@ const Paths = (() => {
     }));
   };
 
+  // On a wide screen the panel scrolls by itself, and the picture stays where it is.
+  const reveal = () => {
+    const section = $('paths'), panel = section.parentElement;
+    if (matchMedia('(max-width: 760px)').matches) return;
+    section.scrollIntoView({block: section.offsetHeight > panel.clientHeight ? 'start' : 'nearest'});
+  };
+
   const load = async (x, y, sample, redraw) => {
     const mine = ++serial;
     pixel = [x, y];
     $('paths').hidden = false;
-    if (matchMedia('(min-width: 761px)').matches) $('paths').scrollIntoView({block: 'nearest'});
+    reveal();
     $('pathshead').textContent = `Paths of pixel ${x}, ${y}`;
     $('pathnote').textContent = 'Repeating its samples…';
     redraw();
@@ -97,6 +104,7 @@ const Paths = (() => {
         : `Sample ${sample}:`;
       list(redraw);
       choose(0, redraw);
+      reveal();
     } catch (e) {
       if (mine !== serial) return;
       all = [];
