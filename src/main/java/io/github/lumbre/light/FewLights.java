@@ -53,7 +53,7 @@ final class FewLights implements NearLights {
       sum += weight;
       lit += weight > 0 ? 1 : 0;
     }
-    if (!isUsable(sum)) {
+    if (!NearLights.isUsable(sum)) {
       choice.set(emitters[(int) (u * count)], 1.0 / count);
       return;
     }
@@ -84,17 +84,9 @@ final class FewLights implements NearLights {
       lit += weight > 0 ? 1 : 0;
       own = i == places[emitter] ? weight : own;
     }
-    if (!isUsable(sum)) {
+    if (!NearLights.isUsable(sum)) {
       return 1.0 / emitters.length;
     }
     return own > 0 ? (1 - EVEN_SHARE) / sum * own + EVEN_SHARE / lit : 0;
-  }
-
-  /**
-   * Returns whether a sum of weights can be used. At the position of a point light the weight is
-   * infinite, and the reciprocal of a subnormal sum may overflow.
-   */
-  private static boolean isUsable(double sum) {
-    return sum >= Double.MIN_NORMAL && sum < Double.POSITIVE_INFINITY;
   }
 }

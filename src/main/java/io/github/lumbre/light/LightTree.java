@@ -4,29 +4,29 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A binary tree over many lights at finite distances, which selects a light approximately in
- * proportion to its irradiance at a point. The time grows with the logarithm of the number of
- * lights. Immutable.
+ * A tree over many lights at finite distances, which selects a light approximately in proportion to
+ * its irradiance at a point. Nodes have up to eight children, so that a traversal visits few nodes
+ * and computes the importance of all children of a node in one loop. The time grows with the
+ * logarithm of the number of lights. Immutable.
  *
- * <p>From the root on, the traversal descends to the left or right child in proportion to the
- * importance of each (PBRT 4e, sec. 12.6.3, after Conty Estevez &amp; Kulla 2018). Their splitting,
- * which samples more than one light, is left out: a vertex samples one light.
+ * <p>From the root on, the traversal descends to a child in proportion to the importance of each
+ * (PBRT 4e, sec. 12.6.3, after Conty Estevez &amp; Kulla 2018, there with two children). Their
+ * splitting, which samples more than one light, is left out: a vertex samples one light.
  */
 final class LightTree implements NearLights {
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
-  private final LightNodes nodes;
+  private final LightTreeLayout layout;
 
-  /** The number of emitters in each node, relative to that of its parent. */
-  private final double[] shareOfParent;
+  /** The bounds of the root's children, which stand for all lights against those elsewhere. */
+  private final LightNodes top;
 
-  /** The index of each node's left child, which the right one follows; for a leaf, ~emitter. */
+  /** The bounds of all children. */
+  private final LightTreeBounds bounds;
+
+  private final int[] firstChildren;
   private final int[] children;
-
-  private final int[] parents;
-
-  /** The index of the leaf of each emitter in the tree. */
-  private final int[] leaves;
+  private final int[] sizes;
 
   /**
    * @param items at least one; this constructor reorders the list
@@ -34,83 +34,105 @@ final class LightTree implements NearLights {
    */
   LightTree(List<LightTreeBuilder.Item> items, int count) {
     LightTreeBuilder.Node[] built = LightTreeBuilder.build(items);
-    nodes =
-        new LightNodes(
-            Arrays.stream(built).map(LightTreeBuilder.Node::bounds).toArray(LightBounds[]::new));
-    shareOfParent = new double[built.length];
-    children = new int[built.length];
-    parents = new int[built.length];
-    leaves = new int[count];
-    for (int node = 0; node < built.length; node++) {
-      parents[node] = built[node].parent();
-      children[node] = built[node].child();
-      shareOfParent[node] = (double) built[node].size() / built[parents[node]].size();
-      if (children[node] < 0) {
-        leaves[~children[node]] = node;
-      }
-    }
+    layout = LightTreeLayout.of(built, count);
+    LightBounds[] all = layout.bounds();
+    bounds = new LightTreeBounds(built[0].bounds().box(), all);
+    firstChildren = layout.firstChildren();
+    top = new LightNodes(Arrays.copyOf(all, firstChildren[1]));
+    children = layout.children();
+    sizes = layout.sizes();
   }
 
   @Override
   public double irradiance(LightChoice receiver) {
-    int left = children[0];
-    return nodes.importance(left, receiver) + nodes.importance(left + 1, receiver);
+    double sum = 0;
+    for (int child = 0; child < firstChildren[1]; child++) {
+      sum += top.importance(child, receiver);
+    }
+    return sum;
   }
 
   @Override
   public void choose(double u, LightChoice choice) {
+    double[] weights = choice.weights;
     boolean isEven = u < EVEN_SHARE;
     double rest = isEven ? u / EVEN_SHARE : (u - EVEN_SHARE) / (1 - EVEN_SHARE);
     double probability = 1 - EVEN_SHARE;
     double even = EVEN_SHARE;
     int node = 0;
-    while (children[node] > 0) {
-      int left = children[node];
-      double share = leftShare(left, choice);
-      double byNumber = evenShare(left, share);
-      double threshold = isEven ? byNumber : share;
-      boolean goesLeft = rest < threshold;
-      rest = goesLeft ? rest / threshold : (rest - threshold) / (1 - threshold);
-      rest = Math.min(rest, BELOW_ONE);
-      node = goesLeft ? left : left + 1;
-      probability *= goesLeft ? share : 1 - share;
-      even *= goesLeft ? byNumber : 1 - byNumber;
+    while (node >= 0) {
+      int first = firstChildren[node];
+      int end = firstChildren[node + 1];
+      double sum = weigh(first, end, choice);
+      double number = lightingEmitters(first, end, weights);
+      // Find the child to which the random number belongs. Rounding may leave a remainder after the
+      // last child, which then is selected.
+      rest *= isEven ? number : sum;
+      int chosen = first;
+      double share = 0;
+      for (int child = first; child < end; child++) {
+        double weight = weights[child - first];
+        if (weight > 0) {
+          chosen = child;
+          share = isEven ? sizes[child] : weight;
+          if (rest < share) {
+            break;
+          }
+          rest -= share;
+        }
+      }
+      rest = Math.min(rest / share, BELOW_ONE);
+      probability *= weights[chosen - first] / sum;
+      even *= sizes[chosen] / number;
+      node = children[chosen];
     }
-    choice.set(~children[node], even + probability);
+    choice.set(~node, even + probability);
   }
 
   @Override
   public double probability(LightChoice receiver, int emitter) {
+    double[] weights = receiver.weights;
     double probability = 1 - EVEN_SHARE;
     double even = EVEN_SHARE;
-    for (int node = leaves[emitter]; node > 0; node = parents[node]) {
-      // Left children have odd indices.
-      boolean isLeft = (node & 1) != 0;
-      int left = isLeft ? node : node - 1;
-      double share = leftShare(left, receiver);
-      double byNumber = evenShare(left, share);
-      probability *= isLeft ? share : 1 - share;
-      even *= isLeft ? byNumber : 1 - byNumber;
+    int child = layout.leaf(emitter);
+    while (child >= 0) {
+      int node = layout.node(child);
+      int first = firstChildren[node];
+      int end = firstChildren[node + 1];
+      double sum = weigh(first, end, receiver);
+      double weight = weights[child - first];
+      if (!(weight > 0)) {
+        return 0;
+      }
+      probability *= weight / sum;
+      even *= sizes[child] / lightingEmitters(first, end, weights);
+      child = layout.parent(node);
     }
     return even + probability;
   }
 
   /**
-   * Returns the probability of descending to the left child; 0.5 where the sum of the importances
-   * is 0 or infinite.
+   * Computes the weights of the children of a node, which are their importances; all are 1 if the
+   * sum of the importances cannot be used. Returns the sum of the weights.
    */
-  private double leftShare(int left, LightChoice receiver) {
-    double one = nodes.importance(left, receiver);
-    double other = nodes.importance(left + 1, receiver);
-    double sum = one + other;
-    return sum > 0 && sum < Double.POSITIVE_INFINITY ? one / sum : .5;
+  private double weigh(int first, int end, LightChoice receiver) {
+    double[] weights = receiver.weights;
+    double sum = bounds.weigh(first, end, receiver, weights);
+    if (NearLights.isUsable(sum)) {
+      return sum;
+    }
+    for (int child = first; child < end; child++) {
+      weights[child - first] = 1;
+    }
+    return end - first;
   }
 
-  /**
-   * Returns the probability of descending to the left child by the number of emitters, but never to
-   * a child that cannot light the point.
-   */
-  private double evenShare(int left, double share) {
-    return share > 0 && share < 1 ? shareOfParent[left] : share;
+  /** Returns the number of emitters in those children of a node that can light the point. */
+  private double lightingEmitters(int first, int end, double[] weights) {
+    int number = 0;
+    for (int child = first; child < end; child++) {
+      number += weights[child - first] > 0 ? sizes[child] : 0;
+    }
+    return number;
   }
 }

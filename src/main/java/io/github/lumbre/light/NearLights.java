@@ -21,4 +21,12 @@ sealed interface NearLights permits FewLights, LightTree {
 
   /** Returns the probability with which {@link #choose} selects an emitter. */
   double probability(LightChoice receiver, int emitter);
+
+  /**
+   * Returns whether a sum of weights can be used. At the position of a point light the weight is
+   * infinite, and the reciprocal of a subnormal sum may overflow.
+   */
+  static boolean isUsable(double sum) {
+    return sum >= Double.MIN_NORMAL && sum < Double.POSITIVE_INFINITY;
+  }
 }

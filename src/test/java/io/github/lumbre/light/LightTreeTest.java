@@ -148,24 +148,55 @@ class LightTreeTest {
    * Spot lights of all widths, seen from just inside their edges, which are the hardest cones to
    * bound.
    */
-  @Test
-  void edgesOfConesCanBeChosen() {
+  @ParameterizedTest
+  @ValueSource(ints = {4, 40})
+  void edgesOfConesCanBeChosen(int others) {
     SplittableRandom random = new SplittableRandom(7);
     for (int i = 0; i < 2000; i++) {
       PointLight bulb = new PointLight(point(random, SCENE), Rgb.WHITE, Falloff.INVERSE_SQUARE);
       double degrees = Math.pow(10, random.nextDouble(-5, Math.log10(90)));
       Vec3 axis = direction(random);
-      List<Light> lights = lights(4, i);
+      List<Light> lights = lights(others, i);
       lights.add(new SpotLight(bulb, axis, degrees, 0));
       double angle = Math.toRadians(degrees) * (1 - 1e-6);
       Vec3 along = axis.times(Math.cos(angle)).plus(Math.sin(angle), Frame.around(axis).tangent());
       Vec3 from = bulb.position().plus(random.nextDouble(.1, 9), along);
-      assertThat(lights.get(4).sample(from, new Point2(0, 0))).isPresent();
+      assertThat(lights.get(others).sample(from, new Point2(0, 0))).isPresent();
 
       LightSampler selector = LightSampler.over(lights);
 
-      assertThat(probability(selector, from, Vec3.ZERO, 4)).isGreaterThan(1e-3);
+      assertThat(probability(selector, from, Vec3.ZERO, others)).isGreaterThan(1e-3);
     }
+  }
+
+  /** Far away, rounding is large beside the size of the lights. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e2, 1e4, 1e6, 1e9})
+  void farPointsCanBeLitByAllLightsThatFaceThem(double distance) {
+    SplittableRandom random = new SplittableRandom(8);
+    Emission glow = new Emission(Texture.constant(Rgb.WHITE), false);
+    List<Light> lights = new ArrayList<>();
+    for (int i = 0; i < 60; i++) {
+      Transform place =
+          Transform.translation(point(random, SCENE))
+              .times(Transform.rotationDegrees(point(random, 180)));
+      lights.add(new AreaLight(new Rectangle(place, .1, .1, false), glow));
+    }
+    LightSampler selector = LightSampler.over(lights);
+    int lit = 0;
+    for (int i = 0; i < 200; i++) {
+      Vec3 from = direction(random).times(distance);
+      // A surface that sees the lights at a grazing angle.
+      Vec3 normal = Frame.around(from.normalized()).tangent();
+      for (int index = 0; index < lights.size(); index++) {
+        Optional<LightSample> sample = lights.get(index).sample(from, new Point2(.5, .5));
+        if (sample.isPresent() && sample.get().wi().dot(normal) > 0) {
+          lit++;
+          assertThat(probability(selector, from, normal, index)).isPositive();
+        }
+      }
+    }
+    assertThat(lit).isGreaterThan(1000);
   }
 
   @Test
