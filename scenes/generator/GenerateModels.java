@@ -67,6 +67,12 @@ public final class GenerateModels {
       Tableware.wineGlass()
           .write(models.resolve("wine-glass.obj"), "A wine glass, 0.21 units tall.");
     }
+    if (wants("pool-water")) {
+      HardLight.water().write(models.resolve("pool-water.obj"), "The surface of a pool.");
+    }
+    if (wants("lamp-shade")) {
+      HardLight.shade().write(models.resolve("lamp-shade.obj"), "A lamp shade, 0.24 units tall.");
+    }
     if (wants("tumbler")) {
       Tableware.tumbler().write(models.resolve("tumbler.obj"), "A tumbler, 0.095 units tall.");
     }

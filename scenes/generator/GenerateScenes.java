@@ -38,6 +38,7 @@ public final class GenerateScenes {
     scenes.add(torusKnot());
     scenes.add(lantern());
     scenes.add(clockwork());
+    scenes.addAll(HardLight.all());
     scenes.addAll(TableScenes.all());
     for (Scene scene : scenes) {
       Files.writeString(folder.resolve(scene.name + ".json"), scene.toJson());

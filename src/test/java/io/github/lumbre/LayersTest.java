@@ -42,8 +42,8 @@ class LayersTest {
   private static final String BASIC = "math image sampling texture geometry";
   private static final String LIBRARY =
       BASIC
-          + " file text limit path material camera light scene model integrator render parser checkpoint"
-          + " denoise stopping preview audit compare";
+          + " file text limit path material camera light scene model guiding integrator render parser"
+          + " checkpoint denoise stopping preview audit compare";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -61,8 +61,10 @@ class LayersTest {
           Map.entry("camera", "math image sampling"),
           Map.entry("light", BASIC),
           Map.entry("scene", BASIC + " text material camera light"),
-          Map.entry("integrator", BASIC + " path material camera light scene"),
-          Map.entry("render", "limit math image sampling geometry path camera scene integrator"),
+          Map.entry("guiding", ""),
+          Map.entry("integrator", BASIC + " path material camera light scene guiding"),
+          Map.entry(
+              "render", "limit math image sampling geometry path camera scene guiding integrator"),
           Map.entry("model", BASIC + " file limit material camera light scene"),
           Map.entry("parser", BASIC + " file text limit material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),

@@ -61,6 +61,12 @@ public record FilmHeader(
    */
   public static final String SPLIT_PLAN = "split-plan";
 
+  /**
+   * Name in the identity: hash of the guide of a pilot render, with {@link Setting#GUIDE}. It is
+   * known once the pilot is rendered.
+   */
+  public static final String GUIDE_HASH = "guide-hash";
+
   private static final String NOTHING = "nothing";
 
   /** The settings that every identity contains in an entry with its own format. */

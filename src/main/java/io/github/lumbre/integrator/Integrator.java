@@ -1,6 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.sampling.Sampler;
@@ -11,8 +12,17 @@ import io.github.lumbre.scene.Scene;
 public interface Integrator {
   /** Returns the integrator that the settings select: a path tracer or a ray tracer. */
   static Integrator of(Scene scene, RenderSettings settings) {
+    return of(scene, settings, Guide.NONE);
+  }
+
+  /**
+   * Returns the integrator that the settings select.
+   *
+   * @param guide where a path tracer learned that light comes from
+   */
+  static Integrator of(Scene scene, RenderSettings settings, Guide guide) {
     return switch (settings.mode()) {
-      case PATH -> new PathTracer(scene, PathOptions.of(settings));
+      case PATH -> new PathTracer(scene, PathOptions.of(settings), guide);
       case RAY ->
           new RayTracer(scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());
     };

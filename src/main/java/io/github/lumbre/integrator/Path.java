@@ -8,9 +8,18 @@ import io.github.lumbre.image.Rgb;
  * numbers because every vertex changes all of them.
  */
 final class Path {
+  /** The smallest probability with which roulette continues a guided path. */
+  private static final double LEAST_SURVIVAL = .1;
+
+  /** Part of the expected light, as a divisor, below which roulette may end a guided path. */
+  private static final double SLACK = 3;
+
   private double red, green, blue;
   private double throughputRed, throughputGreen, throughputBlue;
   private double pdf;
+
+  /** Light that the path was expected to find at its first guided vertex; below 0 before it. */
+  private double expected;
 
   private int branches;
 
@@ -32,6 +41,7 @@ final class Path {
     throughputGreen = 1;
     throughputBlue = 1;
     pdf = Double.POSITIVE_INFINITY;
+    expected = -1;
     branches = 1;
   }
 
@@ -90,6 +100,22 @@ final class Path {
     throughputRed *= r;
     throughputGreen *= g;
     throughputBlue *= b;
+  }
+
+  /**
+   * Returns the probability with which roulette should continue the path at a vertex, by the light
+   * that the path is expected to find beyond it, compared with its first vertex (Vorba and Krivanek
+   * 2016, "Adjoint-Driven Russian Roulette and Splitting"). A guided path has a low throughput where
+   * much light is, so that the throughput alone would end the wrong paths.
+   *
+   * @param mean mean radiance that the vertex scatters
+   */
+  double survival(double mean) {
+    double now = mean * branches * (throughputRed + throughputGreen + throughputBlue);
+    if (expected < 0) {
+      expected = now;
+    }
+    return expected > 0 ? Math.max(LEAST_SURVIVAL, Math.min(1, SLACK * now / expected)) : 1;
   }
 
   /** Returns the largest component of the throughput, not divided by the number of branches. */

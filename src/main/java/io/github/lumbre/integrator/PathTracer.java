@@ -3,6 +3,7 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
@@ -65,6 +66,11 @@ public final class PathTracer implements Integrator {
   /** Whether rays may pass straight through some surface or an absorbing medium. */
   private final boolean hasPassing;
 
+  private final Guide guide;
+
+  /** Whether the guide has learned anything. */
+  private final boolean isGuided;
+
   /**
    * Creates a path tracer with the default options.
    *
@@ -77,10 +83,19 @@ public final class PathTracer implements Integrator {
 
   /** Creates a path tracer with the given options. */
   public PathTracer(Scene scene, PathOptions options) {
-    this(scene, options, options.lightSampler().over(scene));
+    this(scene, options, Guide.NONE);
+  }
+
+  /** Creates a path tracer with the given options and a guide to where light comes from. */
+  public PathTracer(Scene scene, PathOptions options, Guide guide) {
+    this(scene, options, options.lightSampler().over(scene), guide);
   }
 
   PathTracer(Scene scene, PathOptions options, LightSampler selector) {
+    this(scene, options, selector, Guide.NONE);
+  }
+
+  private PathTracer(Scene scene, PathOptions options, LightSampler selector, Guide guide) {
     this.scene = Objects.requireNonNull(scene, "scene");
     maxDepth = options.maxDepth();
     heuristic = options.heuristic();
@@ -96,6 +111,8 @@ public final class PathTracer implements Integrator {
     hasBackplate = scene.backplate().isPresent();
     hasTransparency = scene.hasTransparency();
     hasPassing = Passing.isNeeded(scene);
+    this.guide = Objects.requireNonNull(guide, "guide");
+    isGuided = !guide.isEmpty();
   }
 
   @Override
@@ -193,6 +210,9 @@ public final class PathTracer implements Integrator {
     }
     int dimension = Sampler.vertex(depth);
     boolean isSpecular = vertex.bsdf().isSpecular();
+    if (isGuided) {
+      vertex.findIn(guide);
+    }
     if (branches(context) > 1 && !isSpecular && !path.isSplit()) {
       if (samplesLights) {
         direct(vertex, sampler, dimension, context);
@@ -228,7 +248,13 @@ public final class PathTracer implements Integrator {
     int dimension = Sampler.vertex(depth);
     BsdfSample sample = context.scattered;
     double uLobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
-    vertex.sample(uLobe, u, v, sample);
+    double survival = 1;
+    if (vertex.isGuided()) {
+      survival = path.survival(guide.mean(vertex.cell()));
+      context.guiding.sample(guide, vertex, uLobe, u, v, sample);
+    } else {
+      vertex.sample(uLobe, u, v, sample);
+    }
     if (sample.isAbsorbed()) {
       return end(End.ABSORBED, context);
     }
@@ -236,9 +262,10 @@ public final class PathTracer implements Integrator {
     path.leave(sample.pdf());
 
     // Russian roulette: end weak paths at random and divide the others by their probability.
-    double survival = 1;
-    if (depth >= firstRoulette) {
+    if (depth >= firstRoulette && !vertex.isGuided()) {
       survival = Math.min(1, path.throughput());
+    }
+    if (survival < 1) {
       if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {
         reportScattered(sample, survival, false, context);
         return false;
@@ -315,6 +342,9 @@ public final class PathTracer implements Integrator {
     double misWeight = 1;
     if (!light.isDelta()) {
       lightPdf *= light.pdf();
+      if (vertex.isGuided()) {
+        value.setPdf(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
+      }
       misWeight = heuristic.lightWeight(lightPdf, value.pdf());
     }
     if (context.isRecorded) {

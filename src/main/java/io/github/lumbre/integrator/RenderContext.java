@@ -37,6 +37,7 @@ public final class RenderContext {
   final LightChoice choice = new LightChoice();
   final LightSample light = new LightSample();
   final Passing passing = new Passing();
+  final Guiding guiding = new Guiding();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
@@ -65,6 +66,11 @@ public final class RenderContext {
    * without a recorder.
    */
   public static RenderContext recordedBy(PathRecorder recorder) {
+    return new RenderContext(recorder, true);
+  }
+
+  /** Returns a context that records where light was found, to learn a guide. */
+  public static RenderContext recordedBy(GuideRecorder recorder) {
     return new RenderContext(recorder, true);
   }
 

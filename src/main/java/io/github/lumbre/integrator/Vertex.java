@@ -1,6 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
@@ -20,6 +21,9 @@ import io.github.lumbre.math.Vec3;
 final class Vertex {
   private SurfaceHit surface;
   private Bsdf bsdf;
+
+  /** Where a guide has learned directions; {@link Guide#NO_CELL} if it has none. */
+  private int cell = Guide.NO_CELL;
 
   /** Unit direction back along the path, in the local shading frame. */
   private double outX, outY, outZ;
@@ -75,9 +79,39 @@ final class Vertex {
     choice.moveTo(surface.position(), surface.shadingNormal().times(side));
   }
 
+  /** Looks up the place of this vertex in a guide. A specular vertex has none. */
+  void findIn(Guide guide) {
+    if (bsdf.isSpecular()) {
+      cell = Guide.NO_CELL;
+      return;
+    }
+    Vec3 p = surface.position();
+    Vec3 n = surface.shadingNormal();
+    double side = Math.copySign(1, outZ);
+    cell = guide.cell(p.x(), p.y(), p.z(), side * n.x(), side * n.y(), side * n.z());
+  }
+
+  /** Returns the place of this vertex in the guide; {@link Guide#NO_CELL} if it has none. */
+  int cell() {
+    return cell;
+  }
+
+  /** Returns whether a guide has learned directions for this vertex. */
+  boolean isGuided() {
+    return cell != Guide.NO_CELL;
+  }
+
   /** Computes f·|cos θi| and the density of BSDF sampling for the direction of a light sample. */
   void evaluate(LightSample light, BsdfValue value) {
-    Vec3 wi = light.wi();
+    evaluate(light.wi(), value);
+  }
+
+  /**
+   * Computes f·|cos θi| and the density of BSDF sampling.
+   *
+   * @param wi unit direction in world space
+   */
+  void evaluate(Vec3 wi, BsdfValue value) {
     Vec3 local = surface.toLocal(wi);
     if (isConsistent(wi.x(), wi.y(), wi.z(), local.z())) {
       bsdf.evaluate(outX, outY, outZ, local.x(), local.y(), local.z(), value);

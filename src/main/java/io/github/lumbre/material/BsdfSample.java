@@ -39,6 +39,23 @@ public final class BsdfSample {
     pdf = newPdf;
   }
 
+  /**
+   * Sets the density to that of a mixture of densities, and the weight with it.
+   *
+   * @param newPdf density per solid angle, above 0
+   */
+  public void mix(double newPdf) {
+    scale(pdf / newPdf);
+    pdf = newPdf;
+  }
+
+  /** Multiplies the weight by a factor. */
+  public void scale(double factor) {
+    r *= factor;
+    g *= factor;
+    b *= factor;
+  }
+
   /** Sets a sample of a delta lobe, whose density is infinite. */
   public void setSpecular(Vec3 wi, Rgb weight) {
     set(wi, weight, Double.POSITIVE_INFINITY);

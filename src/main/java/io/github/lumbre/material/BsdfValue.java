@@ -36,6 +36,11 @@ public final class BsdfValue {
     pdf = newPdf;
   }
 
+  /** Sets the density alone, such as that of a mixture with other sampling techniques. */
+  public void setPdf(double newPdf) {
+    pdf = newPdf;
+  }
+
   /** Returns the red component of {@link #f}. */
   public double r() {
     return r;

@@ -163,6 +163,14 @@ public final class FilmRenderer implements PassRenderer {
     return integrators.report();
   }
 
+  /**
+   * Returns the report on the pilot render of {@link RenderSettings#guiding}, which the first pass
+   * begins with; empty before that and without guiding.
+   */
+  public Optional<GuideReport> guiding() {
+    return integrators.guiding();
+  }
+
   /** Returns whether the films of this renderer have alpha. */
   public boolean hasAlpha() {
     return hasAlpha;

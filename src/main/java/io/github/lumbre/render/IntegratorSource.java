@@ -1,7 +1,9 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Guiding;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
 import java.util.Optional;
@@ -24,8 +26,13 @@ interface IntegratorSource {
    */
   Planned get(PilotRows crew) throws InterruptedException, PilotRows.Stopped;
 
-  /** Returns the report on the pilot render; empty if there is none, or none yet. */
+  /** Returns the report on the pilot render of splitting; empty if there is none, or none yet. */
   default Optional<SplitReport> report() {
+    return Optional.empty();
+  }
+
+  /** Returns the report on the pilot render of guiding; empty if there is none, or none yet. */
+  default Optional<GuideReport> guiding() {
     return Optional.empty();
   }
 
@@ -38,17 +45,18 @@ interface IntegratorSource {
 
   /** Returns the source of the integrator that the settings select. */
   static IntegratorSource of(RenderSettings settings, Scene scene) {
-    return settings.split() == RenderSettings.AUTO_SPLIT
+    return settings.split() == RenderSettings.AUTO_SPLIT || settings.guiding() != Guiding.OFF
         ? new Piloted(settings, scene)
         : of(Integrator.of(scene, settings));
   }
 
-  /** A source that renders a pilot once. */
+  /** A source that renders each pilot once. */
   final class Piloted implements IntegratorSource {
     private final RenderSettings settings;
     private final Scene scene;
     private Optional<Planned> planned = Optional.empty();
     private volatile Optional<SplitReport> report = Optional.empty();
+    private volatile Optional<GuideReport> guiding = Optional.empty();
 
     private Piloted(RenderSettings settings, Scene scene) {
       this.settings = settings;
@@ -58,12 +66,32 @@ interface IntegratorSource {
     @Override
     public synchronized Planned get(PilotRows crew) throws InterruptedException, PilotRows.Stopped {
       if (planned.isEmpty()) {
-        SplitReport chosen = SplitPilot.choose(settings, scene, crew);
-        Integrator integrator = Integrator.of(scene, chosen.applyTo(settings));
-        planned = Optional.of(new Planned(integrator, chosen.plan()));
-        report = Optional.of(chosen);
+        Guide guide = guide(crew);
+        RenderSettings chosen = settings;
+        SplitPlan plan = SplitPlan.NONE;
+        if (settings.split() == RenderSettings.AUTO_SPLIT) {
+          SplitReport split = SplitPilot.choose(settings, scene, crew);
+          chosen = split.applyTo(settings);
+          plan = split.plan();
+          report = Optional.of(split);
+        }
+        planned = Optional.of(new Planned(Integrator.of(scene, chosen, guide), plan));
       }
       return planned.get();
+    }
+
+    private Guide guide(PilotRows crew) throws InterruptedException, PilotRows.Stopped {
+      if (settings.guiding() == Guiding.OFF) {
+        return Guide.NONE;
+      }
+      GuidePilot.Learned learned = GuidePilot.learn(settings, scene, crew);
+      guiding = Optional.of(learned.report());
+      return learned.guide();
+    }
+
+    @Override
+    public Optional<GuideReport> guiding() {
+      return guiding;
     }
 
     @Override

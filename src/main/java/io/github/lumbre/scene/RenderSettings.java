@@ -168,6 +168,11 @@ public final class RenderSettings {
     return pixels == AUTO_SPLIT ? SPLIT_PILOT : pixels;
   }
 
+  /** Returns {@link Setting#GUIDE}. */
+  public Guiding guiding() {
+    return get(Setting.GUIDE);
+  }
+
   /** Returns {@link Setting#CLAMP}. */
   public double clamp() {
     return get(Setting.CLAMP);
@@ -226,6 +231,16 @@ public final class RenderSettings {
             .collect(Collectors.joining(", ", "RenderSettings[", ""))
         + crop.map(window -> ", crop=" + window).orElse("")
         + "]";
+  }
+
+  /** Whether paths are guided to where a pilot render found light. */
+  public enum Guiding {
+    /** There is no pilot render. */
+    OFF,
+    /** Paths are guided. */
+    ON,
+    /** Paths are guided if the pilot render finds that more efficient. */
+    AUTO
   }
 
   /** The light transport algorithm. */
@@ -419,6 +434,11 @@ public final class RenderSettings {
     /** Sets {@link Setting#SPLIT_PILOT}. */
     public Builder splitPilot(int value) {
       return set(Setting.SPLIT_PILOT, value);
+    }
+
+    /** Sets {@link Setting#GUIDE}. */
+    public Builder guiding(Guiding value) {
+      return set(Setting.GUIDE, value);
     }
 
     /** Sets {@link Setting#CLAMP}. */

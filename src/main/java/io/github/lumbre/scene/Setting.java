@@ -112,6 +112,19 @@ public final class Setting<T> {
           .withFlag("--split", "N")
           .changingSamples();
 
+  /** Path mode: whether a pilot render learns where light comes from, and guides paths there. */
+  public static final Setting<RenderSettings.Guiding> GUIDE =
+      new Setting<>(
+              "guide",
+              Group.TRANSPORT,
+              new ChoiceType<>(RenderSettings.Guiding.class),
+              RenderSettings.Guiding.OFF,
+              "Path mode: off, on or auto. Learn in a pilot render where light comes from, and guide"
+                  + " paths there. Less noise where little light is found by chance, such as behind a"
+                  + " door or glass; auto guides if the pilot finds it more efficient.")
+          .withFlag("--guide", "MODE")
+          .changingSamples();
+
   /**
    * The number of pixels of the pilot render that chooses {@link #SPLIT}; with 0, paths are not
    * split. Samples depend on it, because another pilot may choose other numbers.

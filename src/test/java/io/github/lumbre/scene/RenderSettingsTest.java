@@ -49,6 +49,7 @@ class RenderSettingsTest {
         .rayDepths(8, 9)
         .split(3)
         .splitPilot(99)
+        .guiding(RenderSettings.Guiding.AUTO)
         .clamp(12.5)
         .samples(11)
         .adaptive(true)
@@ -75,6 +76,7 @@ class RenderSettingsTest {
     assertThat(settings.refractionTraceDepth()).isEqualTo(9);
     assertThat(settings.split()).isEqualTo(3);
     assertThat(settings.splitPilot()).isEqualTo(99);
+    assertThat(settings.guiding()).isEqualTo(RenderSettings.Guiding.AUTO);
     assertThat(settings.clamp()).isEqualTo(12.5);
     assertThat(settings.samples()).isEqualTo(11);
     assertThat(settings.adaptive()).isTrue();

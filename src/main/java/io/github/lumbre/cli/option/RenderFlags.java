@@ -234,6 +234,7 @@ public final class RenderFlags {
     share().ifPresent(part -> select(part, builder));
     settings.override(builder);
     requirePathsFor(Setting.SPLIT, inScene.mode());
+    requirePathsFor(Setting.GUIDE, inScene.mode());
     size.ifPresent(s -> builder.size(s.width(), s.height()));
     limitPilot(builder, requested);
     depth.ifPresent(n -> setDepth(builder, inScene.mode(), n));

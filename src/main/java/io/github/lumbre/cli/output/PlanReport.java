@@ -13,6 +13,7 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneOrigins;
+import io.github.lumbre.render.GuideReport;
 import io.github.lumbre.render.SplitReport;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
@@ -42,6 +43,7 @@ public final class PlanReport {
     out.line("           meshes: " + meshes());
     out.line("           light selection: " + choice());
     out.line("           path splitting: " + splitting());
+    out.line("           path guiding: " + guiding());
     out.line("           lens: " + lens());
     out.line("           pixel coverage: " + coverage());
   }
@@ -124,6 +126,18 @@ public final class PlanReport {
         settings.toBuilder().split(RenderSettings.AUTO_SPLIT).splitPilot(pixels).build();
     try {
       return "with --split auto, " + SplitReport.of(auto, scene).text();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "not measured, because the pilot render was interrupted";
+    }
+  }
+
+  private String guiding() {
+    if (settings.mode() == RenderSettings.Mode.RAY) {
+      return "skipped, ray mode has no paths";
+    }
+    try {
+      return "with --guide auto, " + GuideReport.of(settings, scene).text();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return "not measured, because the pilot render was interrupted";

@@ -22,6 +22,7 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.GuideReport;
 import io.github.lumbre.render.PassRenderer;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
@@ -144,7 +145,8 @@ public record RenderJob(
     warnOfInvalidCoordinates(invalidCoordinates);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
-    renderer.splitting().ifPresent(this::tell);
+    renderer.splitting().ifPresent(s -> tell("splitting", s.text(), s.values()));
+    renderer.guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
     finish(film, new RenderResult(film.develop(), complete, statistics), noise, light, seconds);
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
@@ -163,21 +165,29 @@ public record RenderJob(
   private void plan(FilmRenderer renderer, Optional<FilmHeader> header)
       throws TaskException, InterruptedException {
     Optional<SplitReport> splitting = renderer.plan(monitor);
-    if (splitting.isEmpty()) {
-      return;
+    if (splitting.isPresent()) {
+      identify(FilmHeader.SPLIT_PLAN, splitting.get().hash(), "--split auto", header);
     }
-    String hash = splitting.get().hash();
+    Optional<GuideReport> guiding = renderer.guiding();
+    if (guiding.isPresent()) {
+      identify(FilmHeader.GUIDE_HASH, guiding.get().hashText(), "--guide", header);
+    }
+  }
+
+  /** Stores what a pilot render chose, if it agrees with the film's existing samples. */
+  private void identify(String name, String hash, String flag, Optional<FilmHeader> header)
+      throws TaskException {
     if (header.isPresent()) {
-      String found = header.get().identity().getOrDefault(FilmHeader.SPLIT_PLAN, "nothing");
+      String found = header.get().identity().getOrDefault(name, "nothing");
       if (!found.equals(hash)) {
         throw new TaskException(
             Kind.SCENE,
-            "%s: the film has %s, the pilot render of --split auto now has %s; the film cannot be"
-                    .formatted(FilmHeader.SPLIT_PLAN, found, hash)
+            "%s: the film has %s, the pilot render of %s now has %s; the film cannot be"
+                    .formatted(name, found, flag, hash)
                 + " resumed, only developed: start a new one");
       }
     }
-    keeper.identify(FilmHeader.SPLIT_PLAN, hash);
+    keeper.identify(name, hash);
   }
 
   /**
@@ -371,11 +381,12 @@ public record RenderJob(
         : Optional.empty();
   }
 
-  private void tell(SplitReport splitting) {
+  /** Reports what a pilot render chose. */
+  private void tell(String name, String text, Map<String, Object> values) {
     if (!how.quiet()) {
-      messages.line(splitting.text());
+      messages.line(text);
     }
-    report.put("splitting", splitting.values());
+    report.put(name, values);
   }
 
   private void tell(Summary summary, NoiseReport noise, LightReport light) {

@@ -1,0 +1,125 @@
+package io.github.lumbre.guiding;
+
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * Builds a {@link Guide} from {@link GuideRecords}. All sums are taken in the order of the records,
+ * so that the same records give the same bits. Mutable; used once.
+ */
+public final class GuideBuilder {
+  /** The largest number of records in a cell, unless they cannot be divided. */
+  static final int MOST_RECORDS = 400;
+
+  /** The smallest number of records in a cell. */
+  static final int LEAST_RECORDS = 100;
+
+  /** A cell is halved in space, unless one half would have less than this part of the records. */
+  private static final int LEAST_PART = 8;
+
+  private final GuideRecords records;
+  private final RecordValues values;
+  private final RecordOrder[] orders = new RecordOrder[Guide.AXES];
+  private final SquareBuilder squares;
+  private int[] places = new int[1024];
+  private int size;
+  private float[] means = new float[64];
+
+  private GuideBuilder(GuideRecords records, int limit) {
+    this.records = Objects.requireNonNull(records, "records");
+    for (int axis = 0; axis < orders.length; axis++) {
+      orders[axis] = new RecordOrder(records, axis);
+    }
+    values = new RecordValues(records, orders);
+    squares = new SquareBuilder(records, values, limit);
+  }
+
+  /** Returns the guide of some records; {@link Guide#NONE} if they have no light. */
+  public static Guide build(GuideRecords records) {
+    return build(records, Guide.MOST_INTS);
+  }
+
+  /**
+   * Returns the guide of some records.
+   *
+   * @param limit number of ints of all quadtrees beyond which they are not refined
+   */
+  static Guide build(GuideRecords records, int limit) {
+    for (int i = 0; i < records.size(); i++) {
+      if (records.number(i, GuideRecords.FOUND) > 0 || records.number(i, GuideRecords.DIRECT) > 0) {
+        return new GuideBuilder(records, limit).build();
+      }
+    }
+    return Guide.NONE;
+  }
+
+  private Guide build() {
+    int[] roots = new int[Guide.AXES];
+    for (int axis = 0; axis < roots.length; axis++) {
+      int count = orders[axis].size();
+      roots[axis] = count < LEAST_RECORDS ? Guide.NO_CELL : place(orders[axis], 0, count);
+    }
+    int[] nodes = squares.squares();
+    return new Guide(
+        roots,
+        Arrays.copyOf(places, size),
+        nodes,
+        Arrays.copyOf(means, nodes.length / Guide.SQUARE_STRIDE));
+  }
+
+  /** Adds the binary tree of a range of records; returns its root, or a cell. */
+  private int place(RecordOrder order, int from, int to) {
+    int count = to - from;
+    if (count <= MOST_RECORDS) {
+      return cell(order, from, to);
+    }
+    int axis = order.widest(from, to);
+    float limit = center(order, from, to, axis);
+    int middle = order.divide(from, to, axis, limit);
+    if (Math.min(middle - from, to - middle) < count / LEAST_PART) {
+      limit = order.median(from, to, axis);
+      middle = order.divide(from, to, axis, limit);
+    }
+    if (Math.min(middle - from, to - middle) < LEAST_RECORDS) {
+      return cell(order, from, to);
+    }
+    int node = size;
+    size += Guide.PLACE_STRIDE;
+    if (places.length < size) {
+      places = Arrays.copyOf(places, 2 * places.length);
+    }
+    places[node] = axis;
+    places[node + 1] = Float.floatToRawIntBits(limit);
+    int low = place(order, from, middle);
+    int high = place(order, middle, to);
+    places[node + 2] = low;
+    places[node + 3] = high;
+    return node;
+  }
+
+  private float center(RecordOrder order, int from, int to, int axis) {
+    float low = Float.POSITIVE_INFINITY;
+    float high = Float.NEGATIVE_INFINITY;
+    for (int i = from; i < to; i++) {
+      float x = records.number(order.record(i), axis);
+      low = Math.min(low, x);
+      high = Math.max(high, x);
+    }
+    return .5f * low + .5f * high;
+  }
+
+  private int cell(RecordOrder order, int from, int to) {
+    int cell = squares.add(order, from, to);
+    int number = cell / Guide.SQUARE_STRIDE;
+    if (means.length <= number) {
+      means = Arrays.copyOf(means, 2 * number);
+    }
+    double light = 0;
+    for (int i = from; i < to; i++) {
+      int record = order.record(i);
+      light += values.value(record) + records.number(record, GuideRecords.DIRECT);
+    }
+    means[number] = (float) Math.min(Float.MAX_VALUE, light / (to - from));
+    return Guide.leaf(cell);
+  }
+}

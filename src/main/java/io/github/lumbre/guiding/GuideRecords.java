@@ -1,0 +1,119 @@
+package io.github.lumbre.guiding;
+
+import java.util.Arrays;
+
+/**
+ * The vertices of the paths of a pilot render, in the order of the paths. Mutable and confined to
+ * one thread. It stores plain numbers, because there are hundreds of thousands.
+ */
+public final class GuideRecords {
+  static final int STRIDE = 10;
+  static final int X = 0;
+  static final int U = 3;
+  static final int V = 4;
+  static final int PDF = 5;
+  static final int DIRECT = 6;
+  static final int FOUND = 7;
+  static final int WEIGHT = 8;
+  static final int AXIS = 9;
+
+  private float[] numbers = new float[STRIDE * 64];
+  private boolean[] continues = new boolean[64];
+  private int size;
+
+  private final int limit;
+
+  /** Creates an empty list. */
+  public GuideRecords() {
+    this(Integer.MAX_VALUE / STRIDE);
+  }
+
+  /**
+   * Creates an empty list that stops growing at some number of vertices.
+   *
+   * @param limit at least 1
+   */
+  public GuideRecords(int limit) {
+    if (limit < 1) {
+      throw new IllegalArgumentException("limit: expected at least 1, found " + limit);
+    }
+    this.limit = limit;
+  }
+
+  /** Returns whether the list has stopped growing. */
+  public boolean isFull() {
+    return size >= limit;
+  }
+
+  /**
+   * Adds a vertex. The list must not be full.
+   *
+   * @param x position in world space, as are y and z
+   * @param nx unit normal on the side of the viewer, as are ny and nz
+   * @param direct the light that light sampling found here, as scattered to the viewer
+   */
+  public void add(
+      double x, double y, double z, double nx, double ny, double nz, double direct) {
+    if (continues.length == size) {
+      numbers = Arrays.copyOf(numbers, 2 * numbers.length);
+      continues = Arrays.copyOf(continues, 2 * size);
+    }
+    int at = STRIDE * size;
+    numbers[at] = (float) x;
+    numbers[at + 1] = (float) y;
+    numbers[at + 2] = (float) z;
+    numbers[at + AXIS] = Guide.axis(nx, ny, nz);
+    numbers[at + DIRECT] = (float) direct;
+    numbers[at + PDF] = 0;
+    numbers[at + FOUND] = 0;
+    numbers[at + WEIGHT] = 0;
+    continues[size++] = false;
+  }
+
+  /**
+   * Sets how the path left the last vertex.
+   *
+   * @param dx unit direction, as are dy and dz
+   * @param pdf density per solid angle with which the direction was drawn; 0 of a delta lobe
+   * @param found the light that the direction found before the next vertex, scattered to the viewer
+   *     and divided by the density
+   * @param weight of the next vertex: f·|cos θ| over the density
+   * @param next whether the next vertex will be added
+   */
+  public void leave(
+      double dx, double dy, double dz, double pdf, double found, double weight, boolean next) {
+    int at = STRIDE * (size - 1);
+    numbers[at + U] = (float) Octahedron.u(dx, dy, dz);
+    numbers[at + V] = (float) Octahedron.v(dx, dy, dz);
+    numbers[at + PDF] = (float) pdf;
+    numbers[at + FOUND] = (float) found;
+    numbers[at + WEIGHT] = (float) weight;
+    continues[size - 1] = next;
+  }
+
+  /** Adds all records of another list, in their order. */
+  public void addAll(GuideRecords other) {
+    int needed = size + other.size;
+    if (continues.length < needed) {
+      int length = Math.max(needed, 2 * continues.length);
+      numbers = Arrays.copyOf(numbers, STRIDE * length);
+      continues = Arrays.copyOf(continues, length);
+    }
+    System.arraycopy(other.numbers, 0, numbers, STRIDE * size, STRIDE * other.size);
+    System.arraycopy(other.continues, 0, continues, size, other.size);
+    size = needed;
+  }
+
+  /** Returns the number of vertices. */
+  public int size() {
+    return size;
+  }
+
+  boolean continues(int record) {
+    return continues[record];
+  }
+
+  float number(int record, int index) {
+    return numbers[STRIDE * record + index];
+  }
+}

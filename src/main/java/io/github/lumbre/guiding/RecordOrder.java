@@ -1,0 +1,87 @@
+package io.github.lumbre.guiding;
+
+import java.util.Arrays;
+
+/**
+ * An order of {@link GuideRecords} that is divided into ever smaller ranges. Each division keeps the
+ * order within the halves, so that sums over a range are always taken in the same order. Mutable.
+ */
+final class RecordOrder {
+  private final GuideRecords records;
+  private final int[] order;
+  private final int[] high;
+
+  /** Creates the order of the records whose surfaces face an axis. */
+  RecordOrder(GuideRecords records, int axis) {
+    this.records = records;
+    int[] all = new int[records.size()];
+    int size = 0;
+    for (int i = 0; i < all.length; i++) {
+      if (records.number(i, GuideRecords.AXIS) == axis) {
+        all[size++] = i;
+      }
+    }
+    order = Arrays.copyOf(all, size);
+    high = new int[size];
+  }
+
+  /** Returns the number of records. */
+  int size() {
+    return order.length;
+  }
+
+  /** Returns the record at a place of the order. */
+  int record(int place) {
+    return order[place];
+  }
+
+  /** Returns the coordinate, of three, in which the records of a range extend most. */
+  int widest(int from, int to) {
+    int widest = 0;
+    double most = -1;
+    for (int axis = 0; axis < 3; axis++) {
+      double low = Double.POSITIVE_INFINITY;
+      double high = Double.NEGATIVE_INFINITY;
+      for (int i = from; i < to; i++) {
+        double x = records.number(order[i], axis);
+        low = Math.min(low, x);
+        high = Math.max(high, x);
+      }
+      if (high - low > most) {
+        most = high - low;
+        widest = axis;
+      }
+    }
+    return widest;
+  }
+
+  /** Returns a number below which lie about half of a range's records. */
+  float median(int from, int to, int index) {
+    float[] numbers = new float[to - from];
+    for (int i = from; i < to; i++) {
+      numbers[i - from] = records.number(order[i], index);
+    }
+    Arrays.sort(numbers);
+    return numbers[numbers.length / 2];
+  }
+
+  /**
+   * Moves the records of a range whose number is below a limit to the front.
+   *
+   * @return the first place of the others
+   */
+  int divide(int from, int to, int index, float limit) {
+    int low = from;
+    int others = 0;
+    for (int i = from; i < to; i++) {
+      int record = order[i];
+      if (records.number(record, index) < limit) {
+        order[low++] = record;
+      } else {
+        high[others++] = record;
+      }
+    }
+    System.arraycopy(high, 0, order, low, others);
+    return low;
+  }
+}

@@ -1,0 +1,11 @@
+/**
+ * Path guiding: a learned distribution of the directions in which light arrives (Müller, Gross,
+ * Novák 2017, "Practical Path Guiding for Efficient Light-Transport Simulation").
+ *
+ * <p>{@link io.github.lumbre.guiding.GuideRecords} holds what a pilot render found. {@link
+ * io.github.lumbre.guiding.GuideBuilder} makes a {@link io.github.lumbre.guiding.Guide} of it: a
+ * binary tree over positions, whose leaves are quadtrees over directions. A guide never changes
+ * after that, and is shared by all threads. Positions and directions are in world space. Densities
+ * are per solid angle.
+ */
+package io.github.lumbre.guiding;

@@ -1,0 +1,169 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.guiding.GuideRecords;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.path.PathVertex.End;
+import io.github.lumbre.path.PathVertex.Source;
+
+/**
+ * Records the non-specular vertices of paths. Light that a ray hits has its weight of multiple
+ * importance sampling: what light sampling finds needs no guide. Mutable and confined to one
+ * thread. Paths must not be split.
+ */
+public final class GuideRecorder implements PathListener {
+  private final GuideRecords records;
+
+  /** The throughput of the last ray. */
+  private double red, green, blue;
+
+  /** Whether the path is at a vertex that it has not left. */
+  private boolean isAtVertex;
+
+  /** Whether there is a vertex that the path has left. */
+  private boolean hasLeft;
+
+  private double x, y, z;
+  private double normalX, normalY, normalZ;
+  private double throughput;
+  private double direct;
+  private double directionX, directionY, directionZ;
+  private double pdf;
+  private double found;
+
+  /** Creates a recorder that adds to a list. */
+  public GuideRecorder(GuideRecords records) {
+    this.records = records;
+  }
+
+  /** Ends the last path. */
+  public void endPath() {
+    if (isAtVertex) {
+      addVertex();
+    } else if (hasLeft) {
+      leave(0, false);
+    }
+    isAtVertex = false;
+    hasLeft = false;
+  }
+
+  @Override
+  public void pathStarted() {
+    endPath();
+  }
+
+  @Override
+  public void rayTraced(NearestHit ray, int depth, double r, double g, double b) {
+    red = r;
+    green = g;
+    blue = b;
+  }
+
+  @Override
+  public void surfaceHit(int primitive, SurfaceHit surface) {
+    // Only surfaces that scatter are vertices.
+  }
+
+  @Override
+  public void vertexReached(int primitive, SurfaceHit surface, Bsdf bsdf) {
+    double here = red + green + blue;
+    if (bsdf.isSpecular() || !(here > 0)) {
+      return;
+    }
+    if (records.isFull()) {
+      endPath();
+      return;
+    }
+    if (hasLeft) {
+      leave(here / throughput, true);
+      hasLeft = false;
+    }
+    isAtVertex = true;
+    throughput = here;
+    direct = 0;
+    Vec3 p = surface.position();
+    Vec3 n = surface.shadingNormal();
+    double side = n.dot(surface.wo()) < 0 ? -1 : 1;
+    x = p.x();
+    y = p.y();
+    z = p.z();
+    normalX = side * n.x();
+    normalY = side * n.y();
+    normalZ = side * n.z();
+  }
+
+  private void addVertex() {
+    records.add(x, y, z, normalX, normalY, normalZ, direct);
+  }
+
+  private void leave(double weight, boolean next) {
+    records.leave(directionX, directionY, directionZ, pdf, found, weight, next);
+  }
+
+  @Override
+  public void scattered(BsdfSample sample, double survival, boolean survives) {
+    if (!isAtVertex) {
+      return;
+    }
+    addVertex();
+    isAtVertex = false;
+    hasLeft = survives;
+    directionX = sample.x();
+    directionY = sample.y();
+    directionZ = sample.z();
+    pdf = sample.isSpecular() ? 0 : sample.pdf();
+    found = 0;
+  }
+
+  @Override
+  public void lightAdded(double r, double g, double b) {
+    if (!isAtVertex && !hasLeft) {
+      return;
+    }
+    double light = (red * r + green * g + blue * b) / throughput;
+    if (isAtVertex) {
+      direct += light;
+    } else {
+      found += light;
+    }
+  }
+
+  @Override
+  public void lightSampled(
+      int emitter,
+      LightSample light,
+      BsdfValue value,
+      double lightPdf,
+      double misWeight,
+      boolean blocked) {
+    // The light follows as lightAdded.
+  }
+
+  @Override
+  public void lightFound(
+      Source source,
+      int emitter,
+      double r,
+      double g,
+      double b,
+      double lightPdf,
+      double bsdfPdf,
+      double misWeight) {
+    // The light follows as lightAdded.
+  }
+
+  @Override
+  public void branchStarted(int branch) {
+    throw new IllegalStateException("paths must not be split");
+  }
+
+  @Override
+  public void pathEnded(End end) {
+    // The caller ends the path.
+  }
+}

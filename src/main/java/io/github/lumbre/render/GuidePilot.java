@@ -1,0 +1,139 @@
+package io.github.lumbre.render;
+
+import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.guiding.Guide;
+import io.github.lumbre.guiding.GuideBuilder;
+import io.github.lumbre.guiding.GuideRecords;
+import io.github.lumbre.integrator.GuideRecorder;
+import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.RenderContext;
+import io.github.lumbre.render.GuideReport.Outcome;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Guiding;
+import io.github.lumbre.scene.Scene;
+import java.util.List;
+
+/**
+ * The pilot render of {@code --guide}. It traces paths over the full frame in passes of doubled
+ * length. Each pass is guided by what the one before has learned; the last one makes the guide.
+ *
+ * <p>Its work is fixed. Records are taken in the order of the pixels, whatever thread found them,
+ * and cost is counted in rays. The guide is therefore a function of the scene, the settings that
+ * samples depend on, and the seed alone. It never changes after the pilot. The random numbers are
+ * not those of the picture.
+ */
+final class GuidePilot {
+  /** The largest number of paths in all passes. */
+  static final int MOST_PATHS = 1 << 17;
+
+  private static final int PASSES = 3;
+
+  /** The largest number of vertices that one pass keeps: 46 MB. */
+  static final int MOST_RECORDS = 1 << 20;
+
+  private static final long SEED = 0x6775696465206f6eL;
+
+  private final RenderSettings settings;
+  private final Scene scene;
+  private final PilotRows crew;
+  private long rays;
+
+  private GuidePilot(RenderSettings settings, Scene scene, PilotRows crew) {
+    this.settings = settings.toBuilder().split(1).build();
+    this.scene = scene;
+    this.crew = crew;
+  }
+
+  /** A guide, and why it is used or not. */
+  record Learned(Guide guide, GuideReport report) {}
+
+  /**
+   * Returns what the pilot of some settings learns.
+   *
+   * @param settings their guiding is not off
+   * @param scene framed for the settings
+   * @param crew renders the pilot
+   * @throws InterruptedException if the calling thread is interrupted; all threads have then ended
+   * @throws PilotRows.Stopped if the crew was stopped; all threads have then ended
+   * @throws RenderException if a path failed
+   */
+  static Learned learn(RenderSettings settings, Scene scene, PilotRows crew)
+      throws InterruptedException, PilotRows.Stopped {
+    return findsLight(settings, scene)
+        ? new GuidePilot(settings, scene, crew).learn()
+        : new Learned(Guide.NONE, GuideReport.unused(Outcome.NO_LIGHT, 1, 0));
+  }
+
+  /** Returns whether a scattered ray could find light. */
+  static boolean findsLight(RenderSettings settings, Scene scene) {
+    return settings.mode() == RenderSettings.Mode.PATH
+        && settings.maxTraceDepth() > 0
+        && !(scene.emitters().isEmpty() && scene.environments().isEmpty())
+        && scene.primitives().stream().anyMatch(Primitive::scatters);
+  }
+
+  private Learned learn() throws InterruptedException, PilotRows.Stopped {
+    long pixels = (long) settings.width() * settings.height();
+    int paths = (int) Math.min(MOST_PATHS, pixels);
+    Guide guide = Guide.NONE;
+    for (int pass = 0; pass < PASSES; pass++) {
+      long share = ((long) paths << pass) / ((1 << PASSES) - 1);
+      guide = GuideBuilder.build(records(guide, (int) Math.max(1, share), pass));
+      if (guide.isEmpty()) {
+        return new Learned(guide, GuideReport.unused(Outcome.NOTHING_LEARNED, 1, rays));
+      }
+    }
+    if (settings.guiding() == Guiding.ON) {
+      return new Learned(guide, GuideReport.used(guide, 1, rays));
+    }
+    GuideComparison comparison = GuideComparison.of(settings, scene, guide, crew);
+    rays += comparison.rays();
+    return comparison.gain() >= GuideComparison.LEAST_GAIN
+        ? new Learned(guide, GuideReport.used(guide, comparison.gain(), rays))
+        : new Learned(
+            Guide.NONE, GuideReport.unused(Outcome.NOT_BETTER, comparison.gain(), rays));
+  }
+
+  /** Traces the paths of a pass. */
+  private GuideRecords records(Guide guide, int paths, int pass)
+      throws InterruptedException, PilotRows.Stopped {
+    Integrator integrator = Integrator.of(scene, settings, guide);
+    PilotGrid grid = PilotGrid.of(settings, paths);
+    int limit = Math.max(1, MOST_RECORDS / grid.rows());
+    List<Row> rows =
+        crew.render(grid.rows(), row -> recordRow(integrator, grid, row, pass, limit));
+    GuideRecords all = new GuideRecords();
+    for (Row row : rows) {
+      all.addAll(row.records());
+      rays += row.rays();
+    }
+    return all;
+  }
+
+  private record Row(GuideRecords records, long rays) {}
+
+  private Row recordRow(Integrator integrator, PilotGrid grid, int row, int pass, int limit)
+      throws InterruptedException, PilotRows.Stopped {
+    GuideRecords records = new GuideRecords(limit);
+    GuideRecorder recorder = new GuideRecorder(records);
+    RenderContext context = RenderContext.recordedBy(recorder);
+    Sampler sampler = new SobolSampler(settings.seed() ^ (SEED + pass));
+    CameraRay ray = new CameraRay();
+    for (int column = 0; column < grid.columns(); column++) {
+      crew.check();
+      context.startSample();
+      int x = grid.x(column);
+      int y = grid.y(row);
+      // Every path has its own numbers.
+      int number = row * grid.columns() + column;
+      if (CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {
+        integrator.radiance(ray, sampler, context);
+        recorder.endPath();
+      }
+    }
+    return new Row(records, context.rays() + context.shadowRays());
+  }
+}
