@@ -313,8 +313,9 @@ final class ResumeCommand implements Callable<Integer> {
       Map<String, String> here =
           new LinkedHashMap<>(FilmHeader.identity(file.hash(), file.settings()));
       // The pilot render is compared when it is rendered.
-      Optional.ofNullable(header.identity().get(FilmHeader.SPLIT_PLAN))
-          .ifPresent(plan -> here.put(FilmHeader.SPLIT_PLAN, plan));
+      for (String name : List.of(FilmHeader.SPLIT_PLAN, FilmHeader.GUIDE_HASH)) {
+        Optional.ofNullable(header.identity().get(name)).ifPresent(plan -> here.put(name, plan));
+      }
       header.requireSame(here, film.toString(), path.toString());
     } catch (FilmMismatchException e) {
       throw new TaskException(Kind.SCENE, e.getMessage(), e);

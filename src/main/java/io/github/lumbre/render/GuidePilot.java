@@ -27,7 +27,7 @@ import java.util.List;
  */
 final class GuidePilot {
   /** The largest number of paths in all passes. */
-  static final int MOST_PATHS = 1 << 17;
+  static final int MOST_PATHS = 1 << 19;
 
   private static final int PASSES = 3;
 

@@ -137,6 +137,22 @@ class GuideTest {
     assertThat(guide.fraction(cell(guide))).isEqualTo(.5);
   }
 
+  /** Directions without any record could have light that the pilot missed. */
+  @Test
+  void noDirectionIsExcluded() {
+    GuideRecords records = new GuideRecords();
+    Random random = new Random(12);
+    for (int i = 0; i < 300; i++) {
+      records.add(random.nextDouble(), 0, 0, 0, 0, 1, 0);
+      records.leave(.1 * random.nextDouble(), .1 * random.nextDouble(), 1, .3, 1, 0, false);
+    }
+    Guide guide = GuideBuilder.build(records);
+    int cell = guide.cell(.5, 0, 0, 0, 0, 1);
+    assertThat(guide.pdf(cell, 1, 0, 0)).isPositive();
+    assertThat(guide.pdf(cell, -.6, .8, 0)).isPositive();
+    assertThat(guide.pdf(cell, 0, 0, 1)).isGreaterThan(10 * guide.pdf(cell, 1, 0, 0));
+  }
+
   @Test
   void theSameRecordsGiveTheSameBits() {
     GuideRecords whole = records(20_000, 8);
