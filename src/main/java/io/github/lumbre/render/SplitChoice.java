@@ -17,6 +17,12 @@ final class SplitChoice {
   /** Groups of pilot pixels, of which each is left out once for the standard error. */
   static final int GROUPS = 16;
 
+  /**
+   * The smallest gain over unsplit paths. A pilot does not see rare bright samples of the part that
+   * branches share, and overrates splitting by up to 1.5 times in the frog.
+   */
+  private static final double LEAST_GAIN = 1.2;
+
   /** How many standard errors a gain must be above 1. */
   private static final double CERTAINTY = 2;
 
@@ -57,7 +63,10 @@ final class SplitChoice {
    */
   record Chosen(int[] exponents, double gain, double bound) {}
 
-  /** Returns the choice; each step to more branches or to cells must gain for certain. */
+  /**
+   * Returns the choice. Each step to more branches or to cells must gain for certain, and all must
+   * gain {@link #LEAST_GAIN}.
+   */
   Chosen choose() {
     Candidate whole = Candidate.same(0, cells);
     Candidate best = whole;
@@ -65,8 +74,9 @@ final class SplitChoice {
       best = better(best, Candidate.same(exponent, cells));
     }
     int[] all = bestFor(total(both()));
-    best = better(best, new Candidate(all, bestFor(total(sums[1])), bestFor(total(sums[0]))));
-    return best == whole
+    Candidate own = new Candidate(all, bestFor(total(sums[1])), bestFor(total(sums[0])));
+    best = better(best, own);
+    return best == whole || gain(best, whole, -1) < LEAST_GAIN
         ? new Chosen(whole.chosen, 1, 1)
         : new Chosen(best.chosen, gain(best, whole, -1), bound(best, whole));
   }

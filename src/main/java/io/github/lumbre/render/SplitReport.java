@@ -25,7 +25,7 @@ public final class SplitReport {
   /** The samples per pixel that a render without a number of samples is expected to have. */
   private static final int OPEN_SAMPLES = 64;
 
-  private static final int SMALLEST_PILOT = 256;
+  private static final int SMALLEST_PILOT = 1024;
 
   private final SplitPlan plan;
   private final Reason reason;

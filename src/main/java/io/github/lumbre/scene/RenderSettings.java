@@ -33,7 +33,7 @@ public final class RenderSettings {
   /** The number of branches that stands for a choice by a pilot render. */
   public static final int AUTO_SPLIT = -1;
 
-  private static final int SPLIT_PILOT = 256;
+  private static final int SPLIT_PILOT = 1024;
 
   /** The largest allowed number of pixels of the pilot render that chooses it. */
   public static final int MAX_SPLIT_PILOT = 4096;
@@ -162,7 +162,7 @@ public final class RenderSettings {
     return get(Setting.SPLIT);
   }
 
-  /** Returns {@link Setting#SPLIT_PILOT}, or 256 if it is {@link #AUTO_SPLIT}. */
+  /** Returns {@link Setting#SPLIT_PILOT}, or 1024 if it is {@link #AUTO_SPLIT}. */
   public int splitPilot() {
     int pixels = get(Setting.SPLIT_PILOT);
     return pixels == AUTO_SPLIT ? SPLIT_PILOT : pixels;

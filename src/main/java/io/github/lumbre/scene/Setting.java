@@ -136,7 +136,7 @@ public final class Setting<T> {
               new CountType(RenderSettings.AUTO_SPLIT, 0, RenderSettings.MAX_SPLIT_PILOT),
               RenderSettings.AUTO_SPLIT,
               "Path mode: number of pixels of the pilot render of --split auto; with 0, paths are"
-                  + " not split. auto takes 4096, 1024, 256 or 0, so that the pilot traces at most"
+                  + " not split. auto takes 4096, 1024 or 0, so that the pilot traces at most"
                   + " 2 % of the requested samples.")
           .withFlag("--pilot", "PIXELS")
           .changingSamples();

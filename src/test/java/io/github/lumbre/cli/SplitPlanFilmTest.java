@@ -43,17 +43,17 @@ class SplitPlanFilmTest {
 
   @Test
   void thePictureDoesNotDependOnHowItIsRendered() throws IOException {
-    Outcome whole = render("whole.pfm", "-s", "6", "--pilot", "1024", "--json");
+    Outcome whole = render("whole.pfm", "-s", "6", "--pilot", "4096", "--json");
     assertDone(whole);
     JsonObject splitting =
         JsonParser.parseString(whole.out()).getAsJsonObject().getAsJsonObject("splitting");
     assertThat(splitting.get("branches").getAsDouble()).isGreaterThan(1);
-    String[] film = {"-s", "2", "--pilot", "1024", "--checkpoint", path("a.film")};
+    String[] film = {"-s", "2", "--pilot", "4096", "--checkpoint", path("a.film")};
     assertDone(render("a.pfm", film));
     FilmHeader header = FilmFile.read(directory.resolve("a.film")).header();
     assertThat(header.identity())
         .containsEntry("split", "auto")
-        .containsEntry("split-pilot", "1024")
+        .containsEntry("split-pilot", "4096")
         .containsEntry(FilmHeader.SPLIT_PLAN, splitting.get("plan").getAsString());
     assertDone(Outcome.of("resume", path("a.film"), "-s", "4", "--threads", "3", "--bucket", "5"));
     assertDone(
@@ -64,7 +64,7 @@ class SplitPlanFilmTest {
             "--samples-from",
             "4",
             "--pilot",
-            "1024",
+            "4096",
             "--kernel",
             "scalar",
             "--checkpoint",
@@ -75,7 +75,7 @@ class SplitPlanFilmTest {
 
     assertDone(render("d.pfm", "-s", "2", "--checkpoint", path("d.film")));
     Outcome.of("merge", path("a.film"), path("d.film"), "-o", path("e.film"))
-        .assertFailed(ExitCodes.SCENE, "split-pilot: ", "has 1024", "has 0");
+        .assertFailed(ExitCodes.SCENE, "split-pilot: ", "has 4096", "has 0");
   }
 
   @Test

@@ -33,6 +33,7 @@ class SplitPilotTest {
                     .samples(2)
                     .threads(2)
                     .split(RenderSettings.AUTO_SPLIT)
+                    .splitPilot(4096)
                     .build())
         .parse(Path.of("scenes", name + ".json"));
   }
@@ -80,7 +81,7 @@ class SplitPilotTest {
   @Test
   void picturesFollowThePlan() throws Exception {
     SceneFile file = scene("cornell-box");
-    RenderSettings auto = file.settings().toBuilder().samples(5).splitPilot(2048).build();
+    RenderSettings auto = file.settings().toBuilder().samples(5).build();
     SplitPlan plan = choose(auto, file.scene()).plan();
     assertThat(plan.isEmpty()).isFalse();
     Image picture = new BucketRenderer(auto).render(file.scene());
@@ -159,14 +160,12 @@ class SplitPilotTest {
   /** A pilot has at most 2 % of the samples, and 160 samples for each pixel. */
   @Test
   void thePilotHasAShareOfTheSamples() {
-    assertThat(SplitReport.pilotPixels(320 * 240, 16)).isZero();
-    assertThat(SplitReport.pilotPixels(320 * 240, 32)).isEqualTo(256);
-    assertThat(SplitReport.pilotPixels(320 * 240, 64)).isEqualTo(256);
-    assertThat(SplitReport.pilotPixels(320 * 240, 128)).isEqualTo(1024);
+    assertThat(SplitReport.pilotPixels(320 * 240, 106)).isZero();
+    assertThat(SplitReport.pilotPixels(320 * 240, 107)).isEqualTo(1024);
     assertThat(SplitReport.pilotPixels(1920 * 1080, 64)).isEqualTo(4096);
     assertThat(SplitReport.pilotPixels(1 << 28, 7)).isZero();
     assertThat(SplitReport.pilotPixels(1 << 28, RenderSettings.MAX_SAMPLES - 1)).isEqualTo(4096);
-    assertThat(SplitReport.pilotPixels(320 * 240, RenderSettings.MAX_SAMPLES)).isEqualTo(256);
+    assertThat(SplitReport.pilotPixels(640 * 480, RenderSettings.MAX_SAMPLES)).isEqualTo(1024);
     for (int samples = 8; samples < 5000; samples += 7) {
       int pixels = SplitReport.pilotPixels(160 * 120, samples);
       assertThat(pixels * 160.).isLessThanOrEqualTo(.02 * 160 * 120 * samples);
@@ -199,7 +198,7 @@ class SplitPilotTest {
     RenderSettings large = file.settings().toBuilder().size(4096, 3072).maxTraceDepth(1).build();
     SplitReport report = SplitReport.of(large, file.scene());
     // A path of one scattering has at most 2 rays to vertices for each branch, and a shadow ray.
-    assertThat(report.rays()).isLessThan(32L * 256 * (3 + 6));
+    assertThat(report.rays()).isLessThan(32L * 4096 * (3 + 6));
   }
 
   @Test
