@@ -40,6 +40,7 @@ class CheckCommandTest {
     assertThat(check(TinyScene.JSON).out()).doesNotContain("plan");
     assertThat(check(TinyScene.JSON, "--plan").out().lines().skip(12))
         .filteredOn(line -> !line.startsWith("           path splitting: with --split auto, paths"))
+        .filteredOn(line -> !line.startsWith("           path guiding: with --guide auto, paths"))
         .containsExactly(
             "plan       assets: all are used",
             "           materials: 3 of 3 surfaces have a uniform BSDF, computed once instead of at"
