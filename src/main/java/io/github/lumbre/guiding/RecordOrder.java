@@ -3,8 +3,8 @@ package io.github.lumbre.guiding;
 import java.util.Arrays;
 
 /**
- * An order of {@link GuideRecords} that is divided into ever smaller ranges. Each division keeps the
- * order within the halves, so that sums over a range are always taken in the same order. Mutable.
+ * An order of {@link GuideRecords} that is divided into ever smaller ranges. Each division keeps
+ * the order within the halves, so that sums over a range are always taken in the same order. Mutable.
  */
 final class RecordOrder {
   private final GuideRecords records;

@@ -13,8 +13,8 @@ final class SquareBuilder {
   private static final int MOST_DIVISIONS = 11;
 
   /**
-   * Records that each divided square has in addition to its own, spread evenly. Without them, a part
-   * where no record happened to lie would never be sampled.
+   * Records that each divided square has in addition to its own, spread evenly. Without them, a
+   * part where no record happened to lie would never be sampled.
    */
   private static final double EVEN_RECORDS = 4;
 

@@ -37,7 +37,13 @@ class GuidePilotTest {
   private static SceneFile scene(String name, Guiding guiding, int width) throws Exception {
     return new SceneParser()
         .overriding(
-            s -> s.toBuilder().size(width, width * 3 / 4).samples(2).threads(2).guiding(guiding).build())
+            s ->
+                s.toBuilder()
+                    .size(width, width * 3 / 4)
+                    .samples(2)
+                    .threads(2)
+                    .guiding(guiding)
+                    .build())
         .parse(Path.of("scenes", name + ".json"));
   }
 
@@ -68,7 +74,8 @@ class GuidePilotTest {
     GuideReport chosen = GuidePilot.learn(auto, scene, PilotRows.HERE).report();
     assertThat(GuidePilot.learn(auto, scene, crew(3)).report()).isEqualTo(chosen);
     RenderSettings seeded = settings.toBuilder().seed(8).build();
-    assertThat(GuidePilot.learn(seeded, scene, PilotRows.HERE).report().hash()).isNotEqualTo(here.hash());
+    assertThat(GuidePilot.learn(seeded, scene, PilotRows.HERE).report().hash())
+        .isNotEqualTo(here.hash());
   }
 
   /** A part of the picture, another number of threads and a replayed sample have the same bits. */
