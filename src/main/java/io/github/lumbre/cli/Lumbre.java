@@ -90,9 +90,6 @@ public final class Lumbre implements Runnable {
     COMMANDS.put("help", HelpCommand.class);
   }
 
-  /** Arguments that need no command. */
-  private static final Set<String> VERSION_FLAGS = Set.of("-V", "--version");
-
   /** The commands that describe all commands. */
   private static final Set<String> DESCRIBING = Set.of("completion", "help");
 
@@ -108,7 +105,7 @@ public final class Lumbre implements Runnable {
   /** Runs the command that the arguments name and exits. */
   public static void main(String[] args) {
     redirectErrors();
-    if (!asksForVersion(args)) {
+    if (!Version.isAskedForBy(args)) {
       Interruption.install();
       long start = ManagementFactory.getRuntimeMXBean().getStartTime();
       System.setProperty(BudgetFlags.START, String.valueOf(start));
@@ -147,10 +144,6 @@ public final class Lumbre implements Runnable {
         // This JVM does not open the class to the program, so errors pass through the filter.
       }
     }
-  }
-
-  private static boolean asksForVersion(String[] args) {
-    return args.length == 1 && VERSION_FLAGS.contains(args[0]);
   }
 
   /** Returns the program with all of its commands. */
@@ -209,9 +202,8 @@ public final class Lumbre implements Runnable {
    * @param engine renders the passes of {@code render} and {@code resume}
    */
   public static int run(String[] args, PrintWriter out, PrintWriter err, Engine engine) {
-    if (asksForVersion(args)) {
-      // Answered at once: scripts ask for it often.
-      Arrays.stream(new Version().getVersion()).forEach(out::println);
+    if (Version.isAskedForBy(args)) {
+      Version.print(out);
       return ExitCodes.OK;
     }
     Messages messages = new Messages(err);

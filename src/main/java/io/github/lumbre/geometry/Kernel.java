@@ -33,6 +33,17 @@ public enum Kernel {
   }
 
   /**
+   * Returns the reason why vectors would not be available in this JVM even with the module
+   * jdk.incubator.vector; empty if they would be. Needs the package jdk.internal.vm.vector of
+   * java.base, which the manifest of the command-line jar exports.
+   *
+   * @throws IllegalStateException if that package is not exported
+   */
+  public static Optional<String> processorObstacle() {
+    return VectorLanes.obstacle(VectorLanes.withoutModule());
+  }
+
+  /**
    * Returns the traversal over items.
    *
    * @throws IllegalStateException if this is {@link #VECTOR} and vectors are not available

@@ -8,7 +8,7 @@ import java.util.Optional;
  * its module is absent, and all other classes compile without that module.
  */
 final class Vectors {
-  private static final String MODULE = "jdk.incubator.vector";
+  private static final String MODULE = VectorLanes.MODULE;
   private static final String TRAVERSAL = "io.github.lumbre.geometry.VectorTraversal";
   private static final Optional<String> OBSTACLE = findObstacle();
 
@@ -25,21 +25,7 @@ final class Vectors {
       return Optional.of("Java runs without --add-modules " + MODULE);
     }
     Vectors.class.getModule().addReads(module.get());
-    int lanes = preferredLanes();
-    return lanes >= WideTree.WIDTH
-        ? Optional.empty()
-        : Optional.of("this processor's vectors hold " + lanes + " floats, but 8 are needed");
-  }
-
-  /** Loads none of the module's classes of vectors, which take long to load. */
-  private static int preferredLanes() {
-    try {
-      Class<?> shape = Class.forName(MODULE + ".VectorShape");
-      Object preferred = shape.getMethod("preferredShape").invoke(null);
-      return (int) shape.getMethod("vectorBitSize").invoke(preferred) / Float.SIZE;
-    } catch (ReflectiveOperationException e) {
-      throw new AssertionError(e);
-    }
+    return VectorLanes.obstacle(VectorLanes.ofModule());
   }
 
   /** Returns the traversal of a tree; call it only if there is no obstacle. */

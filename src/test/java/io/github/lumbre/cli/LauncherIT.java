@@ -211,6 +211,16 @@ class LauncherIT {
   }
 
   @Test
+  void versionIsTheSameWithAndWithoutTheModuleOfVectors() throws IOException, InterruptedException {
+    for (String option : List.of("-Dkey=value", "-XX:UseAVX=1")) {
+      assumeTrue(option.startsWith("-D") || System.getProperty("os.arch").equals("amd64"));
+      Outcome quick = launch(home.resolve("lumbre"), Map.of("JDK_JAVA_OPTIONS", option));
+      Outcome full = launch(home.resolve("lumbre"), Map.of("LUMBRE_JAVA_OPTS", option));
+      assertThat(quick.out()).as(option).isEqualTo(full.out()).contains("Kernel: ");
+    }
+  }
+
+  @Test
   void errorsStandInOrderInAFileThatOthersWriteToAsWell() throws IOException, InterruptedException {
     Path log = directory.resolve("log.txt");
     String commands =

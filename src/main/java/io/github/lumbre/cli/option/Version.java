@@ -2,18 +2,41 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.lab.Release;
+import java.io.PrintWriter;
+import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.IVersionProvider;
 
 /** Prints the versions of Lumbre, the JVM and the operating system. */
 public final class Version implements IVersionProvider {
+  /** Arguments that need no command. */
+  private static final Set<String> FLAGS = Set.of("-V", "--version");
+
+  /** Returns whether arguments ask for the version of the program, and nothing else. */
+  public static boolean isAskedForBy(String... args) {
+    return args.length == 1 && FLAGS.contains(args[0]);
+  }
+
+  /** Prints the version. */
+  public static void print(PrintWriter out) {
+    for (String line : new Version().getVersion()) {
+      out.println(line);
+    }
+  }
+
+  /** Joins instead of adding strings, for which Java would make methods first. */
   @Override
   public String[] getVersion() {
     return new String[] {
-      "Lumbre " + Release.number(),
-      "JVM: " + property("java.vm.name") + " " + property("java.runtime.version"),
-      "Kernel: " + kernel(),
-      "OS: " + property("os.name") + " " + property("os.version") + " " + property("os.arch")
+      line("Lumbre", Release.number()),
+      line("JVM:", property("java.vm.name"), property("java.runtime.version")),
+      line("Kernel:", kernel()),
+      line("OS:", property("os.name"), property("os.version"), property("os.arch"))
     };
+  }
+
+  private static String line(String... words) {
+    return String.join(" ", words);
   }
 
   /** Returns the default traversal kernel and the reason for it. */
@@ -22,9 +45,12 @@ public final class Version implements IVersionProvider {
       // The launcher of the runtime image prints the version without loading the vector module.
       return "vector, if this processor supports vectors of 8 floats; otherwise scalar";
     }
-    return Kernel.vectorObstacle()
-        .map(obstacle -> "scalar, because " + obstacle)
-        .orElse("vector, because Java and this processor support vectors of 8 floats");
+    // The launcher of the repository does so too, but Java can tell what the module would find.
+    boolean isLater = "yes".equals(System.getProperty("lumbre.vectors.later"));
+    Optional<String> obstacle = isLater ? Kernel.processorObstacle() : Kernel.vectorObstacle();
+    return obstacle.isPresent()
+        ? "scalar, because ".concat(obstacle.get())
+        : "vector, because Java and this processor support vectors of 8 floats";
   }
 
   private static String property(String key) {
