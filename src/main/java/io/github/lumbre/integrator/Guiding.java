@@ -33,9 +33,9 @@ final class Guiding {
       guide.sample(cell, u / fraction, v, guided);
       Vec3 wi = new Vec3(guided.x(), guided.y(), guided.z());
       vertex.evaluate(wi, value);
-      double bsdfPdf = value.pdf();
-      if (bsdfPdf > 0) {
-        double pdf = fraction * guided.pdf() + (1 - fraction) * bsdfPdf;
+      // Not the density of the BSDF, because light sampling counts on the guide wherever it is above 0.
+      if (value.r() > 0 || value.g() > 0 || value.b() > 0) {
+        double pdf = fraction * guided.pdf() + (1 - fraction) * value.pdf();
         drawn.set(wi, new Rgb(value.r() / pdf, value.g() / pdf, value.b() / pdf), pdf);
       } else {
         drawn.absorb();

@@ -1,0 +1,110 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.geometry.Kernel;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests that pictures of {@code --guide} have one guide, however they are rendered. */
+class GuideFilmTest {
+  private static final String[] ON = {"--guide", "on"};
+
+  @TempDir private Path directory;
+
+  private String path(String name) {
+    return directory.resolve(name).toString();
+  }
+
+  private Outcome render(String picture, String[] guide, String... flags) {
+    List<String> args = new ArrayList<>(List.of("render", "scenes/door-ajar.json"));
+    args.addAll(List.of("--size", "64x48", "-o", path(picture)));
+    args.addAll(List.of(guide));
+    args.addAll(List.of(flags));
+    return Outcome.of(args.toArray(String[]::new));
+  }
+
+  private static void assertDone(Outcome outcome) {
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+  }
+
+  private byte[] bytes(String name) throws IOException {
+    return Files.readAllBytes(directory.resolve(name));
+  }
+
+  /** A resumed film, a merged one, threads, buckets and both kernels give the bits of one render. */
+  @Test
+  void thePictureDoesNotDependOnHowItIsRendered() throws IOException {
+    String kernel = Kernel.vectorObstacle().isEmpty() ? "vector" : "auto";
+    Outcome whole = render("whole.pfm", ON, "-s", "6", "--kernel", kernel, "--json");
+    assertDone(whole);
+    JsonObject guiding =
+        JsonParser.parseString(whole.out()).getAsJsonObject().getAsJsonObject("guiding");
+    assertThat(guiding.get("outcome").getAsString()).isEqualTo("guided");
+    assertDone(render("off.pfm", new String[0], "-s", "6"));
+    assertThat(bytes("off.pfm")).isNotEqualTo(bytes("whole.pfm"));
+    assertDone(render("scalar.pfm", ON, "-s", "6", "--kernel", "scalar"));
+    assertThat(bytes("scalar.pfm")).isEqualTo(bytes("whole.pfm"));
+
+    assertDone(render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")));
+    assertThat(FilmFile.read(directory.resolve("a.film")).header().identity())
+        .containsEntry("guide", "on")
+        .containsEntry(FilmHeader.GUIDE_HASH, guiding.get("hash").getAsString());
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "4", "--threads", "3", "--bucket", "5"));
+    String[] rest = {"-s", "2", "--samples-from", "4", "--checkpoint", path("b.film")};
+    assertDone(render("b.pfm", ON, rest));
+    assertDone(Outcome.of("merge", path("a.film"), path("b.film"), "-o", path("c.film")));
+    assertDone(Outcome.of("develop", path("c.film"), "-o", path("c.pfm")));
+    assertThat(bytes("c.pfm")).isEqualTo(bytes("whole.pfm"));
+  }
+
+  @Test
+  void filmsOfAnotherSettingAreNotMerged() {
+    assertDone(render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")));
+    String[] rest = {"-s", "2", "--samples-from", "2", "--checkpoint", path("b.film")};
+    assertDone(render("b.pfm", new String[0], rest));
+    Outcome.of("merge", path("a.film"), path("b.film"), "-o", path("c.film"))
+        .assertFailed(ExitCodes.SCENE, "guide: ", "has on", "has off");
+  }
+
+  @Test
+  void aFilmIsNotResumedWithAnotherGuide() throws IOException {
+    assertDone(render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")));
+    setIdentity(FilmHeader.GUIDE_HASH, "00000000");
+    Outcome.of("resume", path("a.film"), "-s", "4")
+        .assertFailed(ExitCodes.SCENE, "guide-hash: the film has 00000000", "start a new one");
+    setIdentity(FilmHeader.GUIDE_HASH, "");
+    Outcome.of("resume", path("a.film"), "-s", "4")
+        .assertFailed(ExitCodes.SCENE, "guide-hash: the film has nothing");
+    assertDone(Outcome.of("develop", path("a.film"), "-o", path("b.pfm")));
+    assertThat(bytes("b.pfm")).isEqualTo(bytes("a.pfm"));
+  }
+
+  /** Sets an entry of a film's identity, or removes it. */
+  private void setIdentity(String name, String value) throws IOException {
+    FilmFile film = FilmFile.read(directory.resolve("a.film"));
+    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
+    identity.remove(name);
+    if (!value.isEmpty()) {
+      identity.put(name, value);
+    }
+    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
+      FilmHeader header = film.header();
+      file.save(
+          FilmFile.of(identity, film.film(), header.layers(), header.notes(), header.faults()));
+    }
+  }
+}
