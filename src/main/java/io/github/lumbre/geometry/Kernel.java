@@ -74,7 +74,7 @@ public enum Kernel {
       return false;
     }
     if (this == AUTO) {
-      return KernelChange.isCompiled() && suitVectors(items);
+      return KernelChange.isCompiled() && vectorObstacle().isEmpty() && suitVectors(items);
     }
     if (vectorObstacle().isPresent()) {
       throw new IllegalStateException(
@@ -83,14 +83,16 @@ public enum Kernel {
     return items.hasFiniteExtent();
   }
 
-  /** Returns whether a hierarchy starts with plain Java but may change to vectors. */
+  /**
+   * Returns whether a hierarchy starts with plain Java but may change to vectors, if they are
+   * available: {@link KernelChange#run} asks that, which takes a while at the start of Java.
+   */
   boolean mayChange(BvhItems items) {
     return this == AUTO && !KernelChange.isCompiled() && suitVectors(items);
   }
 
   private static boolean suitVectors(BvhItems items) {
     return items.count() >= MIN_ITEMS
-        && vectorObstacle().isEmpty()
         && items.hasFiniteExtent()
         && items.suitFloats();
   }

@@ -56,7 +56,9 @@ public final class KernelChange {
     isCompiled = compiled;
   }
 
-  /** Returns whether {@link #run} has something to do; it tries it once. */
+  /**
+   * Returns whether {@link #run} has something to do, if vectors are available; it tries it once.
+   */
   public synchronized boolean isPossible() {
     return !isTried && !hierarchies.isEmpty();
   }
@@ -64,7 +66,7 @@ public final class KernelChange {
   /**
    * Builds vector hierarchies and searches the largest one until the JIT has compiled the search
    * and it is faster than plain Java; then changes all hierarchies. If it does not become faster,
-   * nothing changes. Takes one thread a few seconds.
+   * nothing changes, as where vectors are not available. Takes one thread a few seconds.
    *
    * @param isWanted whether to continue; the search stops soon after it returns false. Another run
    *     may then try again.
@@ -77,6 +79,9 @@ public final class KernelChange {
         return false;
       }
       isTried = true;
+    }
+    if (Kernel.vectorObstacle().isPresent()) {
+      return false;
     }
     List<Traversal> vectors = new ArrayList<>();
     for (Bvh bvh : hierarchies) {

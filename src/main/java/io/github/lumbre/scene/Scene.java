@@ -243,7 +243,7 @@ public final class Scene {
     return new Scene(this, Bvh.counting(shapes(), visits), shortcuts);
   }
 
-  /** Returns whether {@link #changeKernel} has something to do. */
+  /** Returns whether {@link #changeKernel} has something to do, if vectors are available. */
   public boolean mayChangeKernel() {
     return kernelChange.isPossible();
   }

@@ -66,10 +66,9 @@ public final class KernelFlag {
 
   private Kernel chosen() {
     Kernel chosen = kernel.orElse(Kernel.AUTO);
-    Optional<String> obstacle = Kernel.vectorObstacle();
-    if (chosen == Kernel.VECTOR && obstacle.isPresent()) {
+    if (chosen == Kernel.VECTOR && Kernel.vectorObstacle().isPresent()) {
       throw new ParameterException(
-          spec.commandLine(), "--kernel: vector is not available: " + obstacle.get());
+          spec.commandLine(), "--kernel: vector is not available: " + Kernel.vectorObstacle().get());
     }
     return chosen;
   }
