@@ -72,10 +72,9 @@ final class BuildImage {
     Files.createDirectories(image.resolve("bin"));
     link(modules(jar));
     copyProgram(jar);
-    boolean hasAotCache = Runtime.version().feature() >= 25;
-    writeLauncher(hasAotCache);
+    writeLauncher();
     archiveVersion();
-    archiveRender(hasAotCache);
+    archiveRender();
     writeCompletion();
     printSizes();
   }
@@ -137,21 +136,16 @@ final class BuildImage {
     Files.copy(Path.of("LICENSE"), share.resolve("lumbre/LICENSE"));
   }
 
-  private void writeLauncher(boolean hasAotCache) throws IOException {
+  private void writeLauncher() throws IOException {
     String name = IS_WINDOWS ? "lumbre.cmd" : "lumbre";
-    String launcher = Files.readString(Path.of("release/image", name));
     Path target = image.resolve("bin").resolve(name);
-    Files.writeString(
-        target,
-        launcher
-            .replace("@CACHE@", hasAotCache ? "-XX:AOTCache=" : "-XX:SharedArchiveFile=")
-            .replace("@KIND@", hasAotCache ? "aot" : "jsa"));
+    Files.copy(Path.of("release/image", name), target);
     if (!IS_WINDOWS) {
       Files.setPosixFilePermissions(target, PosixFilePermissions.fromString("rwxr-xr-x"));
     }
     // An archive that does not fit, because of other options, is no news to the user.
-    Files.writeString(
-        app.resolve("cache.options"), "-Xlog:cds*=off\n" + (hasAotCache ? "-Xlog:aot*=off\n" : ""));
+    String since25 = Runtime.version().feature() >= 25 ? "-Xlog:aot*=off\n" : "";
+    Files.writeString(app.resolve("cache.options"), "-Xlog:cds*=off\n" + since25);
   }
 
   private void archiveVersion() throws IOException, InterruptedException {
@@ -160,7 +154,7 @@ final class BuildImage {
     java(options, "--version");
   }
 
-  private void archiveRender(boolean hasAotCache) throws IOException, InterruptedException {
+  private void archiveRender() throws IOException, InterruptedException {
     Path picture = Files.createTempFile("lumbre", ".png");
     String scene = share.resolve("lumbre/scenes/cornell-box.json").toString();
     String[] render = {
@@ -168,27 +162,18 @@ final class BuildImage {
       "--overwrite", "--progress", "none"
     };
     String options = "@" + app.resolve("options");
+    Path classes = Files.createTempFile("lumbre", ".classes");
     try {
-      if (hasAotCache) {
-        java(List.of(options, "-XX:AOTCacheOutput=" + app.resolve("lumbre.aot")), render);
-      } else {
-        Path classes = Files.createTempFile("lumbre", ".classes");
-        java(List.of(options, "-XX:DumpLoadedClassList=" + classes), render);
-        java(
-            List.of(
-                options,
-                "-Xshare:dump",
-                "-XX:SharedClassListFile=" + classes,
-                "-XX:SharedArchiveFile=" + app.resolve("lumbre.jsa")));
-        Files.delete(classes);
-      }
+      java(List.of(options, "-XX:DumpLoadedClassList=" + classes), render);
+      java(
+          List.of(
+              options,
+              "-Xshare:dump",
+              "-XX:SharedClassListFile=" + classes,
+              "-XX:SharedArchiveFile=" + app.resolve("lumbre.jsa")));
     } finally {
+      Files.delete(classes);
       Files.delete(picture);
-    }
-    try (Stream<Path> files = Files.list(app)) {
-      for (Path file : files.filter(f -> f.toString().endsWith(".config")).toList()) {
-        Files.delete(file);
-      }
     }
   }
 
