@@ -33,7 +33,8 @@ final class Guiding {
       guide.sample(cell, u / fraction, v, guided);
       Vec3 wi = new Vec3(guided.x(), guided.y(), guided.z());
       vertex.evaluate(wi, value);
-      // Not the density of the BSDF, because light sampling counts on the guide wherever it is above 0.
+      // The BSDF decides, not its density: light sampling is weighted against the guide wherever
+      // the BSDF is above 0.
       if (value.r() > 0 || value.g() > 0 || value.b() > 0) {
         double pdf = fraction * guided.pdf() + (1 - fraction) * value.pdf();
         drawn.set(wi, new Rgb(value.r() / pdf, value.g() / pdf, value.b() / pdf), pdf);

@@ -119,9 +119,10 @@ public final class Setting<T> {
               Group.TRANSPORT,
               new ChoiceType<>(RenderSettings.Guiding.class),
               RenderSettings.Guiding.OFF,
-              "Path mode: off, on or auto. Learn in a pilot render where light comes from, and guide"
-                  + " paths there. Less noise where little light is found by chance, such as behind a"
-                  + " door; auto decides by a short comparison, which was wrong in 2 of 6 scenes.")
+              "Path mode: off, on or auto. Learn in a pilot render where light comes from, and"
+                  + " guide paths there. Less noise where little light is found by chance, such as"
+                  + " behind a door; auto decides by a short comparison, which was wrong in"
+                  + " 2 of 6 scenes.")
           .withFlag("--guide", "MODE")
           .changingSamples();
 

@@ -45,7 +45,7 @@ class GuideFilmTest {
     return Files.readAllBytes(directory.resolve(name));
   }
 
-  /** A resumed film, a merged one, threads, buckets and both kernels give the bits of one render. */
+  /** Resumed and merged films, threads, buckets and both kernels give the bits of one render. */
   @Test
   void thePictureDoesNotDependOnHowItIsRendered() throws IOException {
     String kernel = Kernel.vectorObstacle().isEmpty() ? "vector" : "auto";
