@@ -141,7 +141,7 @@ final class Gears {
     strip(out, inner, y + h / 2 - chamfer, inner, y - h / 2 + chamfer, false);
   }
 
-  /** A slab with a convex outline, clockwise in x and z as the loops are not. */
+  /** A slab with a convex outline, which runs clockwise in x and z. */
   private static <C> void convex(
       Triangles<C> out, List<Point> clockwise, double y, double h, double chamfer) {
     List<Point> outline = new ArrayList<>(clockwise);
@@ -176,7 +176,7 @@ final class Gears {
     return result;
   }
 
-  /** Joins two closed outlines by flat faces, outside to the right of the way up. */
+  /** Joins two closed outlines by flat faces, which face away from the slab. */
   private static <C> void strip(
       Triangles<C> out, List<Point> low, double y0, List<Point> high, double y1, boolean flipped) {
     for (int i = 0; i < low.size(); i++) {

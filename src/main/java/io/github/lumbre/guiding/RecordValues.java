@@ -6,7 +6,7 @@ package io.github.lumbre.guiding;
  * <p>The light that a single path found behind a vertex is mostly noise. Instead, the light of the
  * next vertex is the mean over the vertices around it: what they received by light sampling, and
  * what their own directions gave. These means depend on each other. They are computed in a fixed
- * number of rounds, each of which adds one more scattering (value iteration; Dahm and Keller 2017,
+ * number of rounds. Each round adds one more scattering (value iteration; Dahm and Keller 2017,
  * "Learning Light Transport the Reinforced Way").
  */
 final class RecordValues {

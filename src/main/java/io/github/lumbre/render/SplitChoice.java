@@ -14,7 +14,7 @@ final class SplitChoice {
   /** Logarithm to the base 2 of the largest number of branches, which is measured. */
   static final int MOST = 2;
 
-  /** Groups of pilot pixels, of which each is left out once for the standard error. */
+  /** Number of groups of pilot pixels. The jackknife leaves out one group at a time. */
   static final int GROUPS = 16;
 
   /**

@@ -6,8 +6,8 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * The number of branches of the paths of each pixel: a grid over the full frame, of which each cell
- * has one number. Immutable; shared by threads.
+ * The number of branches of the paths of each pixel: one number for each cell of a grid over the
+ * full frame. Immutable; shared by threads.
  */
 final class SplitPlan {
   /** The largest number of cells of a grid, and so its size in bytes. */

@@ -108,7 +108,7 @@ public final class Setting<T> {
               1,
               "Path mode: split each path into N branches at its first surface that is not a mirror"
                   + " or clear glass. Less noise in the same time where indirect light dominates;"
-                  + " auto chooses N by a pilot render.")
+                  + " auto chooses a number for each part of the frame, by a pilot render.")
           .withFlag("--split", "N")
           .changingSamples();
 

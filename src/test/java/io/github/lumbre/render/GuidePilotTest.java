@@ -151,7 +151,7 @@ class GuidePilotTest {
   }
 
   @Test
-  void autoGuidesWhereItPays() throws Exception {
+  void autoDoesWhatItsComparisonFinds() throws Exception {
     GuideReport knot = learn(scene("torus-knot", Guiding.AUTO), 2).report();
     assertThat(knot.outcome()).isEqualTo(Outcome.NOT_BETTER);
     assertThat(knot.text())
