@@ -33,21 +33,32 @@ record DisplayRows(Image image, ToneCurve curve, double factor, int bits, boolea
 
   @Override
   public void read(int y, int[] row) {
-    int max = (1 << bits) - 1;
     boolean isOverBlack = image.hasAlpha() && !hasAlpha;
+    boolean isOfBytes = bits == Byte.SIZE && curve.endsInSrgb();
     int bands = bands();
     for (int x = 0; x < image.width(); x++) {
       Rgb exposed = exposed(image.pixel(x, y));
       Rgb light = isOverBlack ? exposed.times(Srgb.clamp(image.alpha(x, y))) : exposed;
-      Rgb shown = curve.apply(light);
       int i = bands * x;
-      row[i] = (int) Math.round(max * shown.r());
-      row[i + 1] = (int) Math.round(max * shown.g());
-      row[i + 2] = (int) Math.round(max * shown.b());
+      if (isOfBytes) {
+        Rgb mapped = curve.mapped(light);
+        row[i] = Srgb.toByte(mapped.r());
+        row[i + 1] = Srgb.toByte(mapped.g());
+        row[i + 2] = Srgb.toByte(mapped.b());
+      } else {
+        Rgb shown = curve.apply(light);
+        row[i] = quantized(shown.r());
+        row[i + 1] = quantized(shown.g());
+        row[i + 2] = quantized(shown.b());
+      }
       if (hasAlpha) {
-        row[i + 3] = (int) Math.round(max * Srgb.clamp(image.alpha(x, y)));
+        row[i + 3] = quantized(Srgb.clamp(image.alpha(x, y)));
       }
     }
+  }
+
+  private int quantized(double shown) {
+    return (int) Math.round(((1 << bits) - 1) * shown);
   }
 
   private Rgb exposed(Rgb c) {

@@ -30,6 +30,9 @@ final class PngFilter {
     row = new byte[bytesPerPixel + length];
     above = new byte[bytesPerPixel + length];
     filtered = new byte[FILTERS][1 + length];
+    for (int filter = 0; filter < FILTERS; filter++) {
+      filtered[filter][0] = (byte) filter;
+    }
   }
 
   /** Returns the next row, to be filled from {@link #start} on. */
@@ -47,39 +50,36 @@ final class PngFilter {
 
   /** Writes the row that {@link #nextRow} has returned. */
   void write(OutputStream out) throws IOException {
+    long[] sums = filter();
     int best = 0;
-    long least = Long.MAX_VALUE;
-    for (int filter = 0; filter < FILTERS; filter++) {
-      long sum = filter(filter);
-      if (sum < least) {
-        least = sum;
+    for (int filter = 1; filter < FILTERS; filter++) {
+      if (sums[filter] < sums[best]) {
         best = filter;
       }
     }
     out.write(filtered[best]);
   }
 
-  /** Filters the row, and returns the sum of absolute differences. */
-  private long filter(int filter) {
-    byte[] result = filtered[filter];
-    result[0] = (byte) filter;
-    long sum = 0;
+  /** Filters the row with all filters, and returns the sums of absolute differences. */
+  private long[] filter() {
+    byte[] none = filtered[0];
+    byte[] sub = filtered[1];
+    byte[] up = filtered[2];
+    byte[] average = filtered[3];
+    byte[] paeth = filtered[4];
+    long[] sums = new long[FILTERS];
     for (int i = 0; i < length; i++) {
+      int value = row[i + bytesPerPixel];
       int left = row[i] & 0xff;
-      int up = above[i + bytesPerPixel] & 0xff;
-      int predicted =
-          switch (filter) {
-            case 1 -> left;
-            case 2 -> up;
-            case 3 -> (left + up) / 2;
-            case 4 -> paeth(left, up, above[i] & 0xff);
-            default -> 0;
-          };
-      byte difference = (byte) (row[i + bytesPerPixel] - predicted);
-      result[i + 1] = difference;
-      sum += Math.abs(difference);
+      int top = above[i + bytesPerPixel] & 0xff;
+      int corner = above[i] & 0xff;
+      sums[0] += Math.abs(none[i + 1] = (byte) value);
+      sums[1] += Math.abs(sub[i + 1] = (byte) (value - left));
+      sums[2] += Math.abs(up[i + 1] = (byte) (value - top));
+      sums[3] += Math.abs(average[i + 1] = (byte) (value - (left + top) / 2));
+      sums[4] += Math.abs(paeth[i + 1] = (byte) (value - paeth(left, top, corner)));
     }
-    return sum;
+    return sums;
   }
 
   /** Returns which of the three is nearest to {@code left + up - corner}. */

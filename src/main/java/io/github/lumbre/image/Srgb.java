@@ -9,9 +9,26 @@ package io.github.lumbre.image;
 public final class Srgb {
   private static final double[] FROM_BYTE = new double[256];
 
+  /** Upper limit of the linear values of each byte, with an error of some ulps. */
+  private static final double[] LIMITS = new double[256];
+
+  /** A byte that is not larger than those of the linear values from i / (length - 1) on. */
+  private static final byte[] LEAST = new byte[1025];
+
+  /** Values that differ from a limit by this share or more have the byte of their side. */
+  private static final double UNCERTAINTY = 1e-12;
+
   static {
     for (int i = 0; i < FROM_BYTE.length; i++) {
       FROM_BYTE[i] = decode(i / 255.0);
+      LIMITS[i] = decode((i + .5) / 255);
+    }
+    int least = 0;
+    for (int i = 0; i < LEAST.length; i++) {
+      while (LIMITS[least] * (LEAST.length - 1) < i) {
+        least++;
+      }
+      LEAST[i] = (byte) Math.max(0, least - 1);
     }
   }
 
@@ -45,10 +62,18 @@ public final class Srgb {
 
   /**
    * Returns the encoded byte, 0 to 255, nearest to a linear value; the inverse of {@link
-   * #fromByte}.
+   * #fromByte}. It is that of {@link #encode}, found without powers.
    */
   public static int toByte(double linear) {
-    return (int) Math.round(255 * encode(linear));
+    double v = clamp(linear);
+    int encoded = LEAST[(int) (v * (LEAST.length - 1))] & 0xff;
+    while (v > LIMITS[encoded]) {
+      encoded++;
+    }
+    boolean isCertain =
+        v < LIMITS[encoded] * (1 - UNCERTAINTY)
+            && (encoded == 0 || v > LIMITS[encoded - 1] * (1 + UNCERTAINTY));
+    return isCertain ? encoded : (int) Math.round(255 * encode(v));
   }
 
   /** Returns the value clamped to [0,1]; NaN gives 0. */

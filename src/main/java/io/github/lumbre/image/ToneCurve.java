@@ -9,12 +9,17 @@ public enum ToneCurve {
   /** Clamps to [0,1], then applies the sRGB curve. */
   SRGB("srgb") {
     @Override
-    public Rgb apply(Rgb linear) {
-      return encode(linear);
+    Rgb mapped(Rgb linear) {
+      return linear;
     }
   },
   /** Clamps to [0,1], then applies v^(1/2.2), as the 2016 report does. */
   GAMMA22("gamma22") {
+    @Override
+    Rgb mapped(Rgb linear) {
+      return linear;
+    }
+
     @Override
     public Rgb apply(Rgb linear) {
       return new Rgb(gamma(linear.r()), gamma(linear.g()), gamma(linear.b()));
@@ -23,8 +28,8 @@ public enum ToneCurve {
   /** c / (1 + Y) with luminance Y, then the sRGB curve (Reinhard et al. 2002). */
   REINHARD("reinhard") {
     @Override
-    public Rgb apply(Rgb linear) {
-      return encode(compressed(linear));
+    Rgb mapped(Rgb linear) {
+      return compressed(linear);
     }
   },
   /**
@@ -33,8 +38,8 @@ public enum ToneCurve {
    */
   ACES("aces") {
     @Override
-    public Rgb apply(Rgb linear) {
-      return encode(new Rgb(filmic(linear.r()), filmic(linear.g()), filmic(linear.b())));
+    Rgb mapped(Rgb linear) {
+      return new Rgb(filmic(linear.r()), filmic(linear.g()), filmic(linear.b()));
     }
   },
   /**
@@ -43,15 +48,15 @@ public enum ToneCurve {
    */
   NEUTRAL("neutral") {
     @Override
-    public Rgb apply(Rgb linear) {
-      return encode(neutral(linear));
+    Rgb mapped(Rgb linear) {
+      return neutral(linear);
     }
   },
   /** AgX with its base look (Sobotka 2022; polynomial of Wrensch 2023), then sRGB. */
   AGX("agx") {
     @Override
-    public Rgb apply(Rgb linear) {
-      return encode(agx(linear));
+    Rgb mapped(Rgb linear) {
+      return agx(linear);
     }
   };
 
@@ -71,7 +76,13 @@ public enum ToneCurve {
    *
    * @param linear any finite values; negative ones count as 0
    */
-  public abstract Rgb apply(Rgb linear);
+  public Rgb apply(Rgb linear) {
+    Rgb c = mapped(linear);
+    return new Rgb(Srgb.encode(c.r()), Srgb.encode(c.g()), Srgb.encode(c.b()));
+  }
+
+  /** Returns the light to which the last step, such as the sRGB curve, is applied. */
+  abstract Rgb mapped(Rgb linear);
 
   /** Returns the name of the curve in scene files and on the command line. */
   public String label() {
@@ -87,10 +98,6 @@ public enum ToneCurve {
   /** Returns whether the last step of this curve is the sRGB curve. */
   boolean endsInSrgb() {
     return this != GAMMA22;
-  }
-
-  private static Rgb encode(Rgb c) {
-    return new Rgb(Srgb.encode(c.r()), Srgb.encode(c.g()), Srgb.encode(c.b()));
   }
 
   private static double gamma(double v) {

@@ -131,7 +131,9 @@ public final class Film {
   public int fewestSamples() {
     int fewest = counts[0];
     for (int count : counts) {
-      fewest = Math.min(fewest, count);
+      if (count < fewest) {
+        fewest = count;
+      }
     }
     return fewest;
   }
@@ -140,7 +142,9 @@ public final class Film {
   public int mostSamples() {
     int most = counts[0];
     for (int count : counts) {
-      most = Math.max(most, count);
+      if (count > most) {
+        most = count;
+      }
     }
     return most;
   }

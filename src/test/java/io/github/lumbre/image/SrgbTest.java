@@ -3,6 +3,7 @@ package io.github.lumbre.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** Tests the sRGB transfer functions. */
@@ -55,5 +56,35 @@ class SrgbTest {
       assertThat(v).isGreaterThan(last);
       last = v;
     }
+  }
+
+  @Test
+  void bytesAreThoseOfTheFormulaOnBothSidesOfTheirLimits() {
+    for (int b = 0; b < 256; b++) {
+      double limit = Srgb.decode((b + .5) / 255);
+      for (double share : new double[] {1e-3, 1e-9, 1.1e-12, 1e-12, 9e-13, 1e-14, 1e-15, 0}) {
+        assertByteIsThatOfTheFormula(limit * (1 - share));
+        assertByteIsThatOfTheFormula(limit * (1 + share));
+      }
+      for (double v = limit; v < limit * (1 + 1e-14); v = Math.nextUp(v)) {
+        assertByteIsThatOfTheFormula(v);
+      }
+    }
+  }
+
+  @Test
+  void bytesAreThoseOfTheFormulaEverywhere() {
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < 300_000; i++) {
+      assertByteIsThatOfTheFormula((float) random.nextDouble(1.01));
+      assertByteIsThatOfTheFormula(Math.scalb(random.nextDouble(), -random.nextInt(40)));
+    }
+    for (double v : new double[] {0, -1, 1, 2, Double.NaN, Double.MIN_VALUE, Math.nextDown(1.)}) {
+      assertByteIsThatOfTheFormula(v);
+    }
+  }
+
+  private static void assertByteIsThatOfTheFormula(double linear) {
+    assertThat(Srgb.toByte(linear)).isEqualTo((int) Math.round(255 * Srgb.encode(linear)));
   }
 }

@@ -126,13 +126,15 @@ public final class Summary {
   private boolean isDark() {
     Image image = result.image();
     double threshold = DARK / settings.exposure().factor(image);
-    long bright = 0;
+    long left = ((long) image.width() * image.height() + 99) / 100;
     for (int y = 0; y < image.height(); y++) {
       for (int x = 0; x < image.width(); x++) {
-        bright += image.pixel(x, y).luminance() >= threshold ? 1 : 0;
+        if (image.pixel(x, y).luminance() >= threshold && --left == 0) {
+          return false;
+        }
       }
     }
-    return 100 * bright < (long) image.width() * image.height();
+    return true;
   }
 
   private int threads() {
