@@ -1,5 +1,6 @@
 import com.sun.management.OperatingSystemMXBean;
 import io.github.lumbre.geometry.Bvh;
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.TriangleMesh;
@@ -99,7 +100,7 @@ final class KernelServer {
     corners.asIntBuffer().get(indices);
     TriangleMesh triangles = TriangleMesh.of(coordinates, new double[0], new double[0], indices);
     mesh = Mesh.baked(triangles, Transform.IDENTITY);
-    bvh = Bvh.over(List.of(mesh));
+    bvh = Bvh.over(List.of(mesh), Kernel.VECTOR);
     return indices.length / 3;
   }
 
