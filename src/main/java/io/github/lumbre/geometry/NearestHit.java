@@ -50,6 +50,12 @@ public final class NearestHit {
   /** Where the ray enters the nodes still to visit, as integers that sort as t does. */
   final int[] stackNear = new int[2 * STACK];
 
+  /**
+   * The stack of the vector kernel's search for the nearest hit, instead of the other two: where
+   * the ray enters a node in the upper half, as an integer that sorts as t does, and the node.
+   */
+  final long[] entries = new long[2 * STACK];
+
   int stackTop;
 
   /** The surface at the hit, filled by {@link Shape#surfaceAt}. */

@@ -49,6 +49,23 @@ final class Triangles {
         shape.length, MAX_PART, (first, last) -> setCorners(first, last, meshes, start));
   }
 
+  private Triangles(double[] positions, int[] corners, int[] shape, int[] element) {
+    this.positions = positions;
+    this.corners = corners;
+    this.shape = shape;
+    this.element = element;
+  }
+
+  /** Returns the corners: the offsets of each triangle's three vertices, in leaf order. */
+  int[] corners() {
+    return corners;
+  }
+
+  /** Returns the same triangles for {@link #intersectOne} alone, without the corners. */
+  Triangles withoutCorners() {
+    return new Triangles(positions, new int[0], shape, element);
+  }
+
   private void setCorners(int first, int last, TriangleMesh[] meshes, int[] start) {
     for (int i = first; i < last; i++) {
       TriangleMesh mesh = meshes[shape[i]];
@@ -92,16 +109,19 @@ final class Triangles {
     int end = first + LeafRef.count(leaf);
     boolean found = false;
     for (int i = first; i < end; i++) {
-      found |= intersectOne(i, ray, nearest);
+      found |=
+          intersectOne(i, corners[3 * i], corners[3 * i + 1], corners[3 * i + 2], ray, nearest);
     }
     return found;
   }
 
-  /** Tests one triangle, given by its position in leaf order, as {@link #intersect} does. */
-  boolean intersectOne(int i, ShearedRay ray, NearestHit nearest) {
-    int a = corners[3 * i];
-    int b = corners[3 * i + 1];
-    int c = corners[3 * i + 2];
+  /**
+   * Tests one triangle, as {@link #intersect} does.
+   *
+   * @param i the position of the triangle in leaf order
+   * @param a its first corner; b and c are the others
+   */
+  boolean intersectOne(int i, int a, int b, int c, ShearedRay ray, NearestHit nearest) {
     int kx = ray.kx;
     int ky = ray.ky;
     int kz = ray.kz;

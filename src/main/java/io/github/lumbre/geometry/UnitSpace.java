@@ -65,7 +65,7 @@ final class UnitSpace {
    *     of this space
    */
   static double slack(double reach, double worldReach) {
-    return 0x1p-22 * (1 + reach) + 0x1p-46 * worldReach;
+    return 9 * 0x1p-24 * (1 + reach) + 0x1p-46 * worldReach;
   }
 
   private double centre(int axis) {

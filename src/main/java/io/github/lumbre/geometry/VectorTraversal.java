@@ -34,14 +34,14 @@ final class VectorTraversal implements Traversal {
   private static final int WIDTH = WideTree.WIDTH;
   private static final int CHILDREN = WideTree.CHILDREN;
 
-  /**
-   * The margin added to exit distances, in ulps: more than 2^-20 of t. The rounding of slabs is
-   * below 2^-21 of t at each end.
-   */
-  private static final int EXIT_ULPS = 16;
+  /** All lanes, as the bytes of a long. */
+  private static final long HITS = 0x0101010101010101L;
 
   /** The stack's end marker, which is neither a node nor a leaf. */
   private static final int NONE = Integer.MIN_VALUE;
+
+  /** The bits of a stack entry's node. */
+  private static final long LOW_HALF = 0xffffffffL;
 
   private final int[] nodes;
   private final float[] leaves;
@@ -67,7 +67,7 @@ final class VectorTraversal implements Traversal {
     ray.endAt(nearest.t);
     int bottom = nearest.stackTop;
     nearest.stack[bottom] = NONE;
-    nearest.stackNear[bottom] = Integer.MIN_VALUE;
+    nearest.entries[bottom] = (long) Integer.MIN_VALUE << 32 | NONE & LOW_HALF;
     nearest.stackTop = bottom + 1;
     boolean found = nearest.any ? findAny(ray, nearest) : findNearest(ray, nearest);
     nearest.stackTop = bottom;
@@ -90,11 +90,12 @@ final class VectorTraversal implements Traversal {
       }
       // Pop the last node that the ray does not enter beyond the best hit.
       int top = nearest.stackTop;
+      long last = (long) ray.last << 32 | LOW_HALF;
       do {
         top--;
-      } while (nearest.stackNear[top] > ray.last);
+      } while (nearest.entries[top] > last);
       nearest.stackTop = top;
-      node = nearest.stack[top];
+      node = (int) nearest.entries[top];
     }
   }
 
@@ -116,27 +117,25 @@ final class VectorTraversal implements Traversal {
 
   /**
    * Descends from a node to the nearest leaf, and pushes the siblings that the ray also enters, the
-   * farthest first. Returns the leaf, or {@link #NONE}.
+   * farthest first. Returns the leaf, or {@link #NONE}. Floats are compared as integers: where both
+   * are negative, their order is reversed, but then the box is behind the origin anyway.
    */
   private int nearestLeaf(int root, WideRay ray, NearestHit nearest) {
     int[] tree = nodes;
-    int[] stack = nearest.stack;
-    int[] stackNear = nearest.stackNear;
+    long[] stack = nearest.entries;
     int[] lanes = nearest.lanes;
     int top = nearest.stackTop;
-    IntVector signX = IntVector.broadcast(INTS, ray.signX);
-    IntVector signY = IntVector.broadcast(INTS, ray.signY);
-    IntVector signZ = IntVector.broadcast(INTS, ray.signZ);
     FloatVector ix = FloatVector.broadcast(FLOATS, ray.ix);
     FloatVector iy = FloatVector.broadcast(FLOATS, ray.iy);
     FloatVector iz = FloatVector.broadcast(FLOATS, ray.iz);
-    FloatVector inX = FloatVector.broadcast(FLOATS, ray.inX);
-    FloatVector inY = FloatVector.broadcast(FLOATS, ray.inY);
-    FloatVector inZ = FloatVector.broadcast(FLOATS, ray.inZ);
-    FloatVector outX = FloatVector.broadcast(FLOATS, ray.outX);
-    FloatVector outY = FloatVector.broadcast(FLOATS, ray.outY);
-    FloatVector outZ = FloatVector.broadcast(FLOATS, ray.outZ);
-    int last = ray.last;
+    FloatVector lowX = FloatVector.broadcast(FLOATS, ray.lowX);
+    FloatVector lowY = FloatVector.broadcast(FLOATS, ray.lowY);
+    FloatVector lowZ = FloatVector.broadcast(FLOATS, ray.lowZ);
+    FloatVector highX = FloatVector.broadcast(FLOATS, ray.highX);
+    FloatVector highY = FloatVector.broadcast(FLOATS, ray.highY);
+    FloatVector highZ = FloatVector.broadcast(FLOATS, ray.highZ);
+    int end = ray.last;
+    long last = (long) end << 32 | LOW_HALF;
     int node = root;
     while (node >= 0) {
       IntVector minX = IntVector.fromArray(INTS, tree, node);
@@ -145,54 +144,30 @@ final class VectorTraversal implements Traversal {
       IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
       IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
       IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
-      IntVector near =
-          minX.lanewise(VectorOperators.BITWISE_BLEND, maxX, signX)
-              .reinterpretAsFloats()
-              .fma(ix, inX)
-              .reinterpretAsInts()
-              .max(
-                  minY.lanewise(VectorOperators.BITWISE_BLEND, maxY, signY)
-                      .reinterpretAsFloats()
-                      .fma(iy, inY)
-                      .reinterpretAsInts())
-              .max(
-                  minZ.lanewise(VectorOperators.BITWISE_BLEND, maxZ, signZ)
-                      .reinterpretAsFloats()
-                      .fma(iz, inZ)
-                      .reinterpretAsInts()
-                      .max(0));
-      IntVector far =
-          maxX.lanewise(VectorOperators.BITWISE_BLEND, minX, signX)
-              .reinterpretAsFloats()
-              .fma(ix, outX)
-              .reinterpretAsInts()
-              .min(
-                  maxY.lanewise(VectorOperators.BITWISE_BLEND, minY, signY)
-                      .reinterpretAsFloats()
-                      .fma(iy, outY)
-                      .reinterpretAsInts())
-              .min(
-                  maxZ.lanewise(VectorOperators.BITWISE_BLEND, minZ, signZ)
-                      .reinterpretAsFloats()
-                      .fma(iz, outZ)
-                      .reinterpretAsInts()
-                      .min(last));
+      IntVector tMinX = minX.reinterpretAsFloats().fma(ix, lowX).reinterpretAsInts();
+      IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, highX).reinterpretAsInts();
+      IntVector tMinY = minY.reinterpretAsFloats().fma(iy, lowY).reinterpretAsInts();
+      IntVector tMaxY = maxY.reinterpretAsFloats().fma(iy, highY).reinterpretAsInts();
+      IntVector tMinZ = minZ.reinterpretAsFloats().fma(iz, lowZ).reinterpretAsInts();
+      IntVector tMaxZ = maxZ.reinterpretAsFloats().fma(iz, highZ).reinterpretAsInts();
+      IntVector near = tMinX.min(tMaxX).max(tMinY.min(tMaxY)).max(tMinZ.min(tMaxZ).max(0));
+      IntVector far = tMinX.max(tMaxX).min(tMinY.max(tMaxY)).min(tMinZ.max(tMaxZ).min(end));
       long hits =
           MASKS
-              ? near.compare(VectorOperators.LE, far.add(EXIT_ULPS)).toLong()
-              : ((ByteVector)
-                      far.sub(near.sub(EXIT_ULPS))
-                          .or(far)
-                          .not()
-                          .lanewise(VectorOperators.LSHR, 31)
-                          .convertShape(VectorOperators.I2B, BYTES, 0))
-                  .reinterpretAsLongs()
-                  .lane(0);
+              ? near.compare(VectorOperators.LE, far).toLong()
+              : HITS
+                  ^ ((ByteVector)
+                          far.sub(near)
+                              .or(far)
+                              .lanewise(VectorOperators.LSHR, 31)
+                              .convertShape(VectorOperators.I2B, BYTES, 0))
+                      .reinterpretAsLongs()
+                      .lane(0);
       if (hits == 0) {
         do {
           top--;
-        } while (stackNear[top] > last);
-        node = stack[top];
+        } while (stack[top] > last);
+        node = (int) stack[top];
         continue;
       }
       int lane = Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT;
@@ -203,35 +178,27 @@ final class VectorTraversal implements Traversal {
         continue;
       }
       near.intoArray(lanes, 0);
-      int distance = lanes[lane];
-      int other = Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT;
-      int otherChild = tree[node + CHILDREN + other];
-      int otherDistance = lanes[other];
+      long first = (long) lanes[lane] << 32 | child & LOW_HALF;
+      lane = Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT;
+      long other = (long) lanes[lane] << 32 | tree[node + CHILDREN + lane] & LOW_HALF;
       hits &= hits - 1;
-      boolean ordered = distance <= otherDistance;
-      int first = top;
-      stack[top] = ordered ? otherChild : child;
-      stackNear[top++] = Math.max(distance, otherDistance);
-      if (hits == 0) {
-        node = ordered ? child : otherChild;
-        continue;
-      }
-      stack[top] = ordered ? child : otherChild;
-      stackNear[top++] = Math.min(distance, otherDistance);
-      do {
+      int bottom = top;
+      stack[top++] = first > other ? first : other;
+      first = first > other ? other : first;
+      while (hits != 0) {
         lane = Long.numberOfTrailingZeros(hits) >>> LANE_SHIFT;
-        distance = lanes[lane];
+        other = (long) lanes[lane] << 32 | tree[node + CHILDREN + lane] & LOW_HALF;
+        hits &= hits - 1;
+        long farther = first > other ? first : other;
+        first = first > other ? other : first;
         int place = top++;
-        while (place > first && stackNear[place - 1] < distance) {
-          stackNear[place] = stackNear[place - 1];
+        while (place > bottom && stack[place - 1] < farther) {
           stack[place] = stack[place - 1];
           place--;
         }
-        stackNear[place] = distance;
-        stack[place] = tree[node + CHILDREN + lane];
-        hits &= hits - 1;
-      } while (hits != 0);
-      node = stack[--top];
+        stack[place] = farther;
+      }
+      node = (int) first;
     }
     nearest.stackTop = top;
     return node;
@@ -245,18 +212,15 @@ final class VectorTraversal implements Traversal {
     int[] tree = nodes;
     int[] stack = nearest.stack;
     int top = nearest.stackTop;
-    IntVector signX = IntVector.broadcast(INTS, ray.signX);
-    IntVector signY = IntVector.broadcast(INTS, ray.signY);
-    IntVector signZ = IntVector.broadcast(INTS, ray.signZ);
     FloatVector ix = FloatVector.broadcast(FLOATS, ray.ix);
     FloatVector iy = FloatVector.broadcast(FLOATS, ray.iy);
     FloatVector iz = FloatVector.broadcast(FLOATS, ray.iz);
-    FloatVector inX = FloatVector.broadcast(FLOATS, ray.inX);
-    FloatVector inY = FloatVector.broadcast(FLOATS, ray.inY);
-    FloatVector inZ = FloatVector.broadcast(FLOATS, ray.inZ);
-    FloatVector outX = FloatVector.broadcast(FLOATS, ray.outX);
-    FloatVector outY = FloatVector.broadcast(FLOATS, ray.outY);
-    FloatVector outZ = FloatVector.broadcast(FLOATS, ray.outZ);
+    FloatVector lowX = FloatVector.broadcast(FLOATS, ray.lowX);
+    FloatVector lowY = FloatVector.broadcast(FLOATS, ray.lowY);
+    FloatVector lowZ = FloatVector.broadcast(FLOATS, ray.lowZ);
+    FloatVector highX = FloatVector.broadcast(FLOATS, ray.highX);
+    FloatVector highY = FloatVector.broadcast(FLOATS, ray.highY);
+    FloatVector highZ = FloatVector.broadcast(FLOATS, ray.highZ);
     int last = ray.last;
     int node = root;
     while (node >= 0) {
@@ -266,49 +230,25 @@ final class VectorTraversal implements Traversal {
       IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
       IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
       IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
-      IntVector near =
-          minX.lanewise(VectorOperators.BITWISE_BLEND, maxX, signX)
-              .reinterpretAsFloats()
-              .fma(ix, inX)
-              .reinterpretAsInts()
-              .max(
-                  minY.lanewise(VectorOperators.BITWISE_BLEND, maxY, signY)
-                      .reinterpretAsFloats()
-                      .fma(iy, inY)
-                      .reinterpretAsInts())
-              .max(
-                  minZ.lanewise(VectorOperators.BITWISE_BLEND, maxZ, signZ)
-                      .reinterpretAsFloats()
-                      .fma(iz, inZ)
-                      .reinterpretAsInts()
-                      .max(0));
-      IntVector far =
-          maxX.lanewise(VectorOperators.BITWISE_BLEND, minX, signX)
-              .reinterpretAsFloats()
-              .fma(ix, outX)
-              .reinterpretAsInts()
-              .min(
-                  maxY.lanewise(VectorOperators.BITWISE_BLEND, minY, signY)
-                      .reinterpretAsFloats()
-                      .fma(iy, outY)
-                      .reinterpretAsInts())
-              .min(
-                  maxZ.lanewise(VectorOperators.BITWISE_BLEND, minZ, signZ)
-                      .reinterpretAsFloats()
-                      .fma(iz, outZ)
-                      .reinterpretAsInts()
-                      .min(last));
+      IntVector tMinX = minX.reinterpretAsFloats().fma(ix, lowX).reinterpretAsInts();
+      IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, highX).reinterpretAsInts();
+      IntVector tMinY = minY.reinterpretAsFloats().fma(iy, lowY).reinterpretAsInts();
+      IntVector tMaxY = maxY.reinterpretAsFloats().fma(iy, highY).reinterpretAsInts();
+      IntVector tMinZ = minZ.reinterpretAsFloats().fma(iz, lowZ).reinterpretAsInts();
+      IntVector tMaxZ = maxZ.reinterpretAsFloats().fma(iz, highZ).reinterpretAsInts();
+      IntVector near = tMinX.min(tMaxX).max(tMinY.min(tMaxY)).max(tMinZ.min(tMaxZ).max(0));
+      IntVector far = tMinX.max(tMaxX).min(tMinY.max(tMaxY)).min(tMinZ.max(tMaxZ).min(last));
       long hits =
           MASKS
-              ? near.compare(VectorOperators.LE, far.add(EXIT_ULPS)).toLong()
-              : ((ByteVector)
-                      far.sub(near.sub(EXIT_ULPS))
-                          .or(far)
-                          .not()
-                          .lanewise(VectorOperators.LSHR, 31)
-                          .convertShape(VectorOperators.I2B, BYTES, 0))
-                  .reinterpretAsLongs()
-                  .lane(0);
+              ? near.compare(VectorOperators.LE, far).toLong()
+              : HITS
+                  ^ ((ByteVector)
+                          far.sub(near)
+                              .or(far)
+                              .lanewise(VectorOperators.LSHR, 31)
+                              .convertShape(VectorOperators.I2B, BYTES, 0))
+                      .reinterpretAsLongs()
+                      .lane(0);
       if (hits == 0) {
         node = stack[--top];
         continue;
@@ -329,16 +269,21 @@ final class VectorTraversal implements Traversal {
       return shapes.intersect(leaf, nearest);
     }
     int first = LeafRef.first(leaf);
-    long candidates = candidates(first, LeafRef.count(leaf), ray);
+    int count = LeafRef.count(leaf);
+    long candidates = candidates(first, count, ray);
     if (candidates == 0) {
       return false;
     }
     ray.shear();
     boolean found = false;
     while (candidates != 0) {
-      int i = first + (Long.numberOfTrailingZeros(candidates) >>> LANE_SHIFT);
+      int lane = Long.numberOfTrailingZeros(candidates) >>> LANE_SHIFT;
       candidates &= candidates - 1;
-      found |= triangles.intersectOne(i, ray, nearest);
+      int at = WideTree.cornersAt(first, count, lane);
+      int a = WideTree.corner(leaves[at]);
+      int b = WideTree.corner(leaves[at + count]);
+      int c = WideTree.corner(leaves[at + 2 * count]);
+      found |= triangles.intersectOne(first + lane, a, b, c, ray, nearest);
     }
     return found;
   }
@@ -364,10 +309,10 @@ final class VectorTraversal implements Traversal {
     FloatVector cx = FloatVector.fromArray(FLOATS, p, at + 6 * count);
     FloatVector cy = FloatVector.fromArray(FLOATS, p, at + 7 * count);
     FloatVector cz = FloatVector.fromArray(FLOATS, p, at + 8 * count);
-    FloatVector nx = FloatVector.fromArray(FLOATS, p, at + 9 * count);
-    FloatVector ny = FloatVector.fromArray(FLOATS, p, at + 10 * count);
-    FloatVector nz = FloatVector.fromArray(FLOATS, p, at + 11 * count);
-    FloatVector spread = FloatVector.fromArray(FLOATS, p, at + 12 * count);
+    FloatVector spread = FloatVector.fromArray(FLOATS, p, at + 9 * count);
+    FloatVector nx = by.mul(cz).sub(bz.mul(cy));
+    FloatVector ny = bz.mul(cx).sub(bx.mul(cz));
+    FloatVector nz = bx.mul(cy).sub(by.mul(cx));
     // The edge functions, and t times the determinant, with the sign that makes the determinant
     // positive.
     FloatVector rx = ay.mul(dz).sub(az.mul(dy));
@@ -407,13 +352,13 @@ final class VectorTraversal implements Traversal {
     long hits =
         MASKS
             ? outside.compare(VectorOperators.GE, 0).toLong()
-            : ((ByteVector)
-                    outside
-                        .not()
-                        .lanewise(VectorOperators.LSHR, 31)
-                        .convertShape(VectorOperators.I2B, BYTES, 0))
-                .reinterpretAsLongs()
-                .lane(0);
+            : HITS
+                ^ ((ByteVector)
+                        outside
+                            .lanewise(VectorOperators.LSHR, 31)
+                            .convertShape(VectorOperators.I2B, BYTES, 0))
+                    .reinterpretAsLongs()
+                    .lane(0);
     return hits & -1L >>> Long.SIZE - (count << LANE_SHIFT);
   }
 }

@@ -27,29 +27,23 @@ final class WideRay extends ShearedRay {
   /** The largest factor that scales other directions; beyond it, all items are candidates. */
   private static final double MAX_UNIT = 0x1p960;
 
-  /** For each axis, all bits set if the direction is negative, otherwise none. */
-  int signX;
-
-  int signY;
-  int signZ;
-
   /** The factor of a box coordinate in its t. */
   float ix;
 
   float iy;
   float iz;
 
-  /** The summand of t for the near sides of boxes. */
-  float inX;
+  /** The summand of t for the lower sides of boxes. */
+  float lowX;
 
-  float inY;
-  float inZ;
+  float lowY;
+  float lowZ;
 
-  /** The summand of t for the far sides of boxes. */
-  float outX;
+  /** The summand of t for the upper sides of boxes. */
+  float highX;
 
-  float outY;
-  float outZ;
+  float highY;
+  float highZ;
 
   /** The origin and the direction in the tree's space, for triangle tests. */
   float x;
@@ -174,9 +168,9 @@ final class WideRay extends ShearedRay {
     double size = 1 + reach + 0x1p-24 * worldReach;
     double ofDoubles = 0x1p-48 * (1 + reach + worldReach);
     slack = (float) UnitSpace.slack(reach, worldReach);
-    edgeErrorOfUnit = (float) (24 * 0x1p-24 * size);
+    edgeErrorOfUnit = (float) (28 * 0x1p-24 * size);
     edgeFloorOfUnit = (float) (ofDoubles * ofDoubles);
-    depthError = (float) (72 * 0x1p-24 * size);
+    depthError = (float) (104 * 0x1p-24 * size);
     depthFloor = (float) (80 * size * size * ofDoubles);
   }
 
@@ -205,28 +199,25 @@ final class WideRay extends ShearedRay {
     float length = (float) Axes.sum(ux, uy, uz);
     edgeError = edgeErrorOfUnit * length;
     edgeFloor = edgeFloorOfUnit * length;
-    signX = -Axes.sign(ux);
-    signY = -Axes.sign(uy);
-    signZ = -Axes.sign(uz);
     ix = 1 / (float) atLeast(ux);
     iy = 1 / (float) atLeast(uy);
     iz = 1 / (float) atLeast(uz);
-    inX = -ix * x;
-    inY = -iy * y;
-    inZ = -iz * z;
-    outX = inX;
-    outY = inY;
-    outZ = inZ;
+    lowX = -ix * x;
+    lowY = -iy * y;
+    lowZ = -iz * z;
+    highX = lowX;
+    highY = lowY;
+    highZ = lowZ;
   }
 
   /** Widens all boxes by {@link #slack}. */
   private void widenSlabs() {
-    inX -= slack * Math.abs(ix);
-    inY -= slack * Math.abs(iy);
-    inZ -= slack * Math.abs(iz);
-    outX += slack * Math.abs(ix);
-    outY += slack * Math.abs(iy);
-    outZ += slack * Math.abs(iz);
+    lowX -= slack * ix;
+    lowY -= slack * iy;
+    lowZ -= slack * iz;
+    highX += slack * ix;
+    highY += slack * iy;
+    highZ += slack * iz;
   }
 
   /** Sets the end of the ray to t, with a margin that covers rounding errors. */

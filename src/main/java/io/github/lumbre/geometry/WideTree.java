@@ -19,10 +19,22 @@ final class WideTree {
   private static final int NODE_SIZE = 7 * WIDTH;
 
   /**
-   * Floats per triangle: its first vertex, the edges from it to the second and third vertices,
-   * their cross product, and its {@linkplain #spread spread}.
+   * Floats per triangle: its first vertex, the edges from it to the second and third vertices, its
+   * {@linkplain #spread spread}, and the bits of its {@linkplain #corner corners}.
    */
   static final int TRIANGLE_SIZE = 13;
+
+  /** The number of floats before the corners. */
+  private static final int CORNERS = 10;
+
+  /**
+   * Flipped in the bits of corners, so that these are floats of usual size. Vectors read some of
+   * them beside other numbers, and arithmetic with subnormal numbers is slow.
+   */
+  private static final int FLIPPED = 0x40000000;
+
+  /** A coordinate beyond the end of any ray. */
+  private static final float FAR_AWAY = 0x1p126f;
 
   /** The maximum number of nodes whose leaves one task stores. */
   private static final int MAX_PART = 2048;
@@ -42,11 +54,12 @@ final class WideTree {
     leaves = new float[items.triangleCount() * TRIANGLE_SIZE + WIDTH];
     store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder);
     nodes = Arrays.copyOf(nodes, size);
+    Triangles all = items.triangles(leafOrder.triangles());
     ParallelRange.run(
         size / NODE_SIZE,
         MAX_PART,
-        (first, end) -> storeLeaves(first, end, leafOrder.triangles(), items));
-    triangles = items.triangles(leafOrder.triangles());
+        (first, end) -> storeLeaves(first, end, leafOrder.triangles(), all.corners(), items));
+    triangles = all.withoutCorners();
     shapes = items.shapes(leafOrder.shapes());
   }
 
@@ -77,6 +90,23 @@ final class WideTree {
     return triangles;
   }
 
+  /**
+   * Returns the position in {@link #leaves} of the first corner of a triangle; the second and third
+   * follow at distances of {@code count}.
+   *
+   * @param first the position of the leaf's first triangle in leaf order
+   * @param count the number of triangles of the leaf
+   * @param i the number of the triangle in the leaf
+   */
+  static int cornersAt(int first, int count, int i) {
+    return first * TRIANGLE_SIZE + CORNERS * count + i;
+  }
+
+  /** Returns a corner for {@link Triangles#intersectOne}. */
+  static int corner(float stored) {
+    return Float.floatToRawIntBits(stored) ^ FLIPPED;
+  }
+
   LeafShapes shapes() {
     return shapes;
   }
@@ -90,7 +120,11 @@ final class WideTree {
     WideCollapse.Kept[] lanes = collapse.children(node);
     sortLikeliestLast(lanes);
     for (int lane = 0; lane < WIDTH; lane++) {
-      storeBox(start + lane, lane < lanes.length ? lanes[lane].node().box() : BvhNode.EMPTY);
+      if (lane < lanes.length) {
+        storeBox(start + lane, lanes[lane].node().box());
+      } else {
+        storeNothing(start + lane);
+      }
     }
     for (int lane = 0; lane < lanes.length; lane++) {
       int child =
@@ -135,8 +169,15 @@ final class WideTree {
     }
   }
 
+  /** Stores a point that is farther away than the end of any ray. */
+  private void storeNothing(int at) {
+    for (int side = 0; side < 6; side++) {
+      nodes[at + side * WIDTH] = Float.floatToRawIntBits(FAR_AWAY);
+    }
+  }
+
   /** Stores the triangles of the leaves below nodes with numbers in [first, end). */
-  private void storeLeaves(int first, int end, int[] order, BvhItems items) {
+  private void storeLeaves(int first, int end, int[] order, int[] corners, BvhItems items) {
     double[] vertices = new double[9];
     for (int node = first; node < end; node++) {
       for (int lane = 0; lane < WIDTH; lane++) {
@@ -147,6 +188,7 @@ final class WideTree {
           for (int i = 0; i < count; i++) {
             items.copyVertices(order[place + i], vertices);
             storeTriangle(place * TRIANGLE_SIZE + i, count, vertices);
+            storeCorners(cornersAt(place, count, i), count, corners, 3 * (place + i));
           }
         }
       }
@@ -170,10 +212,13 @@ final class WideTree {
     leaves[at + 6 * stride] = (float) cx;
     leaves[at + 7 * stride] = (float) cy;
     leaves[at + 8 * stride] = (float) cz;
-    leaves[at + 9 * stride] = (float) (by * cz - bz * cy);
-    leaves[at + 10 * stride] = (float) (bz * cx - bx * cz);
-    leaves[at + 11 * stride] = (float) (bx * cy - by * cx);
-    leaves[at + 12 * stride] = Math.nextUp((float) spread(v));
+    leaves[at + 9 * stride] = Math.nextUp((float) spread(v));
+  }
+
+  private void storeCorners(int at, int stride, int[] corners, int first) {
+    for (int i = 0; i < 3; i++) {
+      leaves[at + i * stride] = Float.intBitsToFloat(corners[first + i] ^ FLIPPED);
+    }
   }
 
   /**
