@@ -149,14 +149,16 @@ final class BinaryTraversal implements Traversal {
           }
         }
       }
-      // Pop the last node that the ray does not enter beyond the best hit.
-      do {
+      // Pop the last node that the ray does not enter beyond the best hit. The test comes first:
+      // with a loop that always runs once, the JIT bets that the stack is never empty, and has to
+      // compile this method again.
+      while (top > bottom && stackNear[top - 1] > best) {
         top--;
-      } while (top >= bottom && stackNear[top] > best);
-      if (top < bottom) {
+      }
+      if (top == bottom) {
         break;
       }
-      node = stack[top];
+      node = stack[--top];
     }
     nearest.stackTop = bottom;
     return found;
