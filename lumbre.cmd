@@ -68,21 +68,21 @@ if "%LUMBRE_BUILT%"=="0" goto run
 echo lumbre: the build failed>&2
 exit /b 7
 
-rem The vector kernel needs a module, of which the virtual machine warns in a line on standard error.
 :run
-set "LUMBRE_BIN=%JAVA_HOME%\bin\"
-if not defined JAVA_HOME for %%a in (java.exe) do set "LUMBRE_BIN=%%~dp$PATH:a"
-set "LUMBRE_VECTORS="
-findstr /c:"jdk.incubator.vector" "%LUMBRE_BIN%..\release" >nul 2>nul && set "LUMBRE_VECTORS=--add-modules jdk.incubator.vector"
-
+set "LUMBRE_ARCHIVE="
 rem Whether Java starts at all is tried only with options of the user's, and not with agents and recorders.
-if not defined LUMBRE_JAVA_OPTS goto parts
+if not defined LUMBRE_JAVA_OPTS goto archive
 set LUMBRE_JAVA_OPTS | findstr /c:"-agent" /c:"-javaagent" /c:"-Xrun" /c:"FlightRecord" >nul && goto parts
 "%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version >nul 2>nul && goto parts
 "%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version 1>&2
 echo lumbre: LUMBRE_JAVA_OPTS: Java does not start with "%LUMBRE_JAVA_OPTS%">&2
 exit /b 2
 
+rem From Java 24 on, the virtual machine itself writes an archive of the classes at the end of a run, and again when
+rem it does not fit the jar or Java. It starts faster from it; what does not fit is no news to the user.
+:archive
+if %LUMBRE_MAJOR% GEQ 24 set LUMBRE_ARCHIVE=-XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=%LUMBRE_HOME%target\lumbre-java-%LUMBRE_VERSION%.jsa" -Xlog:cds*=off -Xlog:aot*=off
+
 :parts
-"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_VECTORS% %LUMBRE_JAVA_OPTS% "-Dlumbre.home=%LUMBRE_HOME%." -cp "%LUMBRE_JAR%" io.github.lumbre.cli.Lumbre %*
+"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_ARCHIVE% %LUMBRE_JAVA_OPTS% "-Dlumbre.home=%LUMBRE_HOME%." -jar "%LUMBRE_JAR%" %*
 exit /b %ERRORLEVEL%

@@ -38,7 +38,10 @@ class JvmOptionsTest {
       String text = Files.readString(Path.of(launcher));
       // Those of the archive of classes name a file that the launcher makes.
       String others =
-          text.replaceAll("-XX:(DumpLoadedClassList|Shared\\w+)=|-Xshare(:dump|\\*)", "");
+          text.replaceAll(
+              "-XX:(\\+AutoCreateSharedArchive|(DumpLoadedClassList|Shared\\w+|AOTCache\\w*)=)"
+                  + "|-Xshare(:dump|\\*)",
+              "");
       assertThat(others)
           .containsPattern("src.main.jvm.options")
           .doesNotContain("-XX:", "-Xshare", "-Djava.awt");

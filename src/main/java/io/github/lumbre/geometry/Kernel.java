@@ -8,7 +8,8 @@ import java.util.concurrent.atomic.LongAdder;
  * bit-identical; only the speed differs.
  *
  * <p>The vector kernel needs a processor with 256-bit vectors and the module jdk.incubator.vector,
- * which Java loads only with {@code --add-modules jdk.incubator.vector}.
+ * which Java loads with {@code --add-modules jdk.incubator.vector}. The command-line jar, run with
+ * {@code -jar}, loads it by itself.
  */
 public enum Kernel {
   /**

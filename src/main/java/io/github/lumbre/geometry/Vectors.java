@@ -20,12 +20,29 @@ final class Vectors {
   }
 
   private static Optional<String> findObstacle() {
-    Optional<Module> module = ModuleLayer.boot().findModule(MODULE);
+    Optional<Module> module = ModuleLayer.boot().findModule(MODULE).or(Vectors::loadModule);
     if (module.isEmpty()) {
       return Optional.of("Java runs without --add-modules " + MODULE);
     }
     Vectors.class.getModule().addReads(module.get());
     return VectorLanes.obstacle(VectorLanes.ofModule());
+  }
+
+  /**
+   * Loads the module as Java itself loads modules that are needed late. Java starts faster without
+   * {@code --add-modules}, and prints no warning. Its package is exported by the manifest of the
+   * command-line jar.
+   *
+   * @return the module; empty where Java does not export that package or has no such module
+   */
+  private static Optional<Module> loadModule() {
+    try {
+      Class<?> modules = Class.forName("jdk.internal.module.Modules");
+      Object module = modules.getMethod("loadModule", String.class).invoke(null, MODULE);
+      return Optional.of((Module) module);
+    } catch (ReflectiveOperationException e) {
+      return Optional.empty();
+    }
   }
 
   /** Returns the traversal of a tree; call it only if there is no obstacle. */

@@ -280,7 +280,7 @@ class LauncherIT {
     assertThat(archive()).isNotEmptyFile();
     Map<String, String> options = Map.of("LUMBRE_JAVA_OPTS", "-Xlog:class+load");
     assertThat(launch(home.resolve("lumbre"), options).out())
-        .contains("io.github.lumbre.cli.Lumbre source: shared objects file");
+        .contains("io.github.lumbre.cli.Main source: shared objects file");
 
     assertThat(archive().toFile().setWritable(true)).isTrue();
     Files.writeString(archive(), "damaged");

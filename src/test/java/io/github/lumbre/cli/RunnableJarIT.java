@@ -1,8 +1,10 @@
 package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.geometry.Kernel;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -43,14 +45,40 @@ class RunnableJarIT {
   }
 
   @Test
-  void withoutTheVectorModuleTheScalarKernelRuns() throws IOException, InterruptedException {
-    String reason = "Java runs without --add-modules jdk.incubator.vector";
-    assertThat(lumbre("--version").out()).contains("Kernel: scalar, because " + reason);
+  void theVectorModuleIsLoadedWithoutAnOptionOrAWarning() throws Exception {
+    assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
+    assertThat(lumbre("--version").out()).contains("Kernel: vector");
     TinyScene.write(directory, TinyScene.JSON);
-    Outcome outcome = lumbre("render", "tiny.json", "--kernel", "vector");
+    byte[][] pictures = new byte[2][];
+    for (int i = 0; i < pictures.length; i++) {
+      String kernel = i == 0 ? "vector" : "scalar";
+      String[] render = {"render", "tiny.json", "--kernel", kernel, "-o", kernel + ".pfm"};
+      Outcome outcome = lumbre(render);
+      assertThat(outcome.exitCode()).isZero();
+      assertThat(outcome.err()).startsWith(kernel + ".pfm: 16x12 pixels").hasLineCount(1);
+      pictures[i] = Files.readAllBytes(directory.resolve(kernel + ".pfm"));
+    }
+    assertThat(pictures[0]).isEqualTo(pictures[1]);
+  }
+
+  /** The manifest, which Java reads with -jar alone, exports what loads the module. */
+  @Test
+  void whereTheVectorModuleCannotBeLoadedTheScalarKernelRuns() throws Exception {
+    String reason = "Java runs without --add-modules jdk.incubator.vector";
+    List<String> lumbre =
+        List.of(Program.java("java"), "-cp", "" + Program.JAR, Lumbre.class.getName());
+    Outcome version = Program.run(directory, with(lumbre, "--version"));
+    assertThat(version.out()).contains("Kernel: scalar, because " + reason);
+    TinyScene.write(directory, TinyScene.JSON);
+    Outcome outcome = Program.run(directory, with(lumbre, "render", "tiny.json", "--kernel=vector"));
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
     assertThat(outcome.err()).contains("--kernel: vector is not available: " + reason);
-    assertThat(lumbre("render", "tiny.json", "--kernel", "scalar").exitCode()).isZero();
+    outcome = Program.run(directory, with(lumbre, "render", "tiny.json", "--kernel=scalar"));
+    assertThat(outcome.exitCode()).isZero();
+  }
+
+  private static List<String> with(List<String> command, String... arguments) {
+    return Stream.concat(command.stream(), Stream.of(arguments)).toList();
   }
 
   static Stream<Arguments> badScenes() throws IOException {

@@ -9,10 +9,14 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** When a render changes the traversal kernel. */
 class KernelUpgradeTest {
@@ -90,6 +94,26 @@ class KernelUpgradeTest {
     scene.changeKernel(() -> true);
     renderer.addSamples(film, 4, Progress.NONE);
     assertThat(film.develop().rgb()).isEqualTo(expected.develop().rgb());
+  }
+
+  @Test
+  void withoutTheVectorModuleLongRendersKeepTheirKernelAndBits(@TempDir Path directory)
+      throws IOException, InterruptedException {
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    String classes = System.getProperty("java.class.path");
+    Path out = directory.resolve("out.txt");
+    Process process =
+        new ProcessBuilder(java, "-cp", classes, WithoutVectors.class.getName())
+            .redirectOutput(out.toFile())
+            .redirectError(ProcessBuilder.Redirect.INHERIT)
+            .start();
+    assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
+    Film expected = film(scene.searchedBy(Kernel.SCALAR), WithoutVectors.settings(file));
+    assertThat(Files.readAllLines(out))
+        .containsExactly(
+            "Java runs without --add-modules jdk.incubator.vector",
+            "false",
+            String.valueOf(WithoutVectors.hash(expected.develop())));
   }
 
   private static Film film(Scene scene, RenderSettings settings) throws InterruptedException {
