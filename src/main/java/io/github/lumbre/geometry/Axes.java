@@ -12,7 +12,7 @@ final class Axes {
     return (int) (Double.doubleToRawLongBits(d) >>> 63);
   }
 
-  /** Returns 0 for equal numbers, otherwise 1; neither may be 0 or NaN. */
+  /** Returns 0 for equal numbers, otherwise 1; one of them may be 0, and none NaN. */
   static int differ(double a, double b) {
     long bits = Double.doubleToRawLongBits(a) ^ Double.doubleToRawLongBits(b);
     return (int) ((bits | -bits) >>> 63);

@@ -32,33 +32,44 @@ final class FewLights implements NearLights {
     }
   }
 
+  /**
+   * Computes the weights of all lights at a point. The lights of one point are usually asked for
+   * several times, so that the point keeps its weights.
+   */
+  private void weigh(LightChoice receiver) {
+    if (receiver.weighedBy == this) {
+      return;
+    }
+    double sum = 0;
+    int lit = 0;
+    for (int i = 0; i < emitters.length; i++) {
+      double weight = nodes.importance(i, receiver);
+      receiver.weights[i] = weight;
+      sum += weight;
+      lit += weight > 0 ? 1 : 0;
+    }
+    receiver.sum = sum;
+    receiver.lit = lit;
+    receiver.weighedBy = this;
+  }
+
   @Override
   public double irradiance(LightChoice receiver) {
-    double sum = 0;
-    for (int i = 0; i < emitters.length; i++) {
-      sum += nodes.importance(i, receiver);
-    }
-    return sum;
+    weigh(receiver);
+    return receiver.sum;
   }
 
   @Override
   public void choose(double u, LightChoice choice) {
+    weigh(choice);
     double[] weights = choice.weights;
     int count = emitters.length;
-    double sum = 0;
-    int lit = 0;
-    for (int i = 0; i < count; i++) {
-      double weight = nodes.importance(i, choice);
-      weights[i] = weight;
-      sum += weight;
-      lit += weight > 0 ? 1 : 0;
-    }
-    if (!NearLights.isUsable(sum)) {
+    if (!NearLights.isUsable(choice.sum)) {
       choice.set(emitters[(int) (u * count)], 1.0 / count);
       return;
     }
-    double scale = (1 - EVEN_SHARE) / sum;
-    double even = EVEN_SHARE / lit;
+    double scale = (1 - EVEN_SHARE) / choice.sum;
+    double even = EVEN_SHARE / choice.lit;
     double rest = u;
     int chosen = -1;
     double probability = 0;
@@ -75,18 +86,11 @@ final class FewLights implements NearLights {
 
   @Override
   public double probability(LightChoice receiver, int emitter) {
-    double sum = 0;
-    int lit = 0;
-    double own = 0;
-    for (int i = 0; i < emitters.length; i++) {
-      double weight = nodes.importance(i, receiver);
-      sum += weight;
-      lit += weight > 0 ? 1 : 0;
-      own = i == places[emitter] ? weight : own;
-    }
-    if (!NearLights.isUsable(sum)) {
+    weigh(receiver);
+    if (!NearLights.isUsable(receiver.sum)) {
       return 1.0 / emitters.length;
     }
-    return own > 0 ? (1 - EVEN_SHARE) / sum * own + EVEN_SHARE / lit : 0;
+    double own = receiver.weights[places[emitter]];
+    return own > 0 ? (1 - EVEN_SHARE) / receiver.sum * own + EVEN_SHARE / receiver.lit : 0;
   }
 }

@@ -9,8 +9,16 @@ import io.github.lumbre.math.Vec3;
 public final class LightChoice {
   static final int WEIGHTS = 8;
 
-  /** Workspace for the weights of {@link FewLights}. */
+  /** The weights at the point of the lights of {@link #weighedBy}. */
   final double[] weights = new double[WEIGHTS];
+
+  /** The sum of the weights, and how many of them are positive. */
+  double sum;
+
+  int lit;
+
+  /** The lights whose weights at the point are known; null if there are none. */
+  FewLights weighedBy;
 
   // The point, and the unit normal of the side that receives light; zero if both sides do.
   double x, y, z;
@@ -35,6 +43,7 @@ public final class LightChoice {
     normalX = normal.x();
     normalY = normal.y();
     normalZ = normal.z();
+    weighedBy = null;
   }
 
   /** Returns the x coordinate of {@link #point}. */

@@ -100,6 +100,27 @@ class LightSamplerTest {
     assertThat(half.power(3)).isCloseTo(9 * Math.PI * Math.PI, within(1e-9));
   }
 
+  @Test
+  void pointThatMovesHasTheProbabilitiesOfANewOne() {
+    List<Light> lights = List.of(bulb(1, 1), bulb(3, 2), EnvironmentLight.uniform(TWO));
+    LightSampler first = LightSampler.over(lights);
+    LightSampler second = LightSampler.over(List.of(bulb(1, 5), bulb(3, 2), lights.get(2)));
+    LightChoice moved = new LightChoice();
+    for (double height : new double[] {0, 2, 2.5}) {
+      Vec3 point = new Vec3(.1, height, 0);
+      moved.moveTo(point, Vec3.ZERO);
+      for (LightSampler sampler : List.of(first, second, first)) {
+        sampler.choose(.3, moved);
+        for (int i = 0; i < 3; i++) {
+          assertThat(sampler.probability(moved, i))
+              .isEqualTo(probability(sampler, point, Vec3.ZERO, i));
+        }
+        assertThat(moved.probability())
+            .isEqualTo(choose(sampler, point, Vec3.ZERO, .3).probability());
+      }
+    }
+  }
+
   private static Light bulb(double height, double intensity) {
     return new PointLight(new Vec3(0, height, 0), Rgb.grey(intensity), Falloff.INVERSE_SQUARE);
   }
