@@ -12,12 +12,6 @@ final class Axes {
     return (int) (Double.doubleToRawLongBits(d) >>> 63);
   }
 
-  /** Returns 0 for equal numbers, otherwise 1; one of them may be 0, and none NaN. */
-  static int differ(double a, double b) {
-    long bits = Double.doubleToRawLongBits(a) ^ Double.doubleToRawLongBits(b);
-    return (int) ((bits | -bits) >>> 63);
-  }
-
   /** Returns the axis, 0 to 2, along which a vector is longest; the last one of equals. */
   static int longest(double x, double y, double z) {
     long ax = size(x);

@@ -24,40 +24,8 @@ public final class Box implements Shape {
 
   private final Transform toWorld;
   private final Vec3 half;
-  private final Face[] faces = new Face[FACES];
-
-  /**
-   * A face. Hits read it instead of testing axes: such branches would be unpredictable.
-   *
-   * @param frame its shading frame, in world space
-   * @param low its lowest local point
-   * @param high its highest local point
-   * @param u the local axis along which u decreases
-   * @param v the local axis along which v decreases
-   * @param halfU half of its length along {@code u}, in local units
-   * @param halfV half of its length along {@code v}, in local units
-   * @param area in world space
-   */
-  private record Face(
-      Frame frame, Vec3 low, Vec3 high, Vec3 u, Vec3 v, double halfU, double halfV, double area) {
-    /** Returns the point of the face that is closest to a local point. */
-    Vec3 nearestTo(Vec3 p) {
-      return new Vec3(
-          clamp(p.x(), low.x(), high.x()),
-          clamp(p.y(), low.y(), high.y()),
-          clamp(p.z(), low.z(), high.z()));
-    }
-
-    private static double clamp(double x, double low, double high) {
-      return Math.max(low, Math.min(x, high));
-    }
-
-    /** Returns the texture coordinates of a local point of the face. */
-    TexturePoint texture(Vec3 local) {
-      return new TexturePoint(
-          (halfU - local.dot(u)) / (2 * halfU), (halfV - local.dot(v)) / (2 * halfV));
-    }
-  }
+  private final Frame[] frames = new Frame[FACES];
+  private final double[] faceArea = new double[FACES];
 
   /**
    * Creates a box.
@@ -76,30 +44,16 @@ public final class Box implements Shape {
             .5 * Placement.size("height", height),
             .5 * Placement.size("depth", depth));
     for (int face = 0; face < FACES; face++) {
-      faces[face] = face(face);
+      Vec3 axis = AXES[face >> 1];
+      Vec3 u = toWorld.vector(AXES[U_AXIS[face >> 1]]);
+      Vec3 v = toWorld.vector(AXES[V_AXIS[face >> 1]]);
+      Vec3 normal = toWorld.normal((face & 1) == 0 ? axis.negated() : axis);
+      frames[face] = Frame.around(normal, u.negated(), v.negated());
+      faceArea[face] =
+          u.cross(v).length()
+              * (2 * half.get(U_AXIS[face >> 1]))
+              * (2 * half.get(V_AXIS[face >> 1]));
     }
-  }
-
-  private Face face(int number) {
-    int axis = number >> 1;
-    Vec3 side = (number & 1) == 0 ? AXES[axis].negated() : AXES[axis];
-    Vec3 u = AXES[U_AXIS[axis]];
-    Vec3 v = AXES[V_AXIS[axis]];
-    double halfU = half.get(U_AXIS[axis]);
-    double halfV = half.get(V_AXIS[axis]);
-    Vec3 worldU = toWorld.vector(u);
-    Vec3 worldV = toWorld.vector(v);
-    Vec3 middle = side.times(half.get(axis));
-    Vec3 reach = u.times(halfU).plus(halfV, v);
-    return new Face(
-        Frame.around(toWorld.normal(side), worldU.negated(), worldV.negated()),
-        middle.minus(reach),
-        middle.plus(reach),
-        u,
-        v,
-        halfU,
-        halfV,
-        worldU.cross(worldV).length() * (2 * halfU) * (2 * halfV));
   }
 
   /**
@@ -161,11 +115,11 @@ public final class Box implements Shape {
     nearest.t = t;
     // A ray enters through the face on the side that it comes from, and leaves through the opposite
     // face.
-    int x = Axes.sign(dx);
-    int y = Axes.sign(dy);
-    int z = Axes.sign(dz);
-    nearest.element =
-        near > 0 ? face(t, nearX, nearY, x, y, z) : face(t, farX, farY, 1 - x, 1 - y, 1 - z);
+    if (near > 0) {
+      nearest.element = near == nearX ? face(0, -dx) : near == nearY ? face(1, -dy) : face(2, -dz);
+    } else {
+      nearest.element = far == farX ? face(0, dx) : far == farY ? face(1, dy) : face(2, dz);
+    }
     return true;
   }
 
@@ -184,36 +138,45 @@ public final class Box implements Shape {
     return d == 0 ? Double.POSITIVE_INFINITY : (Math.copySign(half, d) - o) / d;
   }
 
-  /**
-   * Returns the number of the face at t.
-   *
-   * @param t greater than 0
-   * @param tx t at the face of the x axis, as is ty at that of the y axis
-   * @param x 1 if the face of the x axis is on its positive side, otherwise 0; as are y and z
-   */
-  private static int face(double t, double tx, double ty, int x, int y, int z) {
-    int notX = Axes.differ(t, tx);
-    int notY = Axes.differ(t, ty);
-    int onX = 1 - notX;
-    int onY = notX * (1 - notY);
-    int onZ = notX * notY;
-    return onX * x + onY * (2 + y) + onZ * (4 + z);
+  private static int face(int axis, double side) {
+    return 2 * axis + (side > 0 ? 1 : 0);
   }
 
   @Override
   public SurfaceHit surfaceAt(NearestHit hit) {
     Vec3 origin = toWorld.inversePoint(hit.origin());
     Vec3 direction = toWorld.inverseVector(hit.direction());
-    Face face = faces[hit.element];
-    Vec3 local = face.nearestTo(origin.plus(hit.t, direction));
-    Frame frame = face.frame();
+    Vec3 local = onFace(hit.element, origin.plus(hit.t, direction));
+    Frame frame = frames[hit.element];
     return hit.surface.set(
         toWorld.point(local),
         frame.normal(),
         frame,
-        face.texture(local),
+        texture(hit.element, local),
         hit.backwards(),
         toWorld.pointError(local, frame.normal()));
+  }
+
+  /** Returns the point of a face that is closest to a nearby local point. */
+  private Vec3 onFace(int face, Vec3 p) {
+    double side = (face & 1) == 0 ? -1 : 1;
+    int axis = face >> 1;
+    return new Vec3(
+        axis == 0 ? side * half.x() : clamp(p.x(), half.x()),
+        axis == 1 ? side * half.y() : clamp(p.y(), half.y()),
+        axis == 2 ? side * half.z() : clamp(p.z(), half.z()));
+  }
+
+  private static double clamp(double x, double half) {
+    return Math.max(-half, Math.min(x, half));
+  }
+
+  private TexturePoint texture(int face, Vec3 local) {
+    int u = U_AXIS[face >> 1];
+    int v = V_AXIS[face >> 1];
+    return new TexturePoint(
+        (half.get(u) - local.get(u)) / (2 * half.get(u)),
+        (half.get(v) - local.get(v)) / (2 * half.get(v)));
   }
 
   @Override
@@ -223,7 +186,7 @@ public final class Box implements Shape {
 
   @Override
   public double area() {
-    return 2 * (faces[0].area() + faces[2].area() + faces[4].area());
+    return 2 * (faceArea[0] + faceArea[2] + faceArea[4]);
   }
 
   /**
@@ -241,19 +204,19 @@ public final class Box implements Shape {
     }
     double rest = u * visible;
     int face = firstVisible(from);
-    for (int next = face + 1; next < FACES && rest >= faces[face].area(); next++) {
+    for (int next = face + 1; next < FACES && rest >= faceArea[face]; next++) {
       if (sees(from, next)) {
-        rest -= faces[face].area();
+        rest -= faceArea[face];
         face = next;
       }
     }
-    Vec3 local = pointOf(face, Math.min(rest / faces[face].area(), 1), v);
+    Vec3 local = pointOf(face, Math.min(rest / faceArea[face], 1), v);
     Vec3 position = toWorld.point(local);
-    Frame frame = faces[face].frame();
+    Frame frame = frames[face];
     double pdf = Placement.solidAnglePdf(reference.minus(position), frame.normal(), visible);
     if (pdf > 0) {
       double error = toWorld.pointError(local, frame.normal());
-      result.set(position, frame.normal(), faces[face].texture(local), error, pdf);
+      result.set(position, frame.normal(), texture(face, local), error, pdf);
     }
   }
 
@@ -269,10 +232,10 @@ public final class Box implements Shape {
   }
 
   private Vec3 pointOf(int face, double a, double b) {
-    Vec3 u = faces[face].u();
-    Vec3 v = faces[face].v();
-    Vec3 p = u.times((2 * a - 1) * faces[face].halfU()).plus((2 * b - 1) * faces[face].halfV(), v);
-    return faces[face].nearestTo(p);
+    int u = U_AXIS[face >> 1];
+    int v = V_AXIS[face >> 1];
+    Vec3 p = AXES[u].times((2 * a - 1) * half.get(u)).plus((2 * b - 1) * half.get(v), AXES[v]);
+    return onFace(face, p);
   }
 
   private boolean isInside(Vec3 local) {
@@ -289,7 +252,7 @@ public final class Box implements Shape {
   private double visibleArea(Vec3 from) {
     double sum = 0;
     for (int face = 0; face < FACES; face++) {
-      sum += sees(from, face) ? faces[face].area() : 0;
+      sum += sees(from, face) ? faceArea[face] : 0;
     }
     return sum;
   }

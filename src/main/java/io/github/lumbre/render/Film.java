@@ -435,19 +435,15 @@ public final class Film {
     assert value >= 0 && value < Double.POSITIVE_INFINITY : value;
     double cut = Math.min(value, LARGEST);
     long units = (long) cut;
-    // The fraction times 2^64, in two halves: a test of its highest bit would be an unpredictable
-    // branch. Only fractions below 2^-12 are rounded, so the result is below 2^64.
-    double upper = (cut - units) * 0x1p32;
-    long high = (long) upper;
-    add(i, units, (high << 32) + (long) Math.rint((upper - high) * 0x1p32));
+    // The fraction times 2^64; only fractions below 2^-12 are rounded, so the result is below 2^64.
+    double rest = Math.rint((cut - units) * 0x1p64);
+    long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
+    add(i, units, bits);
   }
 
   private void add(int i, long units, long bits) {
-    long before = fraction[i];
-    long sum = before + bits;
-    // The carry of the unsigned sum. A comparison would be an unpredictable branch.
-    long carry = (before & bits | (before | bits) & ~sum) >>> 63;
-    whole[i] += units + carry;
+    long sum = fraction[i] + bits;
+    whole[i] += units + (Long.compareUnsigned(sum, bits) < 0 ? 1 : 0);
     fraction[i] = sum;
   }
 

@@ -19,17 +19,6 @@ class AxesTest {
   }
 
   @Test
-  void numbersDifferUnlessTheyAreEqual() {
-    for (double a : VALUES) {
-      for (double b : VALUES) {
-        if (a != 0 && b != 0) {
-          assertThat(Axes.differ(a, b)).as("%s, %s", a, b).isEqualTo(a == b ? 0 : 1);
-        }
-      }
-    }
-  }
-
-  @Test
   void longestAxisIsTheLastOfEquals() {
     for (double x : VALUES) {
       for (double y : VALUES) {
