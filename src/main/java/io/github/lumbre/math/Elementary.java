@@ -128,22 +128,12 @@ public final class Elementary {
    * @param rest remainder in radians, at most an eighth of a turn in size
    */
   private static double sin(int quarters, double rest) {
-    long isOdd = -(quarters & 1L);
-    double positive = select(isOdd, cosSmall(rest), sinSmall(rest));
-    long sign = (quarters & 2L) << 62;
-    return Double.longBitsToDouble(Double.doubleToRawLongBits(positive) ^ sign);
-  }
-
-  /**
-   * Returns one of two numbers, without a branch. Over angles of all quarters a branch would be
-   * unpredictable, and a misprediction costs more than both numbers.
-   *
-   * @param mask all bits set for the first number, none for the second
-   */
-  private static double select(long mask, double first, double second) {
-    long a = Double.doubleToRawLongBits(first);
-    long b = Double.doubleToRawLongBits(second);
-    return Double.longBitsToDouble(b ^ (a ^ b) & mask);
+    return switch (quarters & 3) {
+      case 0 -> sinSmall(rest);
+      case 1 -> cosSmall(rest);
+      case 2 -> -sinSmall(rest);
+      default -> -cosSmall(rest);
+    };
   }
 
   /** Returns the tangent of an angle in degrees. */
@@ -164,11 +154,12 @@ public final class Elementary {
     double larger = Math.max(ax, ay);
     double ratio = larger > 0 ? Math.min(ax, ay) / larger : 0;
     double angle = ratio * ATAN_OVER_T.at(ratio);
-    // The bits of numbers >= 0 sort as the numbers do.
-    long isSteep = Double.doubleToRawLongBits(ax) - Double.doubleToRawLongBits(ay) >> 63;
-    angle = select(isSteep, .5 * Math.PI - angle, angle);
-    long isLeft = Double.doubleToRawLongBits(x) >> 63;
-    angle = select(isLeft, Math.PI - angle, angle);
+    if (ay > ax) {
+      angle = .5 * Math.PI - angle;
+    }
+    if (Math.copySign(1, x) < 0) {
+      angle = Math.PI - angle;
+    }
     return Math.copySign(angle, y);
   }
 
