@@ -102,17 +102,25 @@ public final class PathTracer implements Integrator {
     firstRoulette = options.firstRoulette();
     isPlanned = options.split() == PathOptions.PLANNED;
     split = Math.max(1, options.split());
-    emitters = scene.emitters().toArray(Light[]::new);
-    environments = scene.environments().toArray(EnvironmentLight[]::new);
+    emitters = scene.emitters().stream().map(PathTracer::besideBsdf).toArray(Light[]::new);
+    environments =
+        scene.environments().stream()
+            .map(EnvironmentLight::besideBsdf)
+            .toArray(EnvironmentLight[]::new);
     this.selector = Objects.requireNonNull(selector, "selector");
     selects = !scene.takes(Specialization.ONE_EMITTER);
-    samplesLights = heuristic.samplesLights(scene.emitters());
+    samplesLights = selector.canChoose() && heuristic.samplesLights(scene.emitters());
     hasAmbient = !scene.ambient().isBlack();
     hasBackplate = scene.backplate().isPresent();
     hasTransparency = scene.hasTransparency();
     hasPassing = Passing.isNeeded(scene);
     this.guide = Objects.requireNonNull(guide, "guide");
     isGuided = !guide.isEmpty();
+  }
+
+  /** Returns a light as it is sampled where BSDF samples can find its light as well. */
+  private static Light besideBsdf(Light light) {
+    return light instanceof EnvironmentLight environment ? environment.besideBsdf() : light;
   }
 
   @Override

@@ -27,6 +27,9 @@ public final class EnvironmentLight implements Light {
   private final double meanBrightness;
   private final Optional<int[]> grid;
 
+  /** What {@link #besideBsdf} returns; null until it is needed. */
+  private volatile EnvironmentLight besideBsdf;
+
   private EnvironmentLight(
       Frame axes,
       Texture<Rgb> radiance,
@@ -65,9 +68,7 @@ public final class EnvironmentLight implements Light {
     double[][] weights = new double[rows][columns];
     double total = 0;
     for (int row = 0; row < rows; row++) {
-      double solidAngle =
-          Elementary.sinTurns((row + 1.0) / rows / 2 - .25)
-              - Elementary.sinTurns((double) row / rows / 2 - .25);
+      double solidAngle = solidAngle(row, rows);
       for (int column = 0; column < columns; column++) {
         weights[row][column] = solidAngle * brightest(radiance, column, row, columns, rows);
         total += weights[row][column];
@@ -79,6 +80,12 @@ public final class EnvironmentLight implements Light {
         Optional.of(new Distribution2d(weights)),
         total / (2 * columns),
         Optional.of(new int[] {columns, rows}));
+  }
+
+  /** Returns the solid angle of a row of the grid, divided by 2π. */
+  private static double solidAngle(int row, int rows) {
+    return Elementary.sinTurns((row + 1.0) / rows / 2 - .25)
+        - Elementary.sinTurns((double) row / rows / 2 - .25);
   }
 
   /**
@@ -112,6 +119,36 @@ public final class EnvironmentLight implements Light {
   /** Returns the grid on which brightness is tabulated, {columns, rows}; empty if uniform. */
   public Optional<int[]> grid() {
     return grid.map(int[]::clone);
+  }
+
+  /**
+   * Returns this light with a density that suits multiple importance sampling beside BSDF samples:
+   * in proportion to the brightness above the mean over the sphere, and 0 for directions that are
+   * not brighter. Those are left to BSDF samples, which find them at least as well (Karlík et al.
+   * 2019, "MIS compensation"). The density alone cannot sample all light of the sky.
+   */
+  public EnvironmentLight besideBsdf() {
+    if (distribution.isEmpty()) {
+      return this;
+    }
+    EnvironmentLight result = besideBsdf;
+    if (result == null) {
+      Distribution2d density = aboveMean(distribution.get(), grid.get()[0], grid.get()[1]);
+      result = new EnvironmentLight(axes, radiance, Optional.of(density), meanBrightness, grid);
+      besideBsdf = result;
+    }
+    return result;
+  }
+
+  private static Distribution2d aboveMean(Distribution2d brightness, int columns, int rows) {
+    double[][] weights = new double[rows][columns];
+    for (int row = 0; row < rows; row++) {
+      double even = solidAngle(row, rows) / (2 * columns);
+      for (int column = 0; column < columns; column++) {
+        weights[row][column] = Math.max(0, brightness.probability(row, column) - even);
+      }
+    }
+    return new Distribution2d(weights);
   }
 
   /** {@inheritDoc} An environment light cannot be moved. */
@@ -205,13 +242,12 @@ public final class EnvironmentLight implements Light {
   /**
    * {@inheritDoc}
    *
-   * <p>For a constant radiance, a quarter of the irradiance of a surface, because BSDF sampling
-   * finds this light about as well as light sampling. For an image, the irradiance of a surface
-   * that faces a small spot with all the light of the image.
+   * <p>For an image, that of a surface that faces a small spot with all the light of the image. For
+   * a constant radiance 0: BSDF samples alone find this light best.
    */
   @Override
   public double farIrradiance() {
-    return (isEven() ? .25 : 4) * Math.PI * meanBrightness;
+    return isEven() ? 0 : 4 * Math.PI * meanBrightness;
   }
 
   /** Returns whether the radiance is the same in all directions. */

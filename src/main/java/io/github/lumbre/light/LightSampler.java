@@ -14,7 +14,8 @@ import java.util.stream.IntStream;
  * those that reach the whole scene equally (far). The sampler first selects a group by the
  * estimated irradiance of each at the point. Within the near group, it selects an emitter by its
  * estimated irradiance at the point. Within the far group, the probabilities are the same at all
- * points.
+ * points. Environment lights of constant radiance are in neither group and never selected, because
+ * BSDF samples alone find them best.
  */
 public final class LightSampler {
   /**
@@ -47,6 +48,9 @@ public final class LightSampler {
   /** Marks, in {@link #places}, an emitter of the near group. */
   private static final int NEAR = -1;
 
+  /** Marks, in {@link #places}, an emitter that is never selected. */
+  private static final int NEVER = -2;
+
   /** The distribution over {@link #alone}. */
   private final Distribution1d distribution;
 
@@ -56,15 +60,13 @@ public final class LightSampler {
    */
   private final int[] alone;
 
-  /** The index in the distribution of each emitter, or {@link #NEAR}. */
+  /** The index in the distribution of each emitter, or {@link #NEAR} or {@link #NEVER}. */
   private final int[] places;
 
   private final Optional<NearLights> near;
 
   /** The sum over the far group, in units of the near group's mean intensity. */
   private final double farIrradiance;
-
-  private final double leastFar;
 
   /** Creates a sampler with the same probabilities at all points. */
   private LightSampler(double[] weights, int[] alone, int[] places) {
@@ -73,7 +75,6 @@ public final class LightSampler {
     this.places = places;
     near = Optional.empty();
     farIrradiance = 0;
-    leastFar = 0;
   }
 
   /**
@@ -87,19 +88,22 @@ public final class LightSampler {
         IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).toArray();
     distribution = halfEven(weights.length == 0 ? new double[1] : weights);
     alone = far;
-    places = new int[emitters.size()];
-    Arrays.fill(places, NEAR);
-    for (int place = 0; place < far.length; place++) {
-      places[far[place]] = place;
-    }
+    places = places(emitters.size(), far);
+    items.forEach(item -> places[item.emitter()] = NEAR);
     double unit =
         items.stream().mapToDouble(item -> item.bounds().intensity()).average().orElseThrow();
     near = Optional.of(near(comparable(items, unit), emitters.size()));
     farIrradiance = Arrays.stream(weights).sum() / unit;
-    boolean isEven =
-        IntStream.of(far)
-            .allMatch(i -> emitters.get(i) instanceof EnvironmentLight dome && dome.isEven());
-    leastFar = isEven ? 0 : LEAST_FAR;
+  }
+
+  /** Returns the place in {@code far} of each of {@code count} emitters, {@link #NEVER} if none. */
+  private static int[] places(int count, int[] far) {
+    int[] places = new int[count];
+    Arrays.fill(places, NEVER);
+    for (int place = 0; place < far.length; place++) {
+      places[far[place]] = place;
+    }
+    return places;
   }
 
   /**
@@ -116,7 +120,7 @@ public final class LightSampler {
   /**
    * Returns a sampler for a scene's emitters, which it identifies by their indices in the list.
    *
-   * @param emitters may be empty; then nothing can be selected
+   * @param emitters may be empty
    */
   public static LightSampler over(List<Light> emitters) {
     List<LightTreeBuilder.Item> items = new ArrayList<>();
@@ -127,17 +131,26 @@ public final class LightSampler {
           .bounds()
           .ifPresent(bounds -> items.add(new LightTreeBuilder.Item(emitter, bounds)));
     }
-    if (emitters.size() < 2) {
-      return byPower(1);
-    }
-    if (items.isEmpty()) {
-      return byPower(emitters.stream().mapToDouble(Light::farIrradiance).toArray());
-    }
     int[] far =
         IntStream.range(0, emitters.size())
-            .filter(i -> emitters.get(i).bounds().isEmpty())
+            .filter(i -> emitters.get(i).bounds().isEmpty() && !isEven(emitters.get(i)))
             .toArray();
-    return new LightSampler(emitters, far, items);
+    if (!items.isEmpty()) {
+      return new LightSampler(emitters, far, items);
+    }
+    double[] weights =
+        IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).toArray();
+    return new LightSampler(
+        weights.length == 0 ? new double[1] : weights, far, places(emitters.size(), far));
+  }
+
+  private static boolean isEven(Light light) {
+    return light instanceof EnvironmentLight environment && environment.isEven();
+  }
+
+  /** Returns whether there is an emitter to select. */
+  public boolean canChoose() {
+    return near.isPresent() || alone.length > 0;
   }
 
   private static NearLights near(List<LightTreeBuilder.Item> items, int count) {
@@ -185,7 +198,7 @@ public final class LightSampler {
   }
 
   /**
-   * Selects an emitter that may light a point.
+   * Selects an emitter that may light a point; only if {@link #canChoose}.
    *
    * @param u uniform in [0,1)
    * @param choice holds the point and receives the result
@@ -212,6 +225,9 @@ public final class LightSampler {
    */
   public double probability(LightChoice receiver, int index) {
     int place = places[index];
+    if (place == NEVER) {
+      return 0;
+    }
     double share = nearShare(receiver);
     return place == NEAR
         ? share * near.get().probability(receiver, index)
@@ -232,6 +248,6 @@ public final class LightSampler {
     }
     double share = irradiance / (irradiance + farIrradiance);
     // Both sums may be infinite, for example at a point light.
-    return LEAST_NEAR + (1 - LEAST_NEAR - leastFar) * (share >= 0 ? share : .5);
+    return LEAST_NEAR + (1 - LEAST_NEAR - LEAST_FAR) * (share >= 0 ? share : .5);
   }
 }

@@ -57,6 +57,11 @@ public final class Distribution2d {
     return new Sample(Math.min(x, BELOW_ONE), Math.min(y, BELOW_ONE), pdf(row, column));
   }
 
+  /** Returns the probability of a cell of the grid. */
+  public double probability(int row, int column) {
+    return rows.probability(row) * columns[row].probability(column);
+  }
+
   /** Returns the density at a point of the square, per unit area of the square. */
   public double pdf(Point2 p) {
     int row = Math.min((int) (p.y() * rows.size()), rows.size() - 1);

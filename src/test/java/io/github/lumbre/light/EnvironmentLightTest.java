@@ -344,4 +344,29 @@ class EnvironmentLightTest {
     assertThat(sample.target()).isEqualTo(LightSample.Target.INFINITY);
     assertThat(sample.isDelta()).isFalse();
   }
+
+  /** Karlík et al. 2019: the density is proportional to the brightness above the mean. */
+  @Test
+  void besideBsdfSamplesOnlyWhatIsBrighterThanTheMean() {
+    // Rows of equal solid angle: two of them, each a hemisphere.
+    double[][] texels = {{1, 1, 1, 1}, {2, 4, 8, 4}};
+    EnvironmentLight light = dome(turned(), texels);
+    EnvironmentLight beside = light.besideBsdf();
+    double mean = 22 / 8.;
+    double above = (4 - mean) + (8 - mean) + (4 - mean);
+    for (int i = 0; i < 10_000; i++) {
+      Vec3 direction = direction();
+      double excess = Math.max(0, light.from(direction).r() - mean);
+      assertThat(beside.from(direction)).isEqualTo(light.from(direction));
+      double height = turned().toLocal(direction).y();
+      double texel = 2 * Math.PI * Math.PI * Math.sqrt(1 - height * height) / 8;
+      assertThat(beside.pdf(direction)).isCloseTo(excess / above / texel, within(1e-9));
+      LightSample sample = sample(beside, point());
+      assertThat(sample.r()).isGreaterThan(mean);
+      assertThat(sample.pdf()).isCloseTo(beside.pdf(sample.wi()), within(1e-9 * sample.pdf()));
+    }
+    assertThat(light.besideBsdf()).isSameAs(beside);
+    EnvironmentLight even = EnvironmentLight.uniform(Rgb.WHITE);
+    assertThat(even.besideBsdf()).isSameAs(even);
+  }
 }

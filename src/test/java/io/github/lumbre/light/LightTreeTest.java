@@ -268,18 +268,23 @@ class LightTreeTest {
         .isCloseTo(.25 + .625 / 101, within(1e-12));
   }
 
-  /**
-   * Scattered rays find a uniform environment light, so near a local light it is rarely sampled.
-   */
+  /** Scattered rays find light of constant radiance best. */
   @Test
-  void evenDomesAreChosenSeldomByALamp() {
+  void evenDomesAreNeverChosen() {
     Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(Math.PI), Falloff.INVERSE_SQUARE);
-    LightSampler selector = LightSampler.over(List.of(EnvironmentLight.uniform(Rgb.WHITE), bulb));
-
-    assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
-        .isCloseTo(.75 * .25 / (.25 + 1), within(1e-12));
-    assertThat(probability(selector, new Vec3(0, .999, 0), Vec3.Y, 0)).isBetween(0., 1e-6);
-    assertThat(probability(selector, new Vec3(0, 9, 0), Vec3.Y, 0)).isEqualTo(1);
+    EnvironmentLight even = EnvironmentLight.uniform(Rgb.WHITE);
+    LightSampler selector = LightSampler.over(List.of(even, bulb));
+    for (double height : new double[] {0, .999, 9}) {
+      Vec3 place = new Vec3(0, height, 0);
+      assertThat(probability(selector, place, Vec3.Y, 0)).isZero();
+      assertThat(probability(selector, place, Vec3.Y, 1)).isEqualTo(1);
+    }
+    Light sun = new DirectionalLight(Vec3.Y, Rgb.WHITE);
+    LightSampler far = LightSampler.over(List.of(sun, even));
+    assertThat(probability(far, Vec3.ZERO, Vec3.Y, 0)).isEqualTo(1);
+    assertThat(probability(far, Vec3.ZERO, Vec3.Y, 1)).isZero();
+    assertThat(LightSampler.over(List.of(even, even)).canChoose()).isFalse();
+    assertThat(LightSampler.over(List.of(even, sun)).canChoose()).isTrue();
   }
 
   @Test
