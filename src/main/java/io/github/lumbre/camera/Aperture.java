@@ -8,7 +8,23 @@ import io.github.lumbre.sampling.Warp;
 @FunctionalInterface
 public interface Aperture {
   /** The unit disk, sampled with the concentric map. */
-  Aperture DISK = sampler -> Warp.concentricDisk(sampler.get2d(Sampler.LENS));
+  Aperture DISK =
+      new Aperture() {
+        @Override
+        public Point2 sample(Sampler sampler) {
+          return Warp.concentricDisk(sampler.get2d(Sampler.LENS));
+        }
+
+        @Override
+        public double area() {
+          return Math.PI;
+        }
+
+        @Override
+        public boolean contains(double x, double y) {
+          return x * x + y * y <= 1;
+        }
+      };
 
   /**
    * Samples a uniform point of the lens with the camera dimensions of the current sample. In the
@@ -16,4 +32,17 @@ public interface Aperture {
    */
   @SuppressWarnings("exports") // internal
   Point2 sample(Sampler sampler);
+
+  /**
+   * Returns the area from which {@link #sample} draws, in squared units of the aperture; 0, the
+   * default, if it is not known. Then lights are not sampled through the lens.
+   */
+  default double area() {
+    return 0;
+  }
+
+  /** Returns whether {@link #sample} can draw a point, given in units of the aperture. */
+  default boolean contains(double x, double y) {
+    return false;
+  }
 }

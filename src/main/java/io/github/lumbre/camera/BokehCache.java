@@ -68,4 +68,20 @@ public final class BokehCache implements Aperture {
     // Single allocation site, so that escape analysis can remove it.
     return new Point2(fromLeft - .5, fromBottom - .5);
   }
+
+  @Override
+  public double area() {
+    return (double) whiteTexels.length / white.length;
+  }
+
+  @Override
+  public boolean contains(double x, double y) {
+    int column = (int) Math.floor((x + .5) * width);
+    int row = (int) Math.floor((y + .5) * height);
+    return column >= 0
+        && column < width
+        && row >= 0
+        && row < height
+        && white[row * width + column];
+  }
 }

@@ -69,6 +69,32 @@ public final class ThinLensCamera extends Camera {
     return new ThinLensCamera(this, newPosition, newAxes);
   }
 
+  /** Returns whether points off the plane of focus blur. */
+  public boolean isBlurring() {
+    return apertureSize > 0 && focusDistance <= INFINITY;
+  }
+
+  /** Returns the distance from the lens to the plane of focus, in world units. */
+  public double focusDistance() {
+    return focusDistance;
+  }
+
+  /** Returns the size of one unit of the aperture, in world units. */
+  public double apertureSize() {
+    return apertureSize;
+  }
+
+  /** Returns the shape of the aperture. */
+  public Aperture aperture() {
+    return aperture;
+  }
+
+  /** Returns half the width and half the height of the plane of focus on the film, in world units. */
+  public Point2 focusedHalfSize() {
+    double half = focusDistance * halfHeight;
+    return new Point2(half * aspect(), half);
+  }
+
   @Override
   Optional<Point2> projectLocally(Vec3 point) {
     return PinholeCamera.film(point, aspect(), halfHeight);

@@ -14,9 +14,6 @@ import io.github.lumbre.texture.TexturePoint;
  * numbers to avoid allocation. The values that its methods return are immutable.
  */
 public final class SurfaceHit {
-  /** A bound of the position error of a hit, relative to the length of the ray. */
-  private static final double ROUNDING = 16 * 0x1p-52;
-
   private double x, y, z;
   private double geometricX, geometricY, geometricZ;
   private double tangentX, tangentY, tangentZ;
@@ -272,13 +269,7 @@ public final class SurfaceHit {
   public void spawnTowards(SurfaceSample sample, NearestHit next) {
     Vec3 end = sample.position();
     Vec3 normal = sample.normal();
-    double wx = x - end.x();
-    double wy = y - end.y();
-    double wz = z - end.z();
-    double margin =
-        sample.error() + ROUNDING * Math.max(Math.abs(wx), Math.max(Math.abs(wy), Math.abs(wz)));
-    double dot = wx * normal.x() + wy * normal.y() + wz * normal.z();
-    double side = Math.copySign(margin, dot);
+    double side = sample.sideTowards(x, y, z);
     aimTowards(
         next,
         end.x() + side * normal.x(),

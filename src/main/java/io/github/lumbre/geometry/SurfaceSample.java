@@ -8,6 +8,9 @@ import io.github.lumbre.texture.TexturePoint;
  * visible. Mutable; each thread reuses one instance.
  */
 public final class SurfaceSample {
+  /** A bound of the position error of a hit, relative to the length of the ray. */
+  private static final double ROUNDING = 16 * 0x1p-52;
+
   private double x, y, z;
   private double normalX, normalY, normalZ = 1;
   private double u, v;
@@ -76,5 +79,33 @@ public final class SurfaceSample {
   /** Returns the density per solid angle at the reference point; 0 if there is no point. */
   public double pdf() {
     return pdf;
+  }
+
+  /**
+   * Returns how far along the normal a shadow ray from a point ends before the surface, so that the
+   * surface does not block it; negative on the back.
+   */
+  double sideTowards(double fromX, double fromY, double fromZ) {
+    double wx = fromX - x;
+    double wy = fromY - y;
+    double wz = fromZ - z;
+    double margin = error + ROUNDING * Math.max(Math.abs(wx), Math.max(Math.abs(wy), Math.abs(wz)));
+    return Math.copySign(margin, wx * normalX + wy * normalY + wz * normalZ);
+  }
+
+  /**
+   * Aims {@code next} along the ray from a point in space to the sampled point. The ray ends just
+   * before the surface, with t = 1.
+   */
+  public void aimFrom(Vec3 point, NearestHit next) {
+    double side = sideTowards(point.x(), point.y(), point.z());
+    next.aim(
+        point.x(),
+        point.y(),
+        point.z(),
+        x + side * normalX - point.x(),
+        y + side * normalY - point.y(),
+        z + side * normalZ - point.z(),
+        1);
   }
 }

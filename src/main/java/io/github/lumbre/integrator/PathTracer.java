@@ -24,6 +24,7 @@ import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Specialization;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A unidirectional path tracer with next-event estimation and multiple importance sampling (Kajiya
@@ -65,6 +66,9 @@ public final class PathTracer implements Integrator {
 
   /** Whether rays may pass straight through some surface or an absorbing medium. */
   private final boolean hasPassing;
+
+  /** The lights that are sampled through the lens, if the scene's own camera is used. */
+  private final Optional<LensLights> lensLights;
 
   private final Guide guide;
 
@@ -114,6 +118,7 @@ public final class PathTracer implements Integrator {
     hasBackplate = scene.backplate().isPresent();
     hasTransparency = scene.hasTransparency();
     hasPassing = Passing.isNeeded(scene);
+    lensLights = samplesLights ? LensLights.of(scene, emitters) : Optional.empty();
     this.guide = Objects.requireNonNull(guide, "guide");
     isGuided = !guide.isEmpty();
   }
@@ -126,7 +131,7 @@ public final class PathTracer implements Integrator {
   @Override
   public Rgb radiance(Ray ray, Sampler sampler, RenderContext context) {
     context.hit.aim(ray);
-    return trace(sampler, context);
+    return trace(false, sampler, context);
   }
 
   @Override
@@ -139,13 +144,18 @@ public final class PathTracer implements Integrator {
         ray.directionY(),
         ray.directionZ(),
         Double.POSITIVE_INFINITY);
-    return trace(sampler, context);
+    return trace(lensLights.isPresent(), sampler, context);
   }
 
-  /** Traces a path that starts with the ray of {@code context.hit}. */
-  private Rgb trace(Sampler sampler, RenderContext context) {
+  /**
+   * Traces a path that starts with the ray of {@code context.hit}.
+   *
+   * @param throughLens whether lights are also sampled through the lens
+   */
+  private Rgb trace(boolean throughLens, Sampler sampler, RenderContext context) {
     Path path = context.path;
     path.begin();
+    context.crossing.isUsed = throughLens;
     if (context.isRecorded) {
       context.listener.pathStarted();
     }
@@ -177,6 +187,9 @@ public final class PathTracer implements Integrator {
     if (context.isRecorded) {
       path.reportRay(hit, depth, context.listener);
     }
+    if (depth == 0 && context.crossing.isUsed) {
+      directThroughLens(lensLights.get(), sampler, context);
+    }
     if (!isHit) {
       if (depth == 0 && hasBackplate) {
         addBackplate(context);
@@ -201,7 +214,7 @@ public final class PathTracer implements Integrator {
       if (context.isRecorded) {
         context.listener.surfaceHit(hit.shape(), surface);
       }
-      addEmission(primitive.emission().get(), surface, context);
+      addEmission(primitive.emission().get(), surface, depth, context);
       if (depth == maxDepth || !primitive.scatters()) {
         return end(End.EMITTER, context);
       }
@@ -314,6 +327,36 @@ public final class PathTracer implements Integrator {
     }
   }
 
+  /** Samples one light through the lens, and adds its light that the film receives. */
+  private void directThroughLens(LensLights lights, Sampler sampler, RenderContext context) {
+    LensLights.Crossing crossing = context.crossing;
+    LightSample light = context.light;
+    lights.cross(context.hit, crossing);
+    double lensPdf =
+        lights.sample(
+            sampler.get1d(Sampler.THROUGH_LENS),
+            sampler.get2d(Sampler.THROUGH_LENS + 1),
+            crossing,
+            light);
+    if (lensPdf == 0) {
+      return;
+    }
+    boolean isBlocked = context.isOccluded(scene, crossing.lens());
+    double lightPdf = crossing.probability() * light.pdf();
+    double misWeight = heuristic.lightWeight(lightPdf, lensPdf);
+    if (context.isRecorded) {
+      // The density of lens points takes the place of the BSDF.
+      BsdfValue value = context.value;
+      value.set(Rgb.grey(lensPdf), lensPdf);
+      context.listener.lightSampled(
+          crossing.emitter(), light, value, lightPdf, misWeight, isBlocked);
+    }
+    if (!isBlocked) {
+      double weight = lensPdf * misWeight / lightPdf;
+      add(light.r() * weight, light.g() * weight, light.b() * weight, context);
+    }
+  }
+
   /** Samples one light, selected at random, and adds its light that the vertex scatters. */
   private void direct(Vertex vertex, Sampler sampler, int dimension, RenderContext context) {
     LightChoice choice = context.choice;
@@ -367,8 +410,11 @@ public final class PathTracer implements Integrator {
   /**
    * Adds the emission of a surface towards the previous vertex, with its MIS weight against light
    * sampling.
+   *
+   * @param depth number of surfaces that scattered the path so far
    */
-  private void addEmission(Emission emission, SurfaceHit surface, RenderContext context) {
+  private void addEmission(
+      Emission emission, SurfaceHit surface, int depth, RenderContext context) {
     Rgb emitted = emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
     int emitter = scene.emitterAt(context.hit);
     double bsdfPdf = context.path.pdf();
@@ -377,6 +423,10 @@ public final class PathTracer implements Integrator {
     if (emitter >= 0 && isWeighted(bsdfPdf)) {
       double pdf = emitters[emitter].pdf(context.choice.point(), surface);
       lightPdf = lightPdf(emitter, pdf, context);
+      weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
+    } else if (depth == 0 && emitter >= 0 && context.crossing.isUsed) {
+      bsdfPdf = context.crossing.rayPdf();
+      lightPdf = lensLights.get().pdf(emitter, surface, context.crossing);
       weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
     }
     if (context.isRecorded) {

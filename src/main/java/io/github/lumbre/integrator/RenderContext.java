@@ -8,6 +8,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.InvalidCoordinates;
 import java.util.ArrayDeque;
@@ -38,6 +39,7 @@ public final class RenderContext {
   final LightSample light = new LightSample();
   final Passing passing = new Passing();
   final Guiding guiding = new Guiding();
+  final LensLights.Crossing crossing = new LensLights.Crossing();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
@@ -103,6 +105,13 @@ public final class RenderContext {
     shadowRays++;
     light.aimShadowRay(surface, shadow);
     return scene.hasTransparency() ? isBlocked(scene) : scene.isOccluded(shadow);
+  }
+
+  /** Returns whether anything blocks the light that was sampled last from a point in space. */
+  boolean isOccluded(Scene scene, Vec3 point) {
+    shadowRays++;
+    light.aimFrom(point, shadow);
+    return scene.isOccluded(shadow);
   }
 
   private boolean isBlocked(Scene scene) {

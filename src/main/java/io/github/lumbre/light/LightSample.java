@@ -166,4 +166,9 @@ public final class LightSample {
       case INFINITY -> from.spawn(x, y, z, shadow);
     }
   }
+
+  /** Sets {@code shadow} to the ray from a point in space to the light, which must be a surface. */
+  public void aimFrom(Vec3 point, NearestHit shadow) {
+    surface.aimFrom(point, shadow);
+  }
 }

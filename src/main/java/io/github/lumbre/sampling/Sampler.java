@@ -45,6 +45,12 @@ public interface Sampler {
   /** Beyond the dimensions of all passed surfaces. */
   int FIRST_CAUGHT = 3 << 29;
 
+  /**
+   * Three dimensions beyond all others: the light that is sampled through the lens, and the
+   * position on it.
+   */
+  int THROUGH_LENS = 7 << 28;
+
   /** Returns the first dimension of a path's vertex; the one that the camera sees is 0. */
   static int vertex(int number) {
     return FIRST_VERTEX + number * VERTEX_STRIDE;

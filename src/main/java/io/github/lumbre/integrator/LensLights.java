@@ -1,0 +1,298 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.camera.ThinLensCamera;
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.LightBounds;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.Scene;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The lights behind the plane of focus whose blurred images are larger than themselves. Few rays
+ * from random lens points meet such a light. It is therefore also sampled by itself: all rays of a
+ * film point cross at one point of the plane of focus, and the line from a point of the light
+ * through that crossing meets the lens in one point. Multiple importance sampling weights both
+ * ways, with densities per solid angle at the crossing (Veach 1997, ch. 9). Immutable.
+ *
+ * <p>A grid over the plane of focus lists the lights whose blurred image covers each cell, so that
+ * other lights are not selected. What the grid leaves out is left to random lens points.
+ */
+final class LensLights {
+  /** Cells along each side of the grid. */
+  private static final int SIDE = 64;
+
+  /** The largest number of lights in all cells; beyond it, lights are left out. */
+  private static final int MOST_ENTRIES = 1 << 20;
+
+  /** Squares of extreme ratios of focus and aperture would overflow. */
+  private static final double MOST_DENSITY = 1e100;
+
+  private final ThinLensCamera camera;
+  private final Light[] emitters;
+  private final double halfWidth;
+  private final double halfHeight;
+
+  /** The area of the aperture, in world units squared. */
+  private final double area;
+
+  /** The emitters of each cell, in ascending order. */
+  private final int[][] listed;
+
+  /** The probabilities of {@link #listed}, summed up to each one and including it. */
+  private final double[][] cumulative;
+
+  private LensLights(ThinLensCamera camera, Light[] emitters, List<Image> images) {
+    this.camera = camera;
+    this.emitters = emitters;
+    Point2 half = camera.focusedHalfSize();
+    halfWidth = half.x();
+    halfHeight = half.y();
+    area = area(camera);
+    listed = new int[SIDE * SIDE][];
+    cumulative = new double[SIDE * SIDE][];
+    fill(images);
+  }
+
+  /**
+   * Returns the lights of a scene that are worth sampling through the lens; empty if there are
+   * none, or no lens, or rays pass through surfaces.
+   *
+   * @param emitters the scene's
+   */
+  static Optional<LensLights> of(Scene scene, Light[] emitters) {
+    if (!(scene.camera() instanceof ThinLensCamera camera)
+        || !camera.isBlurring()
+        || !isUsable(camera.focusDistance() * camera.focusDistance() / area(camera))
+        || Passing.isNeeded(scene)) {
+      return Optional.empty();
+    }
+    List<Image> images = new ArrayList<>();
+    for (int i = 0; i < emitters.length; i++) {
+      if (emitters[i] instanceof AreaLight light) {
+        Image.of(i, light.bounds().orElseThrow(), camera).ifPresent(images::add);
+      }
+    }
+    return images.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new LensLights(camera, emitters, images));
+  }
+
+  private static double area(ThinLensCamera camera) {
+    return camera.aperture().area() * camera.apertureSize() * camera.apertureSize();
+  }
+
+  private static boolean isUsable(double density) {
+    return density > 1 / MOST_DENSITY && density < MOST_DENSITY;
+  }
+
+  /**
+   * The blurred image of a light on the plane of focus, a disk in camera space.
+   *
+   * @param weight estimate of the irradiance that the light gives at the center
+   */
+  private record Image(int emitter, double x, double y, double radius, double weight) {
+    static Optional<Image> of(int emitter, LightBounds bounds, ThinLensCamera camera) {
+      Vec3 center = bounds.box().centre();
+      Vec3 local = camera.axes().toLocal(center.minus(camera.position()));
+      double radius = bounds.box().radius();
+      double focus = camera.focusDistance();
+      if (!(local.z() - radius > focus)) {
+        return Optional.empty();
+      }
+      double scale = focus / local.z();
+      double blur = camera.apertureSize() * (1 - scale);
+      Vec3 crossing = local.times(scale);
+      Vec3 way = local.minus(crossing);
+      double weight = bounds.intensity() / way.dot(way);
+      if (bounds.spread() < .5 * Math.PI) {
+        Vec3 axis = camera.axes().toLocal(bounds.axis());
+        weight *= Math.max(0, -axis.dot(way) / way.length());
+      }
+      boolean isWorthIt = blur > radius * scale && weight > 0 && Double.isFinite(weight);
+      return isWorthIt
+          ? Optional.of(
+              new Image(emitter, crossing.x(), crossing.y(), blur + radius * scale, weight))
+          : Optional.empty();
+    }
+  }
+
+  private void fill(List<Image> images) {
+    List<List<Image>> cells = new ArrayList<>();
+    for (int cell = 0; cell < SIDE * SIDE; cell++) {
+      cells.add(new ArrayList<>());
+    }
+    int entries = 0;
+    for (Image image : images) {
+      for (int row = cell(image.y - image.radius, halfHeight);
+          row <= cell(image.y + image.radius, halfHeight);
+          row++) {
+        for (int column = cell(image.x - image.radius, halfWidth);
+            column <= cell(image.x + image.radius, halfWidth);
+            column++) {
+          if (entries < MOST_ENTRIES && covers(image, column, row)) {
+            cells.get(row * SIDE + column).add(image);
+            entries++;
+          }
+        }
+      }
+    }
+    for (int cell = 0; cell < cells.size(); cell++) {
+      List<Image> here = cells.get(cell);
+      listed[cell] = here.stream().mapToInt(Image::emitter).toArray();
+      double[] weights = here.stream().mapToDouble(Image::weight).toArray();
+      Arrays.parallelPrefix(weights, Double::sum);
+      cumulative[cell] = weights;
+      for (int i = 0; i < weights.length; i++) {
+        weights[i] = i == weights.length - 1 ? 1 : weights[i] / weights[weights.length - 1];
+      }
+    }
+  }
+
+  private boolean covers(Image image, int column, int row) {
+    double x = outside(image.x, column, halfWidth);
+    double y = outside(image.y, row, halfHeight);
+    return x * x + y * y <= image.radius * image.radius;
+  }
+
+  /** Returns how far a coordinate lies outside a column or row. */
+  private static double outside(double value, int cell, double half) {
+    double low = half * (2.0 * cell / SIDE - 1);
+    double high = half * (2.0 * (cell + 1) / SIDE - 1);
+    return Math.max(0, Math.max(low - value, value - high));
+  }
+
+  private static int cell(double value, double half) {
+    double position = (value / half + 1) / 2 * SIDE;
+    return (int) Math.max(0, Math.min(position, SIDE - 1));
+  }
+
+  /**
+   * The point where the rays of a film point cross, and what is sampled there. Mutable; each thread
+   * reuses one instance.
+   */
+  static final class Crossing {
+    /** Whether lights are sampled here. */
+    boolean isUsed;
+
+    /** The point in world space. */
+    private double x, y, z;
+
+    private int cell;
+    private double rayPdf;
+
+    /** The selected light, and the probability of selecting it. */
+    private int emitter;
+
+    private double probability;
+
+    /** The lens point from which a light is seen, in world space. */
+    private Vec3 lens = Vec3.ZERO;
+
+    /** Returns the density of the camera ray per solid angle. */
+    double rayPdf() {
+      return rayPdf;
+    }
+
+    int emitter() {
+      return emitter;
+    }
+
+    double probability() {
+      return probability;
+    }
+
+    Vec3 lens() {
+      return lens;
+    }
+  }
+
+  /**
+   * Moves to the crossing of a camera ray.
+   *
+   * @param ray origin on the lens and unit direction, in world space
+   */
+  void cross(NearestHit ray, Crossing crossing) {
+    Frame axes = camera.axes();
+    Vec3 direction = ray.direction();
+    double cosine = direction.dot(axes.normal());
+    Vec3 point = ray.origin().plus(camera.focusDistance() / cosine, direction);
+    Vec3 local = axes.toLocal(point.minus(camera.position()));
+    crossing.x = point.x();
+    crossing.y = point.y();
+    crossing.z = point.z();
+    crossing.cell = cell(local.y(), halfHeight) * SIDE + cell(local.x(), halfWidth);
+    crossing.rayPdf = pdf(cosine);
+  }
+
+  /** Returns the density per solid angle of a ray from a random lens point. */
+  private double pdf(double cosine) {
+    double distance = camera.focusDistance() / cosine;
+    return distance * distance / (area * cosine);
+  }
+
+  /**
+   * Selects a light and samples it from the crossing.
+   *
+   * @param u uniform in [0,1); selects the light
+   * @param point uniform in [0,1)²
+   * @param light receives the sample
+   * @return the density per solid angle with which a random lens point draws the direction to the
+   *     light; 0 if no light is found or the direction misses the lens
+   */
+  double sample(double u, Point2 point, Crossing crossing, LightSample light) {
+    int[] candidates = listed[crossing.cell];
+    if (candidates.length == 0) {
+      return 0;
+    }
+    double[] sums = cumulative[crossing.cell];
+    int chosen = 0;
+    while (chosen < candidates.length - 1 && u >= sums[chosen]) {
+      chosen++;
+    }
+    crossing.emitter = candidates[chosen];
+    crossing.probability = probability(sums, chosen);
+    emitters[crossing.emitter].sample(
+        crossing.x, crossing.y, crossing.z, point.x(), point.y(), light);
+    return light.isEmpty() ? 0 : towards(light.wi(), crossing);
+  }
+
+  /** Sets the lens point of a direction from the crossing; returns the direction's density. */
+  private double towards(Vec3 direction, Crossing crossing) {
+    Frame axes = camera.axes();
+    double cosine = direction.dot(axes.normal());
+    if (!(cosine > 0)) {
+      return 0;
+    }
+    Vec3 crossed = new Vec3(crossing.x, crossing.y, crossing.z);
+    crossing.lens = crossed.plus(-camera.focusDistance() / cosine, direction);
+    Vec3 local = axes.toLocal(crossing.lens.minus(camera.position()));
+    double size = camera.apertureSize();
+    return camera.aperture().contains(local.x() / size, local.y() / size) ? pdf(cosine) : 0;
+  }
+
+  /**
+   * Returns the density per solid angle with which {@link #sample} draws the hit of a camera ray on
+   * a light.
+   */
+  double pdf(int emitter, SurfaceHit hit, Crossing crossing) {
+    int place = Arrays.binarySearch(listed[crossing.cell], emitter);
+    if (place < 0) {
+      return 0;
+    }
+    Vec3 crossed = new Vec3(crossing.x, crossing.y, crossing.z);
+    return probability(cumulative[crossing.cell], place) * emitters[emitter].pdf(crossed, hit);
+  }
+
+  private static double probability(double[] sums, int place) {
+    return place == 0 ? sums[0] : sums[place] - sums[place - 1];
+  }
+}
