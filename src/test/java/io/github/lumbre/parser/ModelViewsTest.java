@@ -27,13 +27,13 @@ class ModelViewsTest {
   private static final Map<String, String> STORED = new LinkedHashMap<>();
 
   static {
-    STORED.put("front", "45924138");
-    STORED.put("back", "7357f076");
-    STORED.put("left", "96deb588");
-    STORED.put("right", "9c0c915b");
-    STORED.put("top", "e3ac38f4");
-    STORED.put("bottom", "90916c43");
-    STORED.put("iso", "2e7ed273");
+    STORED.put("front", "ed35e9c3");
+    STORED.put("back", "3a84ecb");
+    STORED.put("left", "c97e0ae5");
+    STORED.put("right", "42fea9c2");
+    STORED.put("top", "7acd1405");
+    STORED.put("bottom", "4c21e6b2");
+    STORED.put("iso", "e74fa79c");
   }
 
   @TempDir private Path directory;
