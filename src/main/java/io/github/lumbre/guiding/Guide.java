@@ -30,6 +30,9 @@ public final class Guide {
   static final int CHILDREN = 3;
   static final int FRACTION = 7;
 
+  /** Binary digits of a coordinate in the unit square: the largest number of its divisions. */
+  static final int DIGITS = 12;
+
   /** Directions along the three coordinate axes. */
   static final int AXES = 6;
 
@@ -123,34 +126,30 @@ public final class Guide {
 
   /** Returns the density per solid angle of a unit direction. */
   public double pdf(int cell, double x, double y, double z) {
-    double u = Octahedron.u(x, y, z);
-    double v = Octahedron.v(x, y, z);
+    // Digits of the coordinates select the squares: which half a direction lies in cannot be
+    // predicted, so branches would be slow.
+    int u = digits(Octahedron.u(x, y, z));
+    int v = digits(Octahedron.v(x, y, z));
     double density = 1;
+    int digit = DIGITS;
     int node = cell;
     do {
+      digit--;
+      int highU = u >> digit & 1;
+      int highV = v >> digit & 1;
       double lowU = Float.intBitsToFloat(squares[node]);
-      int quarter = 0;
-      u *= 2;
-      v *= 2;
-      if (u < 1) {
-        density *= lowU;
-      } else {
-        density *= 1 - lowU;
-        u -= 1;
-        quarter = 1;
-      }
-      double lowV = Float.intBitsToFloat(squares[node + 1 + quarter]);
-      if (v < 1) {
-        density *= lowV;
-      } else {
-        density *= 1 - lowV;
-        v -= 1;
-        quarter += 2;
-      }
-      density *= 4;
-      node = squares[node + CHILDREN + quarter];
-    } while (node >= 0 && density > 0);
+      double lowV = Float.intBitsToFloat(squares[node + 1 + highU]);
+      double inU = highU + (1 - 2 * highU) * lowU;
+      double inV = highV + (1 - 2 * highV) * lowV;
+      density *= 4 * inU * inV;
+      node = squares[node + CHILDREN + highU + 2 * highV];
+    } while (node >= 0);
     return density * Octahedron.stretch(x, y, z);
+  }
+
+  /** Returns the first binary digits of a number in [0,1]. */
+  private static int digits(double x) {
+    return Math.min((1 << DIGITS) - 1, (int) (x * (1 << DIGITS)));
   }
 
   /**

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * one thread. It stores plain numbers, because there are hundreds of thousands.
  */
 public final class GuideRecords {
-  static final int STRIDE = 10;
+  static final int STRIDE = 11;
   static final int X = 0;
   static final int U = 3;
   static final int V = 4;
@@ -16,6 +16,7 @@ public final class GuideRecords {
   static final int FOUND = 7;
   static final int WEIGHT = 8;
   static final int AXIS = 9;
+  static final int BSDF_PDF = 10;
 
   private float[] numbers = new float[STRIDE * 64];
   private boolean[] continues = new boolean[64];
@@ -65,6 +66,7 @@ public final class GuideRecords {
     numbers[at + AXIS] = Guide.axis(nx, ny, nz);
     numbers[at + DIRECT] = (float) direct;
     numbers[at + PDF] = 0;
+    numbers[at + BSDF_PDF] = 0;
     numbers[at + FOUND] = 0;
     numbers[at + WEIGHT] = 0;
     continues[size++] = false;
@@ -75,17 +77,26 @@ public final class GuideRecords {
    *
    * @param dx unit direction, as are dy and dz
    * @param pdf density per solid angle with which the direction was drawn; 0 of a delta lobe
+   * @param bsdfPdf density with which BSDF sampling alone draws the direction; 0 of a delta lobe
    * @param found the light that the direction found before the next vertex, scattered to the viewer
    *     and divided by the density
    * @param weight of the next vertex: f·|cos θ| over the density
    * @param next whether the next vertex will be added
    */
   public void leave(
-      double dx, double dy, double dz, double pdf, double found, double weight, boolean next) {
+      double dx,
+      double dy,
+      double dz,
+      double pdf,
+      double bsdfPdf,
+      double found,
+      double weight,
+      boolean next) {
     int at = STRIDE * (size - 1);
     numbers[at + U] = (float) Octahedron.u(dx, dy, dz);
     numbers[at + V] = (float) Octahedron.v(dx, dy, dz);
     numbers[at + PDF] = (float) pdf;
+    numbers[at + BSDF_PDF] = (float) bsdfPdf;
     numbers[at + FOUND] = (float) found;
     numbers[at + WEIGHT] = (float) weight;
     continues[size - 1] = next;

@@ -4,9 +4,12 @@ import java.util.Arrays;
 
 /**
  * An order of {@link GuideRecords} that is divided into ever smaller ranges. Each division keeps
- * the order within the halves, so that sums over a range are always taken in the same order. Mutable.
+ * the order within the halves, so that sums over a range are always taken in the same order.
+ * Mutable.
  */
 final class RecordOrder {
+  private static final int MEDIAN_RECORDS = 255;
+
   private final GuideRecords records;
   private final int[] order;
   private final int[] high;
@@ -37,29 +40,33 @@ final class RecordOrder {
 
   /** Returns the coordinate, of three, in which the records of a range extend most. */
   int widest(int from, int to) {
-    int widest = 0;
-    double most = -1;
-    for (int axis = 0; axis < 3; axis++) {
-      double low = Double.POSITIVE_INFINITY;
-      double high = Double.NEGATIVE_INFINITY;
-      for (int i = from; i < to; i++) {
-        double x = records.number(order[i], axis);
-        low = Math.min(low, x);
-        high = Math.max(high, x);
+    float[] low = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY};
+    float[] high = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
+    for (int i = from; i < to; i++) {
+      for (int axis = 0; axis < 3; axis++) {
+        float x = records.number(order[i], axis);
+        low[axis] = Math.min(low[axis], x);
+        high[axis] = Math.max(high[axis], x);
       }
-      if (high - low > most) {
-        most = high - low;
+    }
+    int widest = 0;
+    for (int axis = 1; axis < 3; axis++) {
+      if ((double) high[axis] - low[axis] > (double) high[widest] - low[widest]) {
         widest = axis;
       }
     }
     return widest;
   }
 
-  /** Returns a number below which lie about half of a range's records. */
+  /**
+   * Returns a number below which lie about half of a range's records. It is the median of at most
+   * {@link #MEDIAN_RECORDS} of them, because sorting all took a fifth of the pilot's time.
+   */
   float median(int from, int to, int index) {
-    float[] numbers = new float[to - from];
-    for (int i = from; i < to; i++) {
-      numbers[i - from] = records.number(order[i], index);
+    int step = (to - from + MEDIAN_RECORDS - 1) / MEDIAN_RECORDS;
+    float[] numbers = new float[(to - from + step - 1) / step];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = records.number(order[from + i * step], index);
     }
     Arrays.sort(numbers);
     return numbers[numbers.length / 2];

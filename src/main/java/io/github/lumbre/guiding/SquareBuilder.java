@@ -10,16 +10,13 @@ final class SquareBuilder {
   /** A square with fewer records is not divided. */
   private static final int LEAST_RECORDS = 8;
 
-  private static final int MOST_DIVISIONS = 11;
+  private static final int MOST_DIVISIONS = Guide.DIGITS - 1;
 
   /**
    * Records that each divided square has in addition to its own, spread evenly. Without them, a
    * part where no record happened to lie would never be sampled.
    */
   private static final double EVEN_RECORDS = 4;
-
-  /** Half of the samples follow the guide, and half the BSDF. A power of two keeps both even. */
-  private static final float FRACTION = .5f;
 
   /** Beyond this number of ints, squares are not divided. */
   private final int limit;
@@ -43,15 +40,19 @@ final class SquareBuilder {
     return Arrays.copyOf(squares, size);
   }
 
-  /** Adds the quadtree of a range of records; returns the index of its root. */
-  int add(RecordOrder order, int from, int to) {
+  /**
+   * Adds the quadtree of a range of records; returns the index of its root.
+   *
+   * @param fraction part of the cell's directions that follow the guide
+   */
+  int add(RecordOrder order, int from, int to, float fraction) {
     double light = 0;
     for (int i = from; i < to; i++) {
       light += values.value(order.record(i));
     }
     square(order, from, to, 0, 0, 0, LEAST_SHARE * light);
     int root = added;
-    squares[root + Guide.FRACTION] = Float.floatToRawIntBits(FRACTION);
+    squares[root + Guide.FRACTION] = Float.floatToRawIntBits(fraction);
     return root;
   }
 

@@ -34,6 +34,7 @@ public final class GuideRecorder implements PathListener {
   private double direct;
   private double directionX, directionY, directionZ;
   private double pdf;
+  private double bsdfPdf;
   private double found;
 
   /** Creates a recorder that adds to a list. */
@@ -102,7 +103,7 @@ public final class GuideRecorder implements PathListener {
   }
 
   private void leave(double weight, boolean next) {
-    records.leave(directionX, directionY, directionZ, pdf, found, weight, next);
+    records.leave(directionX, directionY, directionZ, pdf, bsdfPdf, found, weight, next);
   }
 
   @Override
@@ -117,6 +118,7 @@ public final class GuideRecorder implements PathListener {
     directionY = sample.y();
     directionZ = sample.z();
     pdf = sample.isSpecular() ? 0 : sample.pdf();
+    bsdfPdf = sample.isSpecular() ? 0 : sample.bsdfPdf();
     found = 0;
   }
 

@@ -29,6 +29,10 @@ final class Guiding {
   void sample(Guide guide, Vertex vertex, double uLobe, double u, double v, BsdfSample drawn) {
     int cell = vertex.cell();
     double fraction = guide.fraction(cell);
+    if (fraction == 0) {
+      vertex.sample(uLobe, u, v, drawn);
+      return;
+    }
     if (u < fraction) {
       guide.sample(cell, u / fraction, v, guided);
       Vec3 wi = new Vec3(guided.x(), guided.y(), guided.z());
@@ -37,7 +41,8 @@ final class Guiding {
       // the BSDF is above 0.
       if (value.r() > 0 || value.g() > 0 || value.b() > 0) {
         double pdf = fraction * guided.pdf() + (1 - fraction) * value.pdf();
-        drawn.set(wi, new Rgb(value.r() / pdf, value.g() / pdf, value.b() / pdf), pdf);
+        Rgb weight = new Rgb(value.r() / pdf, value.g() / pdf, value.b() / pdf);
+        drawn.setMixed(wi, weight, pdf, value.pdf());
       } else {
         drawn.absorb();
       }
@@ -61,6 +66,9 @@ final class Guiding {
    */
   static double pdf(Guide guide, int cell, Vec3 wi, double bsdfPdf) {
     double fraction = guide.fraction(cell);
+    if (fraction == 0) {
+      return bsdfPdf;
+    }
     return fraction * guide.pdf(cell, wi.x(), wi.y(), wi.z()) + (1 - fraction) * bsdfPdf;
   }
 }

@@ -13,6 +13,9 @@ public final class BsdfSample {
   private double r, g, b;
   private double pdf;
 
+  /** The density of BSDF sampling alone. */
+  private double bsdfPdf;
+
   /** Receives the value of the BSDF in {@link #weighBy}. */
   private final BsdfValue value = new BsdfValue();
 
@@ -37,6 +40,20 @@ public final class BsdfSample {
     g = weight.g();
     b = weight.b();
     pdf = newPdf;
+    bsdfPdf = newPdf;
+  }
+
+  /**
+   * Sets a direction that a mixture of BSDF sampling and another technique has drawn.
+   *
+   * @param wi unit direction in world space
+   * @param weight f·|cos θi| / pdf
+   * @param newPdf density of the mixture per solid angle
+   * @param newBsdfPdf density of BSDF sampling alone
+   */
+  public void setMixed(Vec3 wi, Rgb weight, double newPdf, double newBsdfPdf) {
+    set(wi, weight, newPdf);
+    bsdfPdf = newBsdfPdf;
   }
 
   /**
@@ -134,6 +151,11 @@ public final class BsdfSample {
    */
   public double pdf() {
     return pdf;
+  }
+
+  /** Returns the density with which BSDF sampling alone draws the direction; see {@link #mix}. */
+  public double bsdfPdf() {
+    return bsdfPdf;
   }
 
   public boolean isAbsorbed() {

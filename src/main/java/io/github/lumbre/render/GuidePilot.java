@@ -29,10 +29,25 @@ final class GuidePilot {
   /** The largest number of paths in all passes. */
   static final int MOST_PATHS = 1 << 19;
 
-  private static final int PASSES = 3;
+  private static final int PASSES = 5;
 
-  /** The largest number of vertices that one pass keeps: 46 MB. */
+  /** The gain from which on {@code auto} guides paths; see {@link GuideBuilder.Built#gain}. */
+  private static final double LEAST_GAIN = 1.1;
+
+  /** The pass after which the pilot ends if it has learned nothing; it has then done 7/31. */
+  private static final int CHECKED_PASS = 2;
+
+  /** The gain below which {@code auto} then ends the pilot. */
+  private static final double LEAST_EARLY_GAIN = 1.01;
+
+  /** The largest number of vertices that one pass keeps: 50 MB. */
   static final int MOST_RECORDS = 1 << 20;
+
+  /**
+   * Bytes of a record of 45 bytes that is held twice and in an array with room for another, of 24
+   * bytes of indices, and of a guide's trees.
+   */
+  private static final long BYTES_PER_RECORD = 256;
 
   private static final long SEED = 0x6775696465206f6eL;
 
@@ -67,6 +82,16 @@ final class GuidePilot {
         : new Learned(Guide.NONE, GuideReport.unused(Outcome.NO_LIGHT, 1, 0));
   }
 
+  /** Returns the largest number of bytes that the pilot of some settings needs. */
+  static long mostBytes(RenderSettings settings) {
+    long vertices = (long) paths(settings) * (settings.maxTraceDepth() + 1L);
+    return BYTES_PER_RECORD * Math.min(MOST_RECORDS, vertices);
+  }
+
+  private static int paths(RenderSettings settings) {
+    return (int) Math.min(MOST_PATHS, (long) settings.width() * settings.height());
+  }
+
   /** Returns whether a scattered ray could find light. */
   static boolean findsLight(RenderSettings settings, Scene scene) {
     return settings.mode() == RenderSettings.Mode.PATH
@@ -76,25 +101,27 @@ final class GuidePilot {
   }
 
   private Learned learn() throws InterruptedException, PilotRows.Stopped {
-    long pixels = (long) settings.width() * settings.height();
-    int paths = (int) Math.min(MOST_PATHS, pixels);
-    Guide guide = Guide.NONE;
+    int paths = paths(settings);
+    boolean isAuto = settings.guiding() == Guiding.AUTO;
+    GuideBuilder.Built built = new GuideBuilder.Built(Guide.NONE, 1);
     for (int pass = 0; pass < PASSES; pass++) {
       long share = ((long) paths << pass) / ((1 << PASSES) - 1);
-      guide = GuideBuilder.build(records(guide, (int) Math.max(1, share), pass));
-      if (guide.isEmpty()) {
-        return new Learned(guide, GuideReport.unused(Outcome.NOTHING_LEARNED, 1, rays));
+      GuideRecords records = records(built.guide(), (int) Math.max(1, share), pass);
+      built = pass == PASSES - 1 ? GuideBuilder.build(records) : GuideBuilder.train(records);
+      if (pass >= CHECKED_PASS && built.guide().isEmpty()) {
+        return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOTHING_LEARNED, 1, rays));
+      }
+      if (isAuto && pass == CHECKED_PASS && built.gain() < LEAST_EARLY_GAIN) {
+        return notBetter(built.gain());
       }
     }
-    if (settings.guiding() == Guiding.ON) {
-      return new Learned(guide, GuideReport.used(guide, 1, rays));
-    }
-    GuideComparison comparison = GuideComparison.of(settings, scene, guide, crew);
-    rays += comparison.rays();
-    return comparison.gain() >= GuideComparison.LEAST_GAIN
-        ? new Learned(guide, GuideReport.used(guide, comparison.gain(), rays))
-        : new Learned(
-            Guide.NONE, GuideReport.unused(Outcome.NOT_BETTER, comparison.gain(), rays));
+    return isAuto && built.gain() < LEAST_GAIN
+        ? notBetter(built.gain())
+        : new Learned(built.guide(), GuideReport.used(built.guide(), built.gain(), rays));
+  }
+
+  private Learned notBetter(double gain) {
+    return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOT_BETTER, gain, rays));
   }
 
   /** Traces the paths of a pass. */

@@ -11,8 +11,8 @@ import java.util.Map;
  * What the pilot render of {@code --guide} did, and why.
  *
  * @param outcome whether the paths are guided, or why not
- * @param gain ratio of squared error times cost of unguided paths to that of guided ones, as
- *     measured by the pilot of {@code auto}; 1 if it was not measured
+ * @param gain the second moment of what scattered rays find, with unguided paths, divided by that
+ *     with guided ones, as predicted from the pilot's last pass; 1 if nothing was learned
  * @param rays rays of the pilot; 0 if there was nothing to learn
  * @param bytes size of the guide
  * @param hash hash of the guide, by which two processes can compare theirs; 0 without a guide
@@ -22,11 +22,11 @@ public record GuideReport(Outcome outcome, double gain, long rays, long bytes, i
   public enum Outcome {
     /** Paths are guided. */
     GUIDED,
-    /** Guided paths were not more efficient. */
+    /** Guided paths would hardly be less noisy. */
     NOT_BETTER,
     /** No light can reach a surface. */
     NO_LIGHT,
-    /** The pilot found no light. */
+    /** The pilot found no light, or too few vertices. */
     NOTHING_LEARNED
   }
 
@@ -78,13 +78,12 @@ public record GuideReport(Outcome outcome, double gain, long rays, long bytes, i
     String pilot = " in a pilot render of %d rays".formatted(rays);
     return switch (outcome) {
       case NO_LIGHT -> "paths are not guided: no light can reach a surface";
-      case NOTHING_LEARNED -> "paths are not guided: no light was found" + pilot;
+      case NOTHING_LEARNED -> "paths are not guided: nothing was learned" + pilot;
       case NOT_BETTER ->
-          "paths are not guided: %s times as efficient%s".formatted(decimal(gain), pilot);
+          "paths are not guided: predicted gain %s%s".formatted(decimal(gain), pilot);
       case GUIDED ->
-          gain == 1
-              ? "paths are guided by %d kB learned%s".formatted((bytes + 999) / 1000, pilot)
-              : "paths are guided: %s times as efficient%s".formatted(decimal(gain), pilot);
+          "paths are guided by %d kB: predicted gain %s%s"
+              .formatted((bytes + 999) / 1000, decimal(gain), pilot);
     };
   }
 

@@ -98,9 +98,14 @@ public record MemoryEstimate(
     return BYTES_PER_THREAD * threads();
   }
 
+  /** Returns the bytes of the pilot render of guiding and of its guide; 0 without guiding. */
+  public long guideBytes() {
+    return settings.guiding() == RenderSettings.Guiding.OFF ? 0 : GuidePilot.mostBytes(settings);
+  }
+
   /** Returns the total number of bytes needed. */
   public long neededBytes() {
-    return sceneBytes + filmBytes() + threadBytes() + MARGIN_BYTES;
+    return sceneBytes + filmBytes() + threadBytes() + guideBytes() + MARGIN_BYTES;
   }
 
   /** Returns whether the heap is large enough. */

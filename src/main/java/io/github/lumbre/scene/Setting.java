@@ -121,8 +121,7 @@ public final class Setting<T> {
               RenderSettings.Guiding.OFF,
               "Path mode: off, on or auto. Learn in a pilot render where light comes from, and"
                   + " guide paths there. Less noise where little light is found by chance, such as"
-                  + " behind a door; auto decides by a short comparison, which was wrong in"
-                  + " 2 of 6 scenes.")
+                  + " behind a door; auto guides them if the pilot predicts less noise.")
           .withFlag("--guide", "MODE")
           .changingSamples();
 

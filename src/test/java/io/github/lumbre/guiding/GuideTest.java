@@ -21,7 +21,8 @@ class GuideTest {
       double y = r * Math.sin(phi);
       boolean isBright = x + y + z > 1.6;
       records.add(random.nextDouble(), 3 * random.nextDouble(), 0, 0, 0, 1, 0);
-      records.leave(x, y, z, 1 / (4 * Math.PI), isBright ? 20 : .1, 0, false);
+      double pdf = 1 / (4 * Math.PI);
+      records.leave(x, y, z, pdf, pdf, isBright ? 20 : .1, 0, false);
     }
     return records;
   }
@@ -50,7 +51,7 @@ class GuideTest {
   /** The midpoint rule over the square, whose points have solid angles of 1 over the stretch. */
   @Test
   void theDensityIntegratesToOne() {
-    Guide guide = GuideBuilder.build(records(50_000, 2));
+    Guide guide = GuideBuilder.build(records(50_000, 2)).guide();
     int cell = cell(guide);
     GuideSample sample = new GuideSample();
     int side = 2048;
@@ -71,12 +72,12 @@ class GuideTest {
 
   /**
    * A chi-square test over 16 x 16 squares. Its statistic has 255 degrees of freedom, so that it
-   * exceeds 330 with a probability of 0.1 %. If the densities were 5 % wrong in half of the squares,
-   * it would be about 255 + 1,000,000 x 0.0025 / 4 = 880.
+   * exceeds 330 with a probability of 0.1 %. If the densities were 5 % wrong in half of the
+   * squares, it would be about 255 + 1,000,000 x 0.0025 / 4 = 880.
    */
   @Test
   void samplesFollowTheDensity() {
-    Guide guide = GuideBuilder.build(records(50_000, 3));
+    Guide guide = GuideBuilder.build(records(50_000, 3)).guide();
     int cell = cell(guide);
     Random random = new Random(4);
     GuideSample sample = new GuideSample();
@@ -118,7 +119,7 @@ class GuideTest {
   /** The spot is 1/26 of the sphere and holds 88 % of the light. */
   @Test
   void samplesGoWhereLightIs() {
-    Guide guide = GuideBuilder.build(records(50_000, 5));
+    Guide guide = GuideBuilder.build(records(50_000, 5)).guide();
     int cell = cell(guide);
     Random random = new Random(6);
     GuideSample sample = new GuideSample();
@@ -132,9 +133,63 @@ class GuideTest {
 
   /** Half of the points of a net lie in each half, so that each half receives a net. */
   @Test
-  void theFractionIsOneHalf() {
-    Guide guide = GuideBuilder.build(records(5_000, 7));
+  void theFractionOfTrainingIsOneHalf() {
+    Guide guide = GuideBuilder.train(records(5_000, 7)).guide();
     assertThat(guide.fraction(cell(guide))).isEqualTo(.5);
+  }
+
+  @Test
+  void cellsWhereTheGuideWasNoBetterFollowTheBsdf() {
+    GuideBuilder.Built built = GuideBuilder.build(records(5_000, 7));
+    assertThat(built.guide().fraction(cell(built.guide()))).isZero();
+    assertThat(built.gain()).isEqualTo(1);
+  }
+
+  /** Records that a mixture of two equal halves drew, with the given density of the guide. */
+  private static GuideRecords mixed(double guidePdf, double bsdfPdf) {
+    GuideRecords records = new GuideRecords();
+    for (int i = 0; i < 1000; i++) {
+      records.add(i, 0, 0, 0, 0, 1, 0);
+      records.leave(0, 0, 1, .5 * guidePdf + .5 * bsdfPdf, bsdfPdf, 1, 0, false);
+    }
+    return records;
+  }
+
+  /**
+   * With densities of 0.9 and 0.1, the mixture of training has 0.5. The best part is 7/8, with a
+   * density of 0.8: the second moment is 0.5 / 0.8 instead of 0.5 / 0.1.
+   */
+  @Test
+  void theFractionHasTheLeastSecondMoment() {
+    GuideBuilder.Built built = GuideBuilder.build(mixed(.9, .1));
+    assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
+    assertThat(built.gain()).isCloseTo(8, within(1e-5));
+    assertThat(GuideBuilder.train(mixed(.9, .1)).gain()).isEqualTo(built.gain());
+  }
+
+  /** A fraction of 7/8 would save 24 % here, less than a guided direction is worth. */
+  @Test
+  void smallGainsAreNotTaken() {
+    GuideBuilder.Built built = GuideBuilder.build(mixed(1.36, 1));
+    assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isZero();
+    built = GuideBuilder.build(mixed(1.4, 1));
+    assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
+  }
+
+  /**
+   * The second vertices scatter four times as much light, of which nothing reaches the first ones:
+   * their gain of 1.4 does not lower the first ones' gain of 8.
+   */
+  @Test
+  void verticesCountByTheirPartOfThePath() {
+    GuideRecords records = new GuideRecords();
+    for (int i = 0; i < 1000; i++) {
+      records.add(i, 0, 0, 0, 0, 1, 0);
+      records.leave(0, 0, 1, .5, .1, 1, 0, true);
+      records.add(i, 0, 0, 1, 0, 0, 0);
+      records.leave(0, 0, 1, 1.25, 1, 4, 0, false);
+    }
+    assertThat(GuideBuilder.build(records).gain()).isCloseTo(8, within(1e-5));
   }
 
   /** Directions without any record could have light that the pilot missed. */
@@ -144,13 +199,17 @@ class GuideTest {
     Random random = new Random(12);
     for (int i = 0; i < 300; i++) {
       records.add(random.nextDouble(), 0, 0, 0, 0, 1, 0);
-      records.leave(.1 * random.nextDouble(), .1 * random.nextDouble(), 1, .3, 1, 0, false);
+      records.leave(.1 * random.nextDouble(), .1 * random.nextDouble(), 1, .3, .3, 1, 0, false);
     }
-    Guide guide = GuideBuilder.build(records);
+    Guide guide = GuideBuilder.build(records).guide();
     int cell = guide.cell(.5, 0, 0, 0, 0, 1);
     assertThat(guide.pdf(cell, 1, 0, 0)).isPositive();
     assertThat(guide.pdf(cell, -.6, .8, 0)).isPositive();
     assertThat(guide.pdf(cell, 0, 0, 1)).isGreaterThan(10 * guide.pdf(cell, 1, 0, 0));
+  }
+
+  private static int hash(GuideRecords records) {
+    return GuideBuilder.build(records).guide().hash();
   }
 
   @Test
@@ -158,14 +217,14 @@ class GuideTest {
     GuideRecords whole = records(20_000, 8);
     GuideRecords parts = new GuideRecords();
     parts.addAll(records(20_000, 8));
-    assertThat(GuideBuilder.build(parts).hash()).isEqualTo(GuideBuilder.build(whole).hash());
-    Guide other = GuideBuilder.build(records(20_000, 9));
-    assertThat(other.hash()).isNotEqualTo(GuideBuilder.build(whole).hash());
+    assertThat(hash(parts)).isEqualTo(hash(whole));
+    Guide other = GuideBuilder.build(records(20_000, 9)).guide();
+    assertThat(other.hash()).isNotEqualTo(hash(whole));
   }
 
   @Test
   void surfacesOfAnotherSideHaveNoCell() {
-    Guide guide = GuideBuilder.build(records(5_000, 10));
+    Guide guide = GuideBuilder.build(records(5_000, 10)).guide();
     assertThat(guide.cell(.5, 1.5, 0, 0, 0, -1)).isEqualTo(Guide.NO_CELL);
     assertThat(guide.cell(.5, 1.5, 0, 1, 0, 0)).isEqualTo(Guide.NO_CELL);
     assertThat(Guide.NONE.cell(0, 0, 0, 0, 0, 1)).isEqualTo(Guide.NO_CELL);
@@ -173,13 +232,13 @@ class GuideTest {
 
   @Test
   void nothingIsLearnedWithoutLight() {
-    assertThat(GuideBuilder.build(new GuideRecords()).isEmpty()).isTrue();
+    assertThat(GuideBuilder.build(new GuideRecords()).guide().isEmpty()).isTrue();
     GuideRecords black = new GuideRecords();
     for (int i = 0; i < 1000; i++) {
       black.add(i, 0, 0, 0, 0, 1, 0);
-      black.leave(0, 0, 1, .3, 0, .5, false);
+      black.leave(0, 0, 1, .3, .3, 0, .5, false);
     }
-    assertThat(GuideBuilder.build(black).isEmpty()).isTrue();
+    assertThat(GuideBuilder.build(black).guide().isEmpty()).isTrue();
   }
 
   @Test
@@ -187,7 +246,7 @@ class GuideTest {
     GuideRecords records = new GuideRecords();
     for (int i = 0; i < 8; i++) {
       records.add(0, 0, 0, 0, 0, 1, 1);
-      records.leave(1, 0, 0, .5, .25, .5, true);
+      records.leave(1, 0, 0, .5, .5, .25, .5, true);
       records.add(1, 0, 0, -1, 0, 0, i);
     }
     RecordOrder[] orders = new RecordOrder[Guide.AXES];
@@ -205,8 +264,8 @@ class GuideTest {
   @Test
   void aGuideBeyondItsLimitIsNotRefined() {
     GuideRecords records = records(50_000, 11);
-    Guide free = GuideBuilder.build(records);
-    Guide full = GuideBuilder.build(records, 0);
+    Guide free = GuideBuilder.build(records).guide();
+    Guide full = GuideBuilder.build(records, 0, false).guide();
     assertThat(full.bytes()).isLessThan(free.bytes() / 4);
     assertThat(cell(full)).isNotNegative();
   }
