@@ -15,7 +15,13 @@ import numpy as np
 import drjit as dr
 import mitsuba as mi
 
-from nodes import LYING, MIRROR, colour, halves, placed
+from nodes import LYING, MIRROR, SQUARE, SQUARE_UV, colour, halves, placed
+
+
+def linear(encoded):
+    """Linear values of sRGB's from 0 to 1."""
+    low = encoded / 12.92
+    return np.where(encoded <= 0.04045, low, ((encoded + 0.055) / 1.055) ** 2.4)
 
 
 def mirrored(matrix):
@@ -40,6 +46,10 @@ class Converter:
         self.result["part%d" % len(self.result)] = part
 
     def add_all(self):
+        background = self.scene["renderOptions"].get("background")
+        if background is not None:
+            value = {"type": "rgb", "value": colour(background).tolist()}
+            self.add({"type": "constant", "radiance": value})
         for node, matrix in placed(self.scene["objects"]):
             kind = node.get("type", "None")
             if kind == "Shape":
@@ -54,7 +64,10 @@ class Converter:
         part = {"bsdf": self.bsdf(node.get("materialID"))}
         if kind == "Plane" and node.get("finite"):
             size = halves(node, "width", "height")
-            part.update(type="rectangle", to_world=mirrored(matrix @ LYING @ size))
+            part.update(type="obj", filename=self.square(), to_world=mirrored(matrix @ LYING @ size))
+            if "colorTextureId" not in self.assets[node["materialID"]]:
+                part.update(type="rectangle")
+                del part["filename"]
         elif kind == "Cube":
             size = halves(node, "width", "height", "depth")
             part.update(type="cube", to_world=mirrored(matrix @ size))
@@ -68,6 +81,15 @@ class Converter:
         else:
             self.refuse(node)
         self.add(part)
+
+    def square(self):
+        """A mirrored square from -1 to 1 with the uv of a finite plane."""
+        path = os.path.join(self.folder, "square.obj")
+        with open(path, "w", encoding="ascii") as out:
+            for (x, y, z), (u, v) in zip(SQUARE, SQUARE_UV, strict=True):
+                out.write("v %g %g %g\nvt %g %g\n" % (-x, y, z, u, v))
+            out.write("f 4/4 3/3 2/2\nf 4/4 2/2 1/1\n")
+        return path
 
     def mesh(self, asset):
         """A copy of an OBJ file, mirrored and so that its fronts stay fronts."""
@@ -86,14 +108,25 @@ class Converter:
         return target, has_normals
 
     def light(self, node, matrix):
-        if node.get("lightType") != "Rectangle" or node.get("unit") != "radiance":
-            self.refuse(node)
-        size = halves(node, "width", "height")
         radiance = colour(node.get("color")) * node.get("intensity", 0)
+        if node.get("lightType") == "Dome" and "textureId" in node:
+            asset = self.assets[node["textureId"]]
+            data = linear(self.pixels(asset["id"]) / 255) * radiance
+            picture = mi.Bitmap(data.astype(np.float32))
+            self.add({"type": "envmap", "bitmap": picture, "to_world": mirrored(matrix)})
+            return
+        if node.get("unit") != "radiance":
+            self.refuse(node)
         emitter = {"type": "area", "radiance": {"type": "rgb", "value": radiance.tolist()}}
         black = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
-        to_world = mirrored(matrix @ size)
-        self.add({"type": "rectangle", "to_world": to_world, "bsdf": black, "emitter": emitter})
+        part = {"type": "rectangle", "bsdf": black, "emitter": emitter}
+        if node.get("lightType") == "Rectangle":
+            part.update(to_world=mirrored(matrix @ halves(node, "width", "height")))
+        elif node.get("lightType") == "Sphere":
+            part.update(type="sphere", radius=node.get("radius", 1), to_world=mirrored(matrix))
+        else:
+            self.refuse(node)
+        self.add(part)
 
     def bsdf(self, identity):
         if identity not in self.bsdfs:
@@ -106,6 +139,11 @@ class Converter:
             result = {"type": "diffuse", "reflectance": self.channel(asset, "color", 1)}
         elif kind == "CookTorrance":
             result = self.cook_torrance(asset)
+        elif kind == "Reflective":
+            reflectivity = self.channel(asset, "reflectivityColor", 1)
+            result = {"type": "conductor", "material": "none", "specular_reflectance": reflectivity}
+        elif kind == "Refractive" and not {"roughness", "refractionColor"} & asset.keys():
+            result = {"type": "dielectric", "int_ior": asset["ior"], "ext_ior": 1.0}
         else:
             self.refuse(asset)
         if asset.get("normalTextureId") is None:
@@ -135,14 +173,18 @@ class Converter:
         texture = asset.get(name + "TextureId")
         if texture is None:
             return {"type": "srgb", "color": mi.ScalarColor3f(value.tolist()), "unbounded": True}
-        encoded = self.pixels(texture) / 255
-        low = encoded / 12.92
-        linear = np.where(encoded <= 0.04045, low, ((encoded + 0.055) / 1.055) ** 2.4)
-        return self.bitmap(linear * value)
+        result = self.bitmap(linear(self.pixels(texture) / 255) * value)
+        if self.assets[texture].get("filter", "nearest") == "nearest":
+            result["filter_type"] = "nearest"
+        size = asset.get(name + "Scale", {"x": 1, "y": 1})
+        if name + "Offset" in asset:
+            self.refuse(asset)
+        result["to_uv"] = mi.ScalarTransform3f(np.diag([size["x"], size["y"], 1.0]).tolist())
+        return result
 
     def pixels(self, identity):
         asset = self.assets[identity]
-        if asset.get("textureType", "Image") != "Image" or asset.get("filter") != "bilinear":
+        if asset.get("textureType", "Image") != "Image":
             self.refuse(asset)
         picture = mi.Bitmap(os.path.join(self.home, asset["file"]))
         picture = picture.convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.UInt8, True)

@@ -56,3 +56,7 @@ def placed(nodes, parent=np.eye(4)):
 
 # From a square in the xy plane that faces +z to one in the xz plane that faces +y.
 LYING = rotation(0, -90)
+
+# That square, and the uv of its corners when it lies: u = (w/2 - x)/w, v = (h/2 - z)/h.
+SQUARE = np.array([[-1.0, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
+SQUARE_UV = np.array([[1.0, 0], [0, 0], [0, 1], [1, 1]])
