@@ -211,11 +211,13 @@ class Converter:
         tree.link(node.outputs[0], target)
 
 
-def set_up(width, height, depth):
+def set_up(width, height, depth, threads=1):
+    """Chooses Cycles and its options; 0 threads for one per processor."""
     render, cycles = bpy.context.scene.render, bpy.context.scene.cycles
     render.engine = "CYCLES"
     render.resolution_x, render.resolution_y, render.resolution_percentage = width, height, 100
-    render.threads_mode, render.threads = "FIXED", 1
+    if threads:
+        render.threads_mode, render.threads = "FIXED", threads
     render.use_persistent_data = True
     render.image_settings.file_format, render.image_settings.color_depth = "OPEN_EXR", "32"
     cycles.use_adaptive_sampling = cycles.use_denoising = False

@@ -150,7 +150,9 @@ def write_hdr(path, picture):
         file.write(rgbe.tobytes())
 
 
-def render(scene, width, height, depth, samples, seed):
+def render(scene, size, depth, samples, seed, threads=1):
+    """Returns the picture, the number of samples taken and the CPU time; 0 threads for one per processor."""
+    width, height = size
     properties = pyluxcore.Properties()
     settings = {
         "renderengine.type": "PATHCPU",
@@ -165,8 +167,9 @@ def render(scene, width, height, depth, samples, seed):
         "path.pathdepth.glossy": depth + 1,
         "path.pathdepth.specular": depth + 1,
         "batch.haltspp": samples,
-        "native.threads.count": 1,
     }
+    if threads:
+        settings["native.threads.count"] = threads
     for name, value in settings.items():
         properties.Set(pyluxcore.Property(name, value))
     session = pyluxcore.RenderSession(pyluxcore.RenderConfig(properties, scene))
@@ -195,7 +198,7 @@ def main(folder):
             scene = Converter(words[1], folder, width, height).scene
             answer = {}
         else:
-            image, taken, cpu = render(scene, width, height, depth, int(words[1]), int(words[2]))
+            image, taken, cpu = render(scene, (width, height), depth, int(words[1]), int(words[2]))
             answer = {"samples": round(taken), "cpu": cpu}
             if words[4] != "-":
                 image.astype("<f4").tofile(words[4])

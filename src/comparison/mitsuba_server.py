@@ -64,10 +64,9 @@ class Converter:
         part = {"bsdf": self.bsdf(node.get("materialID"))}
         if kind == "Plane" and node.get("finite"):
             size = halves(node, "width", "height")
-            part.update(type="obj", filename=self.square(), to_world=mirrored(matrix @ LYING @ size))
-            if "colorTextureId" not in self.assets[node["materialID"]]:
-                part.update(type="rectangle")
-                del part["filename"]
+            part.update(type="rectangle", to_world=mirrored(matrix @ LYING @ size))
+            if "colorTextureId" in self.assets[node["materialID"]]:
+                part.update(type="obj", filename=self.square())
         elif kind == "Cube":
             size = halves(node, "width", "height", "depth")
             part.update(type="cube", to_world=mirrored(matrix @ size))
