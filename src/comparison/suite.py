@@ -276,7 +276,7 @@ def main():
     parser.add_argument("--scene", action="append", help="only this one; more by more options")
     parser.add_argument("--blocks", type=int, default=4, help="blocks of two turns each (4)")
     parser.add_argument("--seconds", type=float, default=0.7, help="of a turn, about (0.7)")
-    parser.add_argument("--warm", type=float, default=5, help="seconds to warm up Java (5)")
+    parser.add_argument("--warm", type=float, default=14, help="seconds to warm up Java (14)")
     parser.add_argument("--core", help="the processor to run on")
     parser.add_argument("--again", action="store_true", help="measure times again")
     options = parser.parse_args()
