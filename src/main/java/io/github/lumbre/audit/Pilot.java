@@ -84,8 +84,8 @@ final class Pilot {
       PathVertex vertex = sample.vertices().get(i);
       vertex.hit().ifPresent(hit -> met[hit.primitive()]++);
       for (FoundLight found : lights(vertex)) {
-        boolean isHit = found.source() == Source.EMISSION || found.source() == Source.ENVIRONMENT;
-        boolean isCut = isHit ? i > depth : i >= depth;
+        boolean isScattered = found.source() == Source.LIGHT || found.source() == Source.AMBIENT;
+        boolean isCut = isScattered ? i >= depth : i > depth;
         double amount = grey(vertex.throughput().times(found.weighted()));
         lightBeyond += isCut ? amount : 0;
         light += isCut ? 0 : amount;

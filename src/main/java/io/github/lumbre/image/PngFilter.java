@@ -73,13 +73,19 @@ final class PngFilter {
       int left = row[i] & 0xff;
       int top = above[i + bytesPerPixel] & 0xff;
       int corner = above[i] & 0xff;
-      sums[0] += Math.abs(none[i + 1] = (byte) value);
-      sums[1] += Math.abs(sub[i + 1] = (byte) (value - left));
-      sums[2] += Math.abs(up[i + 1] = (byte) (value - top));
-      sums[3] += Math.abs(average[i + 1] = (byte) (value - (left + top) / 2));
-      sums[4] += Math.abs(paeth[i + 1] = (byte) (value - paeth(left, top, corner)));
+      sums[0] += put(none, i + 1, value);
+      sums[1] += put(sub, i + 1, value - left);
+      sums[2] += put(up, i + 1, value - top);
+      sums[3] += put(average, i + 1, value - (left + top) / 2);
+      sums[4] += put(paeth, i + 1, value - paeth(left, top, corner));
     }
     return sums;
+  }
+
+  /** Stores a byte, and returns its absolute value as a signed one. */
+  private static int put(byte[] bytes, int at, int value) {
+    bytes[at] = (byte) value;
+    return Math.abs(bytes[at]);
   }
 
   /** Returns which of the three is nearest to {@code left + up - corner}. */

@@ -16,13 +16,16 @@ import java.util.Objects;
  * @param split number of branches into which a path is split at its first non-specular vertex, at
  *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5). {@link
  *     #PLANNED} if it is that of {@link RenderContext#splitInto}
+ * @param throughLens whether lights out of focus are also sampled through the lens. Not for
+ *     pictures with a transparent background: their alpha counts the camera rays that hit something
  */
 public record PathOptions(
     int maxDepth,
     MisHeuristic heuristic,
     LightSamplerKind lightSampler,
     int firstRoulette,
-    int split) {
+    int split,
+    boolean throughLens) {
   /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 3;
 
@@ -43,31 +46,38 @@ public record PathOptions(
 
   /** Returns the default options, for paths of at most {@code maxDepth} scattering vertices. */
   public static PathOptions toDepth(int maxDepth) {
-    return new PathOptions(maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1);
+    return new PathOptions(
+        maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1, true);
   }
 
   /** Returns the options that a render with these settings uses. */
   public static PathOptions of(RenderSettings settings) {
-    return toDepth(settings.maxTraceDepth()).splitInto(settings.split());
+    PathOptions options = toDepth(settings.maxTraceDepth()).splitInto(settings.split());
+    return settings.transparent() ? options.withoutLensLights() : options;
   }
 
   /** Returns the same options with another heuristic. */
   public PathOptions by(MisHeuristic newHeuristic) {
-    return new PathOptions(maxDepth, newHeuristic, lightSampler, firstRoulette, split);
+    return new PathOptions(maxDepth, newHeuristic, lightSampler, firstRoulette, split, throughLens);
   }
 
   /** Returns the same options with another light sampler. */
   public PathOptions by(LightSamplerKind newSampler) {
-    return new PathOptions(maxDepth, heuristic, newSampler, firstRoulette, split);
+    return new PathOptions(maxDepth, heuristic, newSampler, firstRoulette, split, throughLens);
   }
 
   /** Returns the same options with another first vertex for Russian roulette. */
   public PathOptions rouletteFrom(int vertex) {
-    return new PathOptions(maxDepth, heuristic, lightSampler, vertex, split);
+    return new PathOptions(maxDepth, heuristic, lightSampler, vertex, split, throughLens);
   }
 
   /** Returns the same options with another number of branches. */
   public PathOptions splitInto(int ways) {
-    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, ways);
+    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, ways, throughLens);
+  }
+
+  /** Returns the same options without lights that are sampled through the lens. */
+  public PathOptions withoutLensLights() {
+    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, split, false);
   }
 }

@@ -112,9 +112,11 @@ public final class PathRecorder implements PathListener {
       double lightPdf,
       double misWeight,
       boolean blocked) {
+    // Lights are sampled through the lens before the camera ray's surface is known.
+    Source source = last.hit.isEmpty() ? Source.LENS : Source.LIGHT;
     last.pending.add(
         new FoundLight(
-            Source.LIGHT,
+            source,
             emitter,
             light.wi(),
             light.radiance(),

@@ -118,7 +118,10 @@ public final class PathTracer implements Integrator {
     hasBackplate = scene.backplate().isPresent();
     hasTransparency = scene.hasTransparency();
     hasPassing = Passing.isNeeded(scene);
-    lensLights = samplesLights ? LensLights.of(scene, emitters) : Optional.empty();
+    lensLights =
+        samplesLights && options.throughLens()
+            ? LensLights.of(scene, emitters)
+            : Optional.empty();
     this.guide = Objects.requireNonNull(guide, "guide");
     isGuided = !guide.isEmpty();
   }

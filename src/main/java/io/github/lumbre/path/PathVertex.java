@@ -67,7 +67,13 @@ public record PathVertex(
     /** Ambient irradiance, which has no direction. */
     AMBIENT,
     /** A light was sampled. */
-    LIGHT
+    LIGHT,
+    /** A light out of focus was sampled through the lens, beside the camera ray. */
+    LENS;
+
+    private boolean isSampled() {
+      return this == LIGHT || this == LENS;
+    }
   }
 
   /**
@@ -75,15 +81,17 @@ public record PathVertex(
    *
    * @param source how the light was found
    * @param emitter index of the light among the scene's emitters; -1 if it is none of them
-   * @param wi unit direction towards the light; zero for ambient light
+   * @param wi unit direction towards the light; zero for ambient light; through the lens, from
+   *     where the rays of the film point cross
    * @param radiance radiance that arrives if nothing blocks it; for a delta light, irradiance at
    *     normal incidence
-   * @param f f·|cos θi| for that direction; white if the ray itself hit the light
+   * @param f f·|cos θi| for that direction; white if the ray itself hit the light; through the
+   *     lens, the density with which a random lens point draws the direction
    * @param lightPdf density per solid angle with which light sampling draws wi, times the
    *     probability of selecting the emitter; for a delta light, that probability alone; 0 if light
    *     sampling cannot draw wi
-   * @param bsdfPdf density per solid angle with which BSDF sampling draws wi; infinite for a delta
-   *     lobe or the camera
+   * @param bsdfPdf density per solid angle with which BSDF sampling, or a random lens point, draws
+   *     wi; infinite for a delta lobe, or the camera if no light is sampled through its lens
    * @param misWeight weight of multiple importance sampling, in [0,1]
    * @param blocked whether something blocks the light
    */
@@ -105,7 +113,7 @@ public record PathVertex(
       if (blocked) {
         return Rgb.BLACK;
       }
-      return f.times(radiance).times(source == Source.LIGHT ? misWeight / lightPdf : misWeight);
+      return f.times(radiance).times(source.isSampled() ? misWeight / lightPdf : misWeight);
     }
   }
 

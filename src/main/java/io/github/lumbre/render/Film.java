@@ -131,9 +131,7 @@ public final class Film {
   public int fewestSamples() {
     int fewest = counts[0];
     for (int count : counts) {
-      if (count < fewest) {
-        fewest = count;
-      }
+      fewest = Math.min(fewest, count);
     }
     return fewest;
   }
@@ -142,9 +140,7 @@ public final class Film {
   public int mostSamples() {
     int most = counts[0];
     for (int count : counts) {
-      if (count > most) {
-        most = count;
-      }
+      most = Math.max(most, count);
     }
     return most;
   }

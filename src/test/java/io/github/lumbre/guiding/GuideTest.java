@@ -177,8 +177,8 @@ class GuideTest {
   }
 
   /**
-   * The second vertices scatter four times as much light, of which nothing reaches the first ones:
-   * their gain of 1.4 does not lower the first ones' gain of 8.
+   * The second vertices scatter four times as much light, but none of it reaches the first ones.
+   * Their gain of 1.4 therefore does not lower the first ones' gain of 8.
    */
   @Test
   void verticesCountByTheirPartOfThePath() {

@@ -22,6 +22,7 @@ import io.github.lumbre.path.PathVertex.Contribution;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.testing.Moments;
@@ -224,12 +225,25 @@ class LensLightsTest {
       for (Contribution contribution : recorder.vertices().get(0).contributions()) {
         for (FoundLight light : contribution.lights()) {
           sum += light.weighted().g();
-          sampled += light.source() == Source.LIGHT ? 1 : 0;
+          sampled += light.source() == Source.LENS ? 1 : 0;
         }
       }
       assertThat(sum).isCloseTo(found, within(1e-12));
     }
     assertThat(sampled).isGreaterThan(900);
+  }
+
+  /** Where a lamp is seen, alpha would count the camera rays alone. */
+  @Test
+  void transparentPicturesHaveNoLightThroughTheLens() {
+    RenderSettings settings = RenderSettings.DEFAULT.toBuilder().transparent(true).build();
+    assertThat(PathOptions.of(settings).throughLens()).isFalse();
+    assertThat(PathOptions.of(settings.toBuilder().transparent(false).build()).throughLens())
+        .isTrue();
+    Moments found =
+        samples(lamp(), PathOptions.toDepth(3).withoutLensLights(), new RenderContext());
+    double chance = RADIANCE * RADIANCE * PART * (1 - PART);
+    assertThat(found.variance()).isBetween(.8 * chance, 1.2 * chance);
   }
 
   /** Whatever the sizes, radiance is finite. */

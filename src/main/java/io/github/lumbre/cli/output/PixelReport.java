@@ -111,7 +111,9 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     String of = light.emitter() < 0 ? "" : ": " + emitter(light.emitter());
     line(out, "  light      " + source(light.source()) + of);
     line(out, "             radiance " + shown(light.radiance()));
-    if (light.source() == Source.LIGHT) {
+    if (light.source() == Source.LENS) {
+      line(out, "             direction " + shown(light.wi()) + " from the plane of focus");
+    } else if (light.source() == Source.LIGHT) {
       line(out, "             direction " + shown(light.wi()) + ", f·cos " + shown(light.f()));
     }
     if (light.source() != Source.AMBIENT) {
@@ -119,7 +121,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
           out,
           "             pdf of light sampling "
               + light.lightPdf()
-              + ", of BSDF sampling "
+              + otherWay(light.source())
               + light.bsdfPdf()
               + ", MIS weight "
               + light.misWeight());
@@ -153,12 +155,22 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     return file.origins().emitters().get(number).toString();
   }
 
+  /** Returns a label of the density that is weighted against light sampling. */
+  private static String otherWay(Source source) {
+    return switch (source) {
+      case LIGHT -> ", of BSDF sampling ";
+      case LENS -> ", of random lens points ";
+      case EMISSION, ENVIRONMENT, AMBIENT -> ", of the ray ";
+    };
+  }
+
   private static String source(Source source) {
     return switch (source) {
       case EMISSION -> "emission of the hit surface";
       case ENVIRONMENT -> "environment";
       case AMBIENT -> "ambient";
       case LIGHT -> "sampled light";
+      case LENS -> "light sampled through the lens";
     };
   }
 
