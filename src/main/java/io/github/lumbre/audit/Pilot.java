@@ -84,8 +84,7 @@ final class Pilot {
       PathVertex vertex = sample.vertices().get(i);
       vertex.hit().ifPresent(hit -> met[hit.primitive()]++);
       for (FoundLight found : lights(vertex)) {
-        boolean isScattered = found.source() == Source.LIGHT || found.source() == Source.AMBIENT;
-        boolean isCut = isScattered ? i >= depth : i > depth;
+        boolean isCut = i + furtherScatterings(found.source()) > depth;
         double amount = grey(vertex.throughput().times(found.weighted()));
         lightBeyond += isCut ? amount : 0;
         light += isCut ? 0 : amount;
@@ -94,6 +93,15 @@ final class Pilot {
         }
       }
     }
+  }
+
+  /** Returns how often light is scattered from its source to the vertex's ray. */
+  private static int furtherScatterings(Source source) {
+    return switch (source) {
+      case EMISSION, ENVIRONMENT, LENS -> 0;
+      case LIGHT, AMBIENT -> 1;
+      case MIRROR -> 2;
+    };
   }
 
   private static List<FoundLight> lights(PathVertex vertex) {

@@ -8,6 +8,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Warp;
 import io.github.lumbre.texture.TexturePoint;
+import java.util.Optional;
 
 /**
  * A sphere around the local origin, or an ellipsoid if its transform scales non-uniformly. Rays hit
@@ -19,6 +20,9 @@ import io.github.lumbre.texture.TexturePoint;
 public final class Sphere implements Shape {
   /** 1 − cos of the half angle of the cone that contains all directions. */
   private static final double ALL_DIRECTIONS = 2;
+
+  /** The largest relative difference of the half axes of a sphere. */
+  private static final double ROUND = 1e-12;
 
   private final Transform toWorld;
   private final double radius;
@@ -54,6 +58,17 @@ public final class Sphere implements Shape {
   /** Returns the radius in local space. */
   public double radius() {
     return radius;
+  }
+
+  /** Returns this sphere as a mirror; empty if its transform makes it an ellipsoid. */
+  public Optional<SphereMirror> asMirror() {
+    double x = toWorld.vector(Vec3.X).length();
+    double y = toWorld.vector(Vec3.Y).length();
+    double z = toWorld.vector(Vec3.Z).length();
+    boolean isRound = !isSkewed && Math.abs(x - y) <= ROUND * x && Math.abs(x - z) <= ROUND * x;
+    return isRound
+        ? Optional.of(new SphereMirror(toWorld.point(Vec3.ZERO), radius * x))
+        : Optional.empty();
   }
 
   @Override

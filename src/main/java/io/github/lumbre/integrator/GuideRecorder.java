@@ -137,6 +137,7 @@ public final class GuideRecorder implements PathListener {
 
   @Override
   public void lightSampled(
+      Source source,
       int emitter,
       LightSample light,
       BsdfValue value,

@@ -3,13 +3,17 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightBounds;
 import io.github.lumbre.light.LightSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.path.PathVertex.Source;
+import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -36,8 +40,10 @@ final class LensLights {
   /** Squares of extreme ratios of focus and aperture would overflow. */
   private static final double MOST_DENSITY = 1e100;
 
+  private final Scene scene;
   private final ThinLensCamera camera;
   private final Light[] emitters;
+  private final MisHeuristic heuristic;
   private final double halfWidth;
   private final double halfHeight;
 
@@ -50,9 +56,16 @@ final class LensLights {
   /** The probabilities of {@link #listed}, summed up to each one and including it. */
   private final double[][] cumulative;
 
-  private LensLights(ThinLensCamera camera, Light[] emitters, List<Image> images) {
+  private LensLights(
+      Scene scene,
+      ThinLensCamera camera,
+      Light[] emitters,
+      MisHeuristic heuristic,
+      List<Image> images) {
+    this.scene = scene;
     this.camera = camera;
     this.emitters = emitters;
+    this.heuristic = heuristic;
     Point2 half = camera.focusedHalfSize();
     halfWidth = half.x();
     halfHeight = half.y();
@@ -67,8 +80,9 @@ final class LensLights {
    * none, or no lens, or rays pass through surfaces.
    *
    * @param emitters the scene's
+   * @param heuristic weights samples and random lens points
    */
-  static Optional<LensLights> of(Scene scene, Light[] emitters) {
+  static Optional<LensLights> of(Scene scene, Light[] emitters, MisHeuristic heuristic) {
     if (!(scene.camera() instanceof ThinLensCamera camera)
         || !camera.isBlurring()
         || !isUsable(camera.focusDistance() * camera.focusDistance() / area(camera))
@@ -83,7 +97,7 @@ final class LensLights {
     }
     return images.isEmpty()
         ? Optional.empty()
-        : Optional.of(new LensLights(camera, emitters, images));
+        : Optional.of(new LensLights(scene, camera, emitters, heuristic, images));
   }
 
   private static double area(ThinLensCamera camera) {
@@ -201,18 +215,6 @@ final class LensLights {
     double rayPdf() {
       return rayPdf;
     }
-
-    int emitter() {
-      return emitter;
-    }
-
-    double probability() {
-      return probability;
-    }
-
-    Vec3 lens() {
-      return lens;
-    }
   }
 
   /**
@@ -220,7 +222,7 @@ final class LensLights {
    *
    * @param ray origin on the lens and unit direction, in world space
    */
-  void cross(NearestHit ray, Crossing crossing) {
+  private void cross(NearestHit ray, Crossing crossing) {
     Frame axes = camera.axes();
     Vec3 direction = ray.direction();
     double cosine = direction.dot(axes.normal());
@@ -231,6 +233,32 @@ final class LensLights {
     crossing.z = point.z();
     crossing.cell = cell(local.y(), halfHeight) * SIDE + cell(local.x(), halfWidth);
     crossing.rayPdf = pdf(cosine);
+  }
+
+  /** Samples one light through the lens of a camera ray, and adds its light that the film receives. */
+  void addLight(Sampler sampler, RenderContext context) {
+    Crossing crossing = context.crossing;
+    LightSample light = context.light;
+    cross(context.hit, crossing);
+    double u = sampler.get1d(Sampler.THROUGH_LENS);
+    double lensPdf = sample(u, sampler.get2d(Sampler.THROUGH_LENS + 1), crossing, light);
+    if (lensPdf == 0) {
+      return;
+    }
+    boolean isBlocked = context.isOccluded(scene, crossing.lens);
+    double lightPdf = crossing.probability * light.pdf();
+    double misWeight = heuristic.lightWeight(lightPdf, lensPdf);
+    if (context.isRecorded) {
+      // The density of lens points takes the place of the BSDF.
+      BsdfValue value = context.value;
+      value.set(Rgb.grey(lensPdf), lensPdf);
+      context.listener.lightSampled(
+          Source.LENS, crossing.emitter, light, value, lightPdf, misWeight, isBlocked);
+    }
+    if (!isBlocked) {
+      double weight = lensPdf * misWeight / lightPdf;
+      context.add(light.r() * weight, light.g() * weight, light.b() * weight);
+    }
   }
 
   /** Returns the density per solid angle of a ray from a random lens point. */
@@ -248,7 +276,7 @@ final class LensLights {
    * @return the density per solid angle with which a random lens point draws the direction to the
    *     light; 0 if no light is found or the direction misses the lens
    */
-  double sample(double u, Point2 point, Crossing crossing, LightSample light) {
+  private double sample(double u, Point2 point, Crossing crossing, LightSample light) {
     int[] candidates = listed[crossing.cell];
     if (candidates.length == 0) {
       return 0;

@@ -51,6 +51,7 @@ interface PathListener {
    * @param blocked whether the shadow ray hit something
    */
   void lightSampled(
+      Source source,
       int emitter,
       LightSample light,
       BsdfValue value,

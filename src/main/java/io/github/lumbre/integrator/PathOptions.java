@@ -18,6 +18,7 @@ import java.util.Objects;
  *     #PLANNED} if it is that of {@link RenderContext#splitInto}
  * @param throughLens whether lights out of focus are also sampled through the lens. Not for
  *     pictures with a transparent background: their alpha counts the camera rays that hit something
+ * @param byMirror whether surfaces also sample the reflections of lamps in mirrors that are spheres
  */
 public record PathOptions(
     int maxDepth,
@@ -25,7 +26,8 @@ public record PathOptions(
     LightSamplerKind lightSampler,
     int firstRoulette,
     int split,
-    boolean throughLens) {
+    boolean throughLens,
+    boolean byMirror) {
   /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 3;
 
@@ -47,7 +49,7 @@ public record PathOptions(
   /** Returns the default options, for paths of at most {@code maxDepth} scattering vertices. */
   public static PathOptions toDepth(int maxDepth) {
     return new PathOptions(
-        maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1, true);
+        maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1, true, true);
   }
 
   /** Returns the options that a render with these settings uses. */
@@ -58,26 +60,36 @@ public record PathOptions(
 
   /** Returns the same options with another heuristic. */
   public PathOptions by(MisHeuristic newHeuristic) {
-    return new PathOptions(maxDepth, newHeuristic, lightSampler, firstRoulette, split, throughLens);
+    return new PathOptions(
+        maxDepth, newHeuristic, lightSampler, firstRoulette, split, throughLens, byMirror);
   }
 
   /** Returns the same options with another light sampler. */
   public PathOptions by(LightSamplerKind newSampler) {
-    return new PathOptions(maxDepth, heuristic, newSampler, firstRoulette, split, throughLens);
+    return new PathOptions(
+        maxDepth, heuristic, newSampler, firstRoulette, split, throughLens, byMirror);
   }
 
   /** Returns the same options with another first vertex for Russian roulette. */
   public PathOptions rouletteFrom(int vertex) {
-    return new PathOptions(maxDepth, heuristic, lightSampler, vertex, split, throughLens);
+    return new PathOptions(
+        maxDepth, heuristic, lightSampler, vertex, split, throughLens, byMirror);
   }
 
   /** Returns the same options with another number of branches. */
   public PathOptions splitInto(int ways) {
-    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, ways, throughLens);
+    return new PathOptions(
+        maxDepth, heuristic, lightSampler, firstRoulette, ways, throughLens, byMirror);
   }
 
   /** Returns the same options without lights that are sampled through the lens. */
   public PathOptions withoutLensLights() {
-    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, split, false);
+    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, split, false, byMirror);
+  }
+
+  /** Returns the same options without lamps that are sampled in mirrors. */
+  public PathOptions withoutMirrorLights() {
+    return new PathOptions(
+        maxDepth, heuristic, lightSampler, firstRoulette, split, throughLens, false);
   }
 }

@@ -106,14 +106,13 @@ public final class PathRecorder implements PathListener {
 
   @Override
   public void lightSampled(
+      Source source,
       int emitter,
       LightSample light,
       BsdfValue value,
       double lightPdf,
       double misWeight,
       boolean blocked) {
-    // Lights are sampled through the lens before the camera ray's surface is known.
-    Source source = last.hit.isEmpty() ? Source.LENS : Source.LIGHT;
     last.pending.add(
         new FoundLight(
             source,

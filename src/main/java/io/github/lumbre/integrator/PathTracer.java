@@ -56,6 +56,9 @@ public final class PathTracer implements Integrator {
   /** Whether vertices sample lights. */
   private final boolean samplesLights;
 
+  /** Whether vertices also sample the reflections of lights in mirrors. */
+  private final boolean reflects;
+
   private final boolean hasAmbient;
 
   /** Whether the camera sees a color instead of environment lights. */
@@ -70,6 +73,7 @@ public final class PathTracer implements Integrator {
   /** The lights that are sampled through the lens, if the scene's own camera is used. */
   private final Optional<LensLights> lensLights;
 
+  private final Optional<MirrorLights> mirrorLights;
   private final Guide guide;
 
   /** Whether the guide has learned anything. */
@@ -120,8 +124,13 @@ public final class PathTracer implements Integrator {
     hasPassing = Passing.isNeeded(scene);
     lensLights =
         samplesLights && options.throughLens()
-            ? LensLights.of(scene, emitters)
+            ? LensLights.of(scene, emitters, heuristic)
             : Optional.empty();
+    mirrorLights =
+        samplesLights && options.byMirror()
+            ? MirrorLights.of(scene, emitters, selector, heuristic, guide)
+            : Optional.empty();
+    reflects = mirrorLights.isPresent();
     this.guide = Objects.requireNonNull(guide, "guide");
     isGuided = !guide.isEmpty();
   }
@@ -159,6 +168,7 @@ public final class PathTracer implements Integrator {
     Path path = context.path;
     path.begin();
     context.crossing.isUsed = throughLens;
+    context.reflection.begin();
     if (context.isRecorded) {
       context.listener.pathStarted();
     }
@@ -191,7 +201,7 @@ public final class PathTracer implements Integrator {
       path.reportRay(hit, depth, context.listener);
     }
     if (depth == 0 && context.crossing.isUsed) {
-      directThroughLens(lensLights.get(), sampler, context);
+      lensLights.get().addLight(sampler, context);
     }
     if (!isHit) {
       if (depth == 0 && hasBackplate) {
@@ -232,22 +242,21 @@ public final class PathTracer implements Integrator {
     if (hasAmbient) {
       addAmbient(vertex, context);
     }
-    int dimension = Sampler.vertex(depth);
     boolean isSpecular = vertex.bsdf().isSpecular();
     if (isGuided) {
       vertex.findIn(guide);
     }
     if (branches(context) > 1 && !isSpecular && !path.isSplit()) {
       if (samplesLights) {
-        direct(vertex, sampler, dimension, context);
+        direct(vertex, sampler, depth, context);
       }
       path.split(depth, branches(context));
       return end(End.SPLIT, context);
     }
     // Drawn before the light is sampled, so that the processor can compute both points in parallel.
-    Point2 uDirection = sampler.get2d(dimension + Sampler.DIRECTION);
+    Point2 uDirection = sampler.get2d(Sampler.vertex(depth) + Sampler.DIRECTION);
     if (samplesLights && !isSpecular) {
-      direct(vertex, sampler, dimension, context);
+      direct(vertex, sampler, depth, context);
     }
     return scatter(vertex, depth, uDirection.x(), uDirection.y(), sampler, context);
   }
@@ -284,6 +293,9 @@ public final class PathTracer implements Integrator {
     }
     path.scale(sample.r(), sample.g(), sample.b());
     path.leave(sample.pdf());
+    if (reflects) {
+      mirrorLights.get().leave(vertex, context.hit.shape(), sample.pdf(), context.reflection);
+    }
 
     // Russian roulette: end weak paths at random and divide the others by their probability.
     if (depth >= firstRoulette && !vertex.isGuided()) {
@@ -330,38 +342,16 @@ public final class PathTracer implements Integrator {
     }
   }
 
-  /** Samples one light through the lens, and adds its light that the film receives. */
-  private void directThroughLens(LensLights lights, Sampler sampler, RenderContext context) {
-    LensLights.Crossing crossing = context.crossing;
-    LightSample light = context.light;
-    lights.cross(context.hit, crossing);
-    double lensPdf =
-        lights.sample(
-            sampler.get1d(Sampler.THROUGH_LENS),
-            sampler.get2d(Sampler.THROUGH_LENS + 1),
-            crossing,
-            light);
-    if (lensPdf == 0) {
-      return;
-    }
-    boolean isBlocked = context.isOccluded(scene, crossing.lens());
-    double lightPdf = crossing.probability() * light.pdf();
-    double misWeight = heuristic.lightWeight(lightPdf, lensPdf);
-    if (context.isRecorded) {
-      // The density of lens points takes the place of the BSDF.
-      BsdfValue value = context.value;
-      value.set(Rgb.grey(lensPdf), lensPdf);
-      context.listener.lightSampled(
-          crossing.emitter(), light, value, lightPdf, misWeight, isBlocked);
-    }
-    if (!isBlocked) {
-      double weight = lensPdf * misWeight / lightPdf;
-      add(light.r() * weight, light.g() * weight, light.b() * weight, context);
+  /** Samples lights, and adds their light that the vertex scatters. */
+  private void direct(Vertex vertex, Sampler sampler, int depth, RenderContext context) {
+    sampleLight(vertex, sampler, Sampler.vertex(depth), context);
+    if (reflects && depth + 2 <= maxDepth) {
+      mirrorLights.get().addReflection(vertex, depth, sampler, context);
     }
   }
 
-  /** Samples one light, selected at random, and adds its light that the vertex scatters. */
-  private void direct(Vertex vertex, Sampler sampler, int dimension, RenderContext context) {
+  /** Samples one light, selected at random. */
+  private void sampleLight(Vertex vertex, Sampler sampler, int dimension, RenderContext context) {
     LightChoice choice = context.choice;
     LightSample light = context.light;
     vertex.receiveFrom(choice);
@@ -402,11 +392,12 @@ public final class PathTracer implements Integrator {
       misWeight = heuristic.lightWeight(lightPdf, value.pdf());
     }
     if (context.isRecorded) {
-      context.listener.lightSampled(choice.emitter(), light, value, lightPdf, misWeight, isBlocked);
+      context.listener.lightSampled(
+          Source.LIGHT, choice.emitter(), light, value, lightPdf, misWeight, isBlocked);
     }
     if (!isBlack && !isBlocked) {
       double weight = misWeight / lightPdf;
-      add(r * weight, g * weight, b * weight, context);
+      context.add(r * weight, g * weight, b * weight);
     }
   }
 
@@ -431,6 +422,10 @@ public final class PathTracer implements Integrator {
       bsdfPdf = context.crossing.rayPdf();
       lightPdf = lensLights.get().pdf(emitter, surface, context.crossing);
       weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
+    } else if (reflects && emitter >= 0 && context.reflection.isMet()) {
+      bsdfPdf = context.reflection.pdf();
+      lightPdf = mirrorLights.get().pdf(emitter, surface, context.reflection);
+      weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
     }
     if (context.isRecorded) {
       context.listener.lightFound(
@@ -443,7 +438,7 @@ public final class PathTracer implements Integrator {
           bsdfPdf,
           weight);
     }
-    add(emitted.r() * weight, emitted.g() * weight, emitted.b() * weight, context);
+    context.add(emitted.r() * weight, emitted.g() * weight, emitted.b() * weight);
   }
 
   /**
@@ -479,7 +474,7 @@ public final class PathTracer implements Integrator {
             weight);
       }
     }
-    add(r, g, b, context);
+    context.add(r, g, b);
   }
 
   /** Adds what the camera sees instead of environment lights. */
@@ -489,7 +484,7 @@ public final class PathTracer implements Integrator {
       context.listener.lightFound(
           Source.ENVIRONMENT, -1, light.r(), light.g(), light.b(), 0, Double.POSITIVE_INFINITY, 1);
     }
-    add(light.r(), light.g(), light.b(), context);
+    context.add(light.r(), light.g(), light.b());
   }
 
   /** Adds the light that ambient irradiance gives the diffuse part of a surface. */
@@ -498,14 +493,7 @@ public final class PathTracer implements Integrator {
     if (context.isRecorded) {
       context.listener.lightFound(Source.AMBIENT, -1, light.r(), light.g(), light.b(), 0, 0, 1);
     }
-    add(light.r(), light.g(), light.b(), context);
-  }
-
-  private static void add(double r, double g, double b, RenderContext context) {
-    context.path.add(r, g, b);
-    if (context.isRecorded) {
-      context.listener.lightAdded(r, g, b);
-    }
+    context.add(light.r(), light.g(), light.b());
   }
 
   /** Returns whether light sampling could also have found light that a ray hits. */

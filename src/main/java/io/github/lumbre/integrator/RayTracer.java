@@ -273,7 +273,7 @@ public final class RayTracer implements Integrator {
     if (context.isRecorded) {
       double pdf = light.isDelta() ? 1 : light.pdf();
       int emitter = scene.emitterOfLight(number);
-      context.listener.lightSampled(emitter, light, value, pdf, 1, isBlocked);
+      context.listener.lightSampled(Source.LIGHT, emitter, light, value, pdf, 1, isBlocked);
     }
     boolean arrives = !isBlack && !isBlocked;
     // Single allocation site, so that escape analysis can remove it.

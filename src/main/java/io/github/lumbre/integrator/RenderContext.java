@@ -2,6 +2,7 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
@@ -40,6 +41,7 @@ public final class RenderContext {
   final Passing passing = new Passing();
   final Guiding guiding = new Guiding();
   final LensLights.Crossing crossing = new LensLights.Crossing();
+  final MirrorLights.Reflection reflection = new MirrorLights.Reflection();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
@@ -97,6 +99,14 @@ public final class RenderContext {
     return kept;
   }
 
+  /** Adds light found at the path's current vertex, before the throughput. */
+  void add(double r, double g, double b) {
+    path.add(r, g, b);
+    if (isRecorded) {
+      listener.lightAdded(r, g, b);
+    }
+  }
+
   /**
    * Returns whether anything blocks the light that was sampled last from a surface. Surfaces that
    * let a part of it pass straight through dim the light.
@@ -111,6 +121,13 @@ public final class RenderContext {
   boolean isOccluded(Scene scene, Vec3 point) {
     shadowRays++;
     light.aimFrom(point, shadow);
+    return scene.isOccluded(shadow);
+  }
+
+  /** Returns whether anything blocks a point of one surface from another surface. */
+  boolean isOccluded(Scene scene, SurfaceHit surface, SurfaceSample point) {
+    shadowRays++;
+    surface.spawnTowards(point, shadow);
     return scene.isOccluded(shadow);
   }
 

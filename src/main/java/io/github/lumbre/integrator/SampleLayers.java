@@ -253,6 +253,7 @@ public final class SampleLayers implements PathListener {
 
   @Override
   public void lightSampled(
+      Source source,
       int emitter,
       LightSample light,
       BsdfValue value,
@@ -267,7 +268,8 @@ public final class SampleLayers implements PathListener {
     }
     double weight = misWeight / lightPdf;
     int group = emitter < 0 ? -1 : groups.ofEmitter(emitter);
-    add(group, scatterings + 1, r * weight, g * weight, b * weight);
+    int times = scatterings + (source == Source.MIRROR ? 2 : 1);
+    add(group, times, r * weight, g * weight, b * weight);
   }
 
   @Override

@@ -75,8 +75,16 @@ final class Vertex {
    * the surface, or from both sides if the surface transmits light.
    */
   void receiveFrom(LightChoice choice) {
+    choice.moveTo(surface.position(), facing());
+  }
+
+  /**
+   * Returns the unit shading normal of the side that receives light, in world space; zero if both
+   * sides do.
+   */
+  Vec3 facing() {
     double side = bsdf.isTransmissive() ? 0 : Math.copySign(1, outZ);
-    choice.moveTo(surface.position(), surface.shadingNormal().times(side));
+    return surface.shadingNormal().times(side);
   }
 
   /** Looks up the place of this vertex in a guide. A specular vertex has none. */

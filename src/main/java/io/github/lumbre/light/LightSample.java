@@ -78,6 +78,21 @@ public final class LightSample {
     target = newTarget;
   }
 
+  /**
+   * Replaces light that arrives from a point of a surface by its reflection in a mirror.
+   *
+   * @param newWi unit direction to the reflection, in world space
+   * @param reflectance fraction of the light that the mirror reflects, per color
+   * @param newPdf density of that direction per solid angle, &gt; 0
+   */
+  public void reflect(Vec3 newWi, Rgb reflectance, double newPdf) {
+    x = newWi.x();
+    y = newWi.y();
+    z = newWi.z();
+    dim(reflectance);
+    pdf = newPdf;
+  }
+
   /** Multiplies the light by a factor ≥ 0; a factor of 0 makes the sample empty. */
   void dim(double factor) {
     r *= factor;
@@ -96,7 +111,7 @@ public final class LightSample {
   }
 
   /** Returns the point of the light's surface: memory for sampling it. */
-  SurfaceSample surface() {
+  public SurfaceSample surface() {
     return surface;
   }
 

@@ -3,6 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.TexturePoint;
+import java.util.Optional;
 
 /** A surface material: evaluates its textures at a hit and returns the BSDF there. Immutable. */
 public interface Material {
@@ -51,6 +52,16 @@ public interface Material {
    */
   default Rgb absorption() {
     return Rgb.BLACK;
+  }
+
+  /**
+   * Returns the fraction of light, per color, that the surface reflects if it is known to be the
+   * same perfect mirror everywhere; empty otherwise.
+   */
+  default Optional<Rgb> mirrorReflectance() {
+    return isUniform() && at(0, 0) instanceof SpecularReflection mirror
+        ? Optional.of(mirror.reflectance())
+        : Optional.empty();
   }
 
   /** Returns whether the surface is known to scatter everywhere alike, in its frame. */

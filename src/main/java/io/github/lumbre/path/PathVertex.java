@@ -69,10 +69,12 @@ public record PathVertex(
     /** A light was sampled. */
     LIGHT,
     /** A light out of focus was sampled through the lens, beside the camera ray. */
-    LENS;
+    LENS,
+    /** The reflection of a light in a mirror was sampled. */
+    MIRROR;
 
     private boolean isSampled() {
-      return this == LIGHT || this == LENS;
+      return this == LIGHT || this == LENS || this == MIRROR;
     }
   }
 

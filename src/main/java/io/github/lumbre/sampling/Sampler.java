@@ -46,10 +46,13 @@ public interface Sampler {
   int FIRST_CAUGHT = 3 << 29;
 
   /**
-   * Three dimensions beyond all others: the light that is sampled through the lens, and the
-   * position on it.
+   * Three dimensions beyond all passed surfaces: the light that is sampled through the lens, and
+   * the position on it.
    */
   int THROUGH_LENS = 7 << 28;
+
+  /** Beyond all other dimensions. */
+  int FIRST_MIRROR = 15 << 27;
 
   /** Returns the first dimension of a path's vertex; the one that the camera sees is 0. */
   static int vertex(int number) {
@@ -73,6 +76,14 @@ public interface Sampler {
    */
   static int caught(int layer) {
     return FIRST_CAUGHT + (layer << 3);
+  }
+
+  /**
+   * Returns the first of three dimensions of the light that a vertex samples in a mirror: the
+   * mirror and the light, and the position on it.
+   */
+  static int mirror(int vertex) {
+    return FIRST_MIRROR + (vertex << 2);
   }
 
   /** Moves to a sample of a pixel of the full frame. */

@@ -201,7 +201,7 @@ class LensLightsTest {
   }
 
   private static boolean lensLights(Scene scene) {
-    return LensLights.of(scene, scene.emitters().toArray(Light[]::new)).isPresent();
+    return LensLights.of(scene, scene.emitters().toArray(Light[]::new), MisHeuristic.BOTH).isPresent();
   }
 
   /** Light that is sampled through the lens is reported with the camera ray. */

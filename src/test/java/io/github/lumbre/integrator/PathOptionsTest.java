@@ -37,17 +37,24 @@ class PathOptionsTest {
   void eachOptionIsSetAlone() {
     PathOptions plain =
         new PathOptions(
-            9, MisHeuristic.BOTH, LightSamplerKind.PLACE, PathOptions.FIRST_ROULETTE, 1, true);
+            9,
+            MisHeuristic.BOTH,
+            LightSamplerKind.PLACE,
+            PathOptions.FIRST_ROULETTE,
+            1,
+            true,
+            true);
     assertThat(PathOptions.toDepth(9)).isEqualTo(plain);
     PathOptions other =
-        new PathOptions(9, MisHeuristic.LIGHT, LightSamplerKind.POWER, 5, 4, false);
+        new PathOptions(9, MisHeuristic.LIGHT, LightSamplerKind.POWER, 5, 4, false, false);
     assertThat(
             plain
                 .by(MisHeuristic.LIGHT)
                 .by(LightSamplerKind.POWER)
                 .rouletteFrom(5)
                 .splitInto(4)
-                .withoutLensLights())
+                .withoutLensLights()
+                .withoutMirrorLights())
         .isEqualTo(other);
     assertThat(other.by(MisHeuristic.LIGHT).splitInto(4).rouletteFrom(5)).isEqualTo(other);
     assertThat(other.by(LightSamplerKind.POWER)).isEqualTo(other);

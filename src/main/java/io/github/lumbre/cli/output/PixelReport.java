@@ -113,7 +113,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     line(out, "             radiance " + shown(light.radiance()));
     if (light.source() == Source.LENS) {
       line(out, "             direction " + shown(light.wi()) + " from the plane of focus");
-    } else if (light.source() == Source.LIGHT) {
+    } else if (light.source() == Source.LIGHT || light.source() == Source.MIRROR) {
       line(out, "             direction " + shown(light.wi()) + ", f·cos " + shown(light.f()));
     }
     if (light.source() != Source.AMBIENT) {
@@ -158,7 +158,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   /** Returns a label of the density that is weighted against light sampling. */
   private static String otherWay(Source source) {
     return switch (source) {
-      case LIGHT -> ", of BSDF sampling ";
+      case LIGHT, MIRROR -> ", of BSDF sampling ";
       case LENS -> ", of random lens points ";
       case EMISSION, ENVIRONMENT, AMBIENT -> ", of the ray ";
     };
@@ -171,6 +171,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
       case AMBIENT -> "ambient";
       case LIGHT -> "sampled light";
       case LENS -> "light sampled through the lens";
+      case MIRROR -> "light sampled in a mirror";
     };
   }
 

@@ -1,0 +1,349 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.geometry.SphereMirror;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.geometry.SurfaceSample;
+import io.github.lumbre.guiding.Guide;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.LightChoice;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.light.LightSampler;
+import io.github.lumbre.material.BsdfValue;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.path.PathVertex.Source;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Specialization;
+import io.github.lumbre.texture.TexturePoint;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The lamps that surfaces see in mirrors that are spheres. The reflection of a lamp in a sphere is
+ * small, so that few scattered rays meet it. Surfaces therefore also sample it: a point of the lamp,
+ * sampled from the sphere's center, has at most one reflection. Multiple importance sampling weights
+ * both ways, with densities per solid angle at the surface (Veach 1997, ch. 9). It is manifold
+ * next-event estimation (Hanika et al. 2015) where the only solution is known. Immutable.
+ */
+final class MirrorLights {
+  /** The largest number of mirrors; smaller spheres are left to scattered rays. */
+  private static final int MOST_MIRRORS = 16;
+
+  /** Rounding of a point of a sphere, relative to the largest coordinate. */
+  private static final double ROUNDING = 64 * 0x1p-52;
+
+  private static final TexturePoint NO_TEXTURE = new TexturePoint(0, 0);
+  private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
+
+  private final Scene scene;
+  private final Light[] emitters;
+  private final LightSampler selector;
+  private final MisHeuristic heuristic;
+  private final Guide guide;
+
+  /** Whether there is more than one light to select from. */
+  private final boolean selects;
+
+  private final SphereMirror[] mirrors;
+  private final Rgb[] reflectances;
+
+  /** The index among the mirrors of each primitive; -1 if it is none. */
+  private final int[] mirrorOfPrimitive;
+
+  private MirrorLights(
+      Scene scene,
+      Light[] emitters,
+      LightSampler selector,
+      MisHeuristic heuristic,
+      Guide guide,
+      List<Mirror> found) {
+    this.scene = scene;
+    this.emitters = emitters;
+    this.selector = selector;
+    this.heuristic = heuristic;
+    this.guide = guide;
+    selects = !scene.takes(Specialization.ONE_EMITTER);
+    mirrors = found.stream().map(Mirror::sphere).toArray(SphereMirror[]::new);
+    reflectances = found.stream().map(Mirror::reflectance).toArray(Rgb[]::new);
+    mirrorOfPrimitive = new int[scene.primitives().size()];
+    Arrays.fill(mirrorOfPrimitive, -1);
+    for (int i = 0; i < found.size(); i++) {
+      mirrorOfPrimitive[found.get(i).primitive] = i;
+    }
+  }
+
+  private record Mirror(int primitive, SphereMirror sphere, Rgb reflectance) {
+    static Optional<Mirror> of(int number, Primitive primitive) {
+      if (primitive.emission().isPresent() || !(primitive.shape() instanceof Sphere sphere)) {
+        return Optional.empty();
+      }
+      return primitive
+          .material()
+          .mirrorReflectance()
+          .filter(reflectance -> !reflectance.isBlack())
+          .flatMap(r -> sphere.asMirror().map(mirror -> new Mirror(number, mirror, r)));
+    }
+  }
+
+  /**
+   * Returns the lamps that are sampled in a scene's mirrors; empty if there are no lamps or no
+   * mirrors, or rays pass through surfaces.
+   *
+   * @param emitters the scene's
+   * @param selector selects among them
+   * @param heuristic weights scattered rays and samples of reflections
+   * @param guide the one that scattered rays follow
+   */
+  static Optional<MirrorLights> of(
+      Scene scene,
+      Light[] emitters,
+      LightSampler selector,
+      MisHeuristic heuristic,
+      Guide guide) {
+    if (Arrays.stream(emitters).noneMatch(AreaLight.class::isInstance) || Passing.isNeeded(scene)) {
+      return Optional.empty();
+    }
+    List<Mirror> found = new ArrayList<>();
+    for (int i = 0; i < scene.primitives().size(); i++) {
+      Mirror.of(i, scene.primitives().get(i)).ifPresent(found::add);
+    }
+    found.sort(Comparator.comparingDouble((Mirror mirror) -> mirror.sphere.radius()).reversed());
+    List<Mirror> largest = found.subList(0, Math.min(MOST_MIRRORS, found.size()));
+    return largest.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new MirrorLights(scene, emitters, selector, heuristic, guide, largest));
+  }
+
+  /**
+   * A vertex from which lamps are sampled in mirrors, and the reflection that is sampled or that the
+   * path meets next. Mutable; each thread reuses one instance.
+   */
+  static final class Reflection {
+    /** The vertex in world space, and the side of it that receives light. */
+    private Vec3 vertex = Vec3.ZERO;
+
+    private Vec3 facing = Vec3.ZERO;
+
+    /** The density with which the path left the vertex; 0 if it has not. */
+    private double pdf;
+
+    /** The mirror that the path met since, and where; -1 if none. */
+    private int mirror = -1;
+
+    private Vec3 met = Vec3.ZERO;
+
+    private final double[] weights = new double[MOST_MIRRORS];
+    private final LightChoice choice = new LightChoice();
+
+    /** The sampled reflection, and where a ray from it to the light starts. */
+    private final SurfaceSample point = new SurfaceSample();
+
+    private Vec3 above = Vec3.ZERO;
+
+    /** Starts a path, which has no vertex yet. */
+    void begin() {
+      pdf = 0;
+      mirror = -1;
+    }
+
+    /** Returns whether the path met one mirror since it left the vertex. */
+    boolean isMet() {
+      return mirror >= 0;
+    }
+
+    /** Returns the density, per solid angle, with which the path left the vertex. */
+    double pdf() {
+      return pdf;
+    }
+  }
+
+  /**
+   * Leaves a surface.
+   *
+   * @param primitive number of the surface's primitive
+   * @param pdf density of the direction per solid angle; infinite for a delta lobe
+   */
+  void leave(Vertex vertex, int primitive, double pdf, Reflection reflection) {
+    if (pdf < Double.POSITIVE_INFINITY) {
+      reflection.vertex = vertex.surface().position();
+      reflection.facing = vertex.facing();
+      reflection.pdf = pdf;
+      reflection.mirror = -1;
+      return;
+    }
+    boolean isFirst = reflection.pdf > 0 && reflection.mirror < 0;
+    if (isFirst && mirrorOfPrimitive[primitive] >= 0 && vertex.surface().isFrontal()) {
+      reflection.mirror = mirrorOfPrimitive[primitive];
+      reflection.met = vertex.surface().position();
+    } else {
+      reflection.begin();
+    }
+  }
+
+  /**
+   * Samples the reflection of one light in one mirror, and adds its light that a vertex scatters.
+   *
+   * @param depth number of the vertex
+   */
+  void addReflection(Vertex vertex, int depth, Sampler sampler, RenderContext context) {
+    Reflection reflection = context.reflection;
+    LightSample light = context.light;
+    int dimension = Sampler.mirror(depth);
+    double u = sampler.get1d(dimension);
+    if (!sample(u, sampler.get2d(dimension + 1), vertex, reflection, light)) {
+      return;
+    }
+    BsdfValue value = context.value;
+    vertex.evaluate(light, value);
+    double r = value.r() * light.r();
+    double g = value.g() * light.g();
+    double b = value.b() * light.b();
+    boolean isBlack = r == 0 && g == 0 && b == 0;
+    boolean isBlocked =
+        !isBlack
+            && (context.isOccluded(scene, vertex.surface(), reflection.point)
+                || context.isOccluded(scene, reflection.above));
+    if (vertex.isGuided()) {
+      value.setPdf(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
+    }
+    double misWeight = heuristic.lightWeight(light.pdf(), value.pdf());
+    if (context.isRecorded) {
+      int emitter = reflection.choice.emitter();
+      context.listener.lightSampled(
+          Source.MIRROR, emitter, light, value, light.pdf(), misWeight, isBlocked);
+    }
+    if (!isBlack && !isBlocked) {
+      double weight = misWeight / light.pdf();
+      context.add(r * weight, g * weight, b * weight);
+    }
+  }
+
+  /**
+   * Samples the reflection of a light.
+   *
+   * @param u uniform in [0,1); selects the mirror and the light
+   * @param onLight uniform in [0,1)²
+   * @param light receives the reflected light, as it arrives at the vertex
+   * @return whether there is a reflection
+   */
+  private boolean sample(
+      double u, Point2 onLight, Vertex vertex, Reflection reflection, LightSample light) {
+    Vec3 from = vertex.surface().position();
+    double[] weights = reflection.weights;
+    double most = Math.max(1, weigh(from, vertex.facing(), weights));
+    double rest = u * most;
+    int chosen = 0;
+    while (chosen < mirrors.length && rest >= weights[chosen]) {
+      rest -= weights[chosen];
+      chosen++;
+    }
+    if (chosen == mirrors.length) {
+      return false;
+    }
+    LightChoice choice = reflection.choice;
+    select(Math.min(rest / weights[chosen], BELOW_ONE), mirrors[chosen].center(), choice);
+    if (!(emitters[choice.emitter()] instanceof AreaLight lamp)) {
+      return false;
+    }
+    lamp.sample(choice.x(), choice.y(), choice.z(), onLight.x(), onLight.y(), light);
+    double probability = weights[chosen] / most * choice.probability();
+    return !light.isEmpty() && reflect(from, chosen, probability, reflection, light);
+  }
+
+  /** Selects a light at the center of a mirror. */
+  private void select(double u, Vec3 center, LightChoice choice) {
+    choice.moveTo(center, Vec3.ZERO);
+    if (selects) {
+      selector.choose(u, choice);
+    } else {
+      choice.setOnly();
+    }
+  }
+
+  /** Replaces light that arrives at the center of a mirror by its reflection seen from a point. */
+  private boolean reflect(
+      Vec3 from, int chosen, double probability, Reflection reflection, LightSample light) {
+    SphereMirror mirror = mirrors[chosen];
+    SurfaceSample onLight = light.surface();
+    Vec3 to = onLight.position();
+    Vec3 normal = mirror.normalBetween(from, to);
+    if (normal.equals(Vec3.ZERO)) {
+      return false;
+    }
+    Vec3 at = mirror.center().plus(mirror.radius(), normal);
+    double pdf =
+        probability
+            * light.pdf()
+            * density(mirror, from, at, to, onLight.normal());
+    if (!(pdf > 0)) {
+      return false;
+    }
+    double error = ROUNDING * (mirror.center().maxAbs() + mirror.radius());
+    reflection.point.set(at, normal, NO_TEXTURE, error, pdf);
+    reflection.above = at.plus(error, normal);
+    light.reflect(at.minus(from).normalized(), reflectances[chosen], pdf);
+    return true;
+  }
+
+  /**
+   * Returns the density, per solid angle at a point, of the reflection of a light's point, for a
+   * density of 1 at the mirror's center; 0 if the center and the reflection see different sides of
+   * the light, or if a beam only touches a surface.
+   */
+  private static double density(SphereMirror mirror, Vec3 from, Vec3 at, Vec3 to, Vec3 normal) {
+    double sides = normal.dot(mirror.center().minus(to)) * normal.dot(at.minus(to));
+    double density = sides > 0 ? 1 / mirror.narrowing(from, at, to, normal) : 0;
+    return density < Double.POSITIVE_INFINITY ? density : 0;
+  }
+
+  /**
+   * Returns the density per solid angle, at the vertex that the path left, with which {@link
+   * #sample} draws the path by way of the mirror that it met to a light.
+   *
+   * @param hit where the path meets the light
+   */
+  double pdf(int emitter, SurfaceHit hit, Reflection reflection) {
+    double most = Math.max(1, weigh(reflection.vertex, reflection.facing, reflection.weights));
+    double weight = reflection.weights[reflection.mirror];
+    SphereMirror mirror = mirrors[reflection.mirror];
+    if (weight == 0 || !(emitters[emitter] instanceof AreaLight lamp)) {
+      return 0;
+    }
+    double density =
+        density(
+            mirror, reflection.vertex, reflection.met, hit.position(), hit.geometricNormal());
+    LightChoice choice = reflection.choice;
+    choice.moveTo(mirror.center(), Vec3.ZERO);
+    double probability = selects ? selector.probability(choice, emitter) : 1;
+    return weight / most * probability * lamp.pdf(mirror.center(), hit) * density;
+  }
+
+  /**
+   * Computes the weight of each mirror at a point: the sine of the angle from its center to its
+   * border, or 0 if the point faces away from it. Returns the sum. If it is below 1, it is the
+   * probability with which a reflection is sampled at all, because small reflections are worth
+   * fewer shadow rays.
+   *
+   * @param facing unit normal of the side that receives light, in world space; zero for both
+   */
+  private double weigh(Vec3 from, Vec3 facing, double[] weights) {
+    double sum = 0;
+    for (int i = 0; i < mirrors.length; i++) {
+      Vec3 way = mirrors[i].center().minus(from);
+      double radius = mirrors[i].radius();
+      boolean isBelow = facing.dot(way) <= -radius;
+      double distance = way.length();
+      weights[i] = isBelow || distance <= radius ? 0 : radius / distance;
+      sum += weights[i];
+    }
+    return sum;
+  }
+}
