@@ -5,6 +5,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Any material on a surface whose normals a map perturbs.
@@ -20,6 +21,12 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
   public NormalMapped {
     Objects.requireNonNull(material, "material");
     Objects.requireNonNull(map, "map");
+  }
+
+  /** Returns nothing: perturbed normals reflect to other places than the surface's own. */
+  @Override
+  public Optional<Rgb> mirrorReflectance() {
+    return Optional.empty();
   }
 
   @Override

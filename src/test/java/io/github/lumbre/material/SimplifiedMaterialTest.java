@@ -40,6 +40,21 @@ class SimplifiedMaterialTest {
   }
 
   @Test
+  void onlyEvenMirrorsHaveAReflectance() {
+    Material mirror = new Mirror(HALF);
+    assertThat(mirror.mirrorReflectance()).contains(Rgb.grey(.5));
+    assertThat(mirror.simplified().mirrorReflectance()).contains(Rgb.grey(.5));
+    assertThat(new Mirror(Texture.constant(Rgb.grey(2))).mirrorReflectance()).contains(Rgb.WHITE);
+    assertThat(new Mirror(VARYING).mirrorReflectance()).isEmpty();
+    NormalMap flat = new NormalMap(Texture.constant(new Rgb(.5, .5, 1)), UvMapping.IDENTITY, 1);
+    assertThat(new NormalMapped(mirror, flat).mirrorReflectance()).isEmpty();
+    assertThat(new NormalMapped(mirror, flat).simplified().mirrorReflectance()).isEmpty();
+    for (Material other : materials(HALF, ROUGH)) {
+      assertThat(other.mirrorReflectance().isPresent()).isEqualTo(other instanceof Mirror);
+    }
+  }
+
+  @Test
   void whatVariesStaysAsItIs() {
     for (Material material : materials(VARYING, ROUGH)) {
       assertThat(material.simplified()).isSameAs(material);
