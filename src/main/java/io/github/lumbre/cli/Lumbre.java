@@ -64,6 +64,9 @@ public final class Lumbre implements Runnable {
   /** The character that Java substitutes for bytes that are invalid in the locale's encoding. */
   private static final char GARBLED = '\ufffd';
 
+  /** The types of picocli's own converters that no flag uses and that take a while to load. */
+  static final String EXCLUDED_CONVERTERS = "java\\.(sql|time)\\..*";
+
   /** The commands by name, in the order of the messages that list them. */
   private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
@@ -109,6 +112,7 @@ public final class Lumbre implements Runnable {
       Interruption.install();
       long start = ManagementFactory.getRuntimeMXBean().getStartTime();
       System.setProperty(BudgetFlags.START, String.valueOf(start));
+      System.setProperty("picocli.converters.excludes", EXCLUDED_CONVERTERS);
     }
     Charset charset = charset(Charset.defaultCharset());
     StandardOutput results = StandardOutput.open();

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -10,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** Tests help, version, completion and errors of the command line. */
@@ -107,6 +109,24 @@ class LumbreTest {
   void everyCommandHasOneHeading() {
     assertThat(HelpLayout.COMMANDS.values().stream().flatMap(List::stream))
         .containsExactlyInAnyOrderElementsOf(Lumbre.commandLine().getSubcommands().keySet());
+  }
+
+  @Test
+  void noFlagUsesAnExcludedConverter() {
+    List<String> excluded = new ArrayList<>();
+    collectExcluded(Lumbre.commandLine(), excluded);
+    assertThat(excluded).isEmpty();
+  }
+
+  private static void collectExcluded(CommandLine command, List<String> excluded) {
+    for (ArgSpec arg : command.getCommandSpec().args()) {
+      for (Class<?> type : arg.auxiliaryTypes()) {
+        if (arg.converters().length == 0 && type.getName().matches(Lumbre.EXCLUDED_CONVERTERS)) {
+          excluded.add(command.getCommandName() + ": " + arg);
+        }
+      }
+    }
+    command.getSubcommands().values().forEach(each -> collectExcluded(each, excluded));
   }
 
   @ParameterizedTest
