@@ -100,7 +100,7 @@ final class Pilot {
     return switch (source) {
       case EMISSION, ENVIRONMENT, LENS -> 0;
       case LIGHT, AMBIENT -> 1;
-      case MIRROR -> 2;
+      case MIRROR, REFRACTION -> 2;
     };
   }
 

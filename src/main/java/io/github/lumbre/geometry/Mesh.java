@@ -102,13 +102,18 @@ public final class Mesh implements Shape {
   }
 
   @Override
+  public Optional<SurfacePatch> patchAt(NearestHit hit) {
+    return Optional.of(surface.patchAt(hit));
+  }
+
+  @Override
   public SurfaceHit surfaceAt(NearestHit hit) {
     return surface.at(hit);
   }
 
   @Override
   public boolean isClosed() {
-    return MeshBorder.isClosed(world);
+    return world.isClosed();
   }
 
   @Override

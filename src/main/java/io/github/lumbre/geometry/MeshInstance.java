@@ -3,6 +3,7 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import java.util.Optional;
 
 /** One placement of a shared mesh in world space. Rays hit it from both sides. */
 public final class MeshInstance implements Shape {
@@ -65,13 +66,18 @@ public final class MeshInstance implements Shape {
   }
 
   @Override
+  public Optional<SurfacePatch> patchAt(NearestHit hit) {
+    return Optional.of(surface.patchAt(hit));
+  }
+
+  @Override
   public SurfaceHit surfaceAt(NearestHit hit) {
     return surface.at(hit);
   }
 
   @Override
   public boolean isClosed() {
-    return MeshBorder.isClosed(shared.mesh());
+    return shared.mesh().isClosed();
   }
 
   @Override

@@ -55,6 +55,26 @@ final class MeshSurface {
     return hasAttributes ? surface.withAttributes(mesh, triangle, hit.b1, hit.b2) : surface;
   }
 
+  /** Returns the triangle of a hit as a patch, whose coordinates start at the hit. */
+  SurfacePatch patchAt(NearestHit hit) {
+    int triangle = hit.element;
+    Vec3 a = position(triangle, 0);
+    Vec3 e1 = position(triangle, 1).minus(a);
+    Vec3 e2 = position(triangle, 2).minus(a);
+    Vec3 point = a.plus(hit.b1, e1).plus(hit.b2, e2);
+    Vec3 geometric = geometricNormal(triangle, e1, e2);
+    if (!mesh.hasNormals()) {
+      return SurfacePatch.flat(point, e1, e2, geometric);
+    }
+    Vec3 n = normal(triangle, 0);
+    Vec3 n1 = normal(triangle, 1).minus(n);
+    Vec3 n2 = normal(triangle, 2).minus(n);
+    Vec3 sum = n.plus(hit.b1, n1).plus(hit.b2, n2);
+    return sum.dot(geometric) > 0
+        ? new SurfacePatch(point, e1, e2, sum, n1, n2)
+        : SurfacePatch.flat(point, e1, e2, geometric);
+  }
+
   private Vec3 position(int triangle, int corner) {
     Vec3 local = mesh.position(mesh.vertex(triangle, corner));
     return isInWorld ? local : toWorld.point(local);

@@ -121,6 +121,11 @@ public final class NearestHit {
     return direction().negated().normalized();
   }
 
+  /** Returns the part of the hit shape: the triangle of a mesh or the face of a box. */
+  public int element() {
+    return element;
+  }
+
   /** Returns whether a hit was found since the ray was set. */
   public boolean isHit() {
     return shape >= 0;

@@ -44,6 +44,14 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
   boolean isClosed();
 
   /**
+   * Returns the flat piece of surface around a hit that {@link #intersect} found, with the
+   * coordinates (0, 0) there; empty if the surface is not made of flat pieces.
+   */
+  default Optional<SurfacePatch> patchAt(NearestHit hit) {
+    return Optional.empty();
+  }
+
+  /**
    * Returns the outward world-space unit normal if it is known to be constant over the surface;
    * empty otherwise.
    */

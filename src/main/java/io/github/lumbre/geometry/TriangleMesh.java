@@ -26,6 +26,9 @@ public final class TriangleMesh {
   /** Whether the mesh was baked with a mirroring transform, which flips every cross product. */
   private final boolean mirrored;
 
+  /** Whether the mesh encloses a volume; null before it is asked for. */
+  private volatile Boolean closed;
+
   private TriangleMesh(
       double[] positions,
       double[] normals,
@@ -315,6 +318,17 @@ public final class TriangleMesh {
   /** Returns the texture coordinates of a vertex; requires {@link #hasUvs}. */
   public TexturePoint uv(int vertex) {
     return new TexturePoint(uvs[2 * vertex], uvs[2 * vertex + 1]);
+  }
+
+  /** Returns whether the mesh encloses a volume; see {@link MeshBorder#isClosed}. */
+  boolean isClosed() {
+    Boolean known = closed;
+    if (known == null) {
+      // Two threads may compute this at once; their results are equal.
+      known = MeshBorder.isClosed(this);
+      closed = known;
+    }
+    return known;
   }
 
   /** Returns whether a triangle's outward normal is opposite to the cross product of its edges. */

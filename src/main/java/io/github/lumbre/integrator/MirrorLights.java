@@ -28,10 +28,10 @@ import java.util.Optional;
 
 /**
  * The lamps that surfaces see in mirrors that are spheres. The reflection of a lamp in a sphere is
- * small, so that few scattered rays meet it. Surfaces therefore also sample it: a point of the lamp,
- * sampled from the sphere's center, has at most one reflection. Multiple importance sampling weights
- * both ways, with densities per solid angle at the surface (Veach 1997, ch. 9). It is manifold
- * next-event estimation (Hanika et al. 2015) where the only solution is known. Immutable.
+ * small, so that few scattered rays meet it. Surfaces therefore also sample it: a point of the
+ * lamp, sampled from the sphere's center, has at most one reflection. Multiple importance sampling
+ * weights both ways, with densities per solid angle at the surface (Veach 1997, ch. 9). It is
+ * manifold next-event estimation (Hanika et al. 2015) where the only solution is known. Immutable.
  */
 final class MirrorLights {
   /** The largest number of mirrors; smaller spheres are left to scattered rays. */
@@ -122,70 +122,15 @@ final class MirrorLights {
         : Optional.of(new MirrorLights(scene, emitters, selector, heuristic, guide, largest));
   }
 
-  /**
-   * A vertex from which lamps are sampled in mirrors, and the reflection that is sampled or that the
-   * path meets next. Mutable; each thread reuses one instance.
-   */
+  /** A reflection that is sampled. Mutable; each thread reuses one instance. */
   static final class Reflection {
-    /** The vertex in world space, and the side of it that receives light. */
-    private Vec3 vertex = Vec3.ZERO;
-
-    private Vec3 facing = Vec3.ZERO;
-
-    /** The density with which the path left the vertex; 0 if it has not. */
-    private double pdf;
-
-    /** The mirror that the path met since, and where; -1 if none. */
-    private int mirror = -1;
-
-    private Vec3 met = Vec3.ZERO;
-
     private final double[] weights = new double[MOST_MIRRORS];
     private final LightChoice choice = new LightChoice();
 
-    /** The sampled reflection, and where a ray from it to the light starts. */
+    /** The reflection, and where a ray from it to the light starts. */
     private final SurfaceSample point = new SurfaceSample();
 
     private Vec3 above = Vec3.ZERO;
-
-    /** Starts a path, which has no vertex yet. */
-    void begin() {
-      pdf = 0;
-      mirror = -1;
-    }
-
-    /** Returns whether the path met one mirror since it left the vertex. */
-    boolean isMet() {
-      return mirror >= 0;
-    }
-
-    /** Returns the density, per solid angle, with which the path left the vertex. */
-    double pdf() {
-      return pdf;
-    }
-  }
-
-  /**
-   * Leaves a surface.
-   *
-   * @param primitive number of the surface's primitive
-   * @param pdf density of the direction per solid angle; infinite for a delta lobe
-   */
-  void leave(Vertex vertex, int primitive, double pdf, Reflection reflection) {
-    if (pdf < Double.POSITIVE_INFINITY) {
-      reflection.vertex = vertex.surface().position();
-      reflection.facing = vertex.facing();
-      reflection.pdf = pdf;
-      reflection.mirror = -1;
-      return;
-    }
-    boolean isFirst = reflection.pdf > 0 && reflection.mirror < 0;
-    if (isFirst && mirrorOfPrimitive[primitive] >= 0 && vertex.surface().isFrontal()) {
-      reflection.mirror = mirrorOfPrimitive[primitive];
-      reflection.met = vertex.surface().position();
-    } else {
-      reflection.begin();
-    }
   }
 
   /**
@@ -289,7 +234,7 @@ final class MirrorLights {
     double error = ROUNDING * (mirror.center().maxAbs() + mirror.radius());
     reflection.point.set(at, normal, NO_TEXTURE, error, pdf);
     reflection.above = at.plus(error, normal);
-    light.reflect(at.minus(from).normalized(), reflectances[chosen], pdf);
+    light.redirect(at.minus(from).normalized(), reflectances[chosen], pdf);
     return true;
   }
 
@@ -304,22 +249,27 @@ final class MirrorLights {
     return density < Double.POSITIVE_INFINITY ? density : 0;
   }
 
+  /** Returns whether the path's only specular surface is the outside of a mirror. */
+  boolean isMet(SpecularLink link) {
+    return link.isSingle() && link.isFrontal() && mirrorOfPrimitive[link.primitive()] >= 0;
+  }
+
   /**
    * Returns the density per solid angle, at the vertex that the path left, with which {@link
-   * #sample} draws the path by way of the mirror that it met to a light.
+   * #addReflection} draws the path by way of the mirror that it met to a light.
    *
    * @param hit where the path meets the light
    */
-  double pdf(int emitter, SurfaceHit hit, Reflection reflection) {
-    double most = Math.max(1, weigh(reflection.vertex, reflection.facing, reflection.weights));
-    double weight = reflection.weights[reflection.mirror];
-    SphereMirror mirror = mirrors[reflection.mirror];
+  double pdf(int emitter, SurfaceHit hit, SpecularLink link, Reflection reflection) {
+    int met = mirrorOfPrimitive[link.primitive()];
+    SphereMirror mirror = mirrors[met];
+    double most = Math.max(1, weigh(link.vertex(), link.facing(), reflection.weights));
+    double weight = reflection.weights[met];
     if (weight == 0 || !(emitters[emitter] instanceof AreaLight lamp)) {
       return 0;
     }
     double density =
-        density(
-            mirror, reflection.vertex, reflection.met, hit.position(), hit.geometricNormal());
+        density(mirror, link.vertex(), link.point(), hit.position(), hit.geometricNormal());
     LightChoice choice = reflection.choice;
     choice.moveTo(mirror.center(), Vec3.ZERO);
     double probability = selects ? selector.probability(choice, emitter) : 1;

@@ -41,8 +41,9 @@ interface PathListener {
   void vertexReached(int primitive, SurfaceHit surface, Bsdf bsdf);
 
   /**
-   * A light was sampled at the vertex.
+   * A light was sampled at the vertex, through the lens, or by way of a specular surface.
    *
+   * @param source the way in which it was sampled
    * @param emitter index among the scene's emitters
    * @param value f·|cos θi| and density of the BSDF for the light's direction
    * @param lightPdf density of the sample per solid angle, times the probability of selecting the

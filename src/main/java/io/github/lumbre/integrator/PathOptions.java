@@ -18,7 +18,8 @@ import java.util.Objects;
  *     #PLANNED} if it is that of {@link RenderContext#splitInto}
  * @param throughLens whether lights out of focus are also sampled through the lens. Not for
  *     pictures with a transparent background: their alpha counts the camera rays that hit something
- * @param byMirror whether surfaces also sample the reflections of lamps in mirrors that are spheres
+ * @param bySpecular whether surfaces also sample lamps by way of mirrors that are spheres, and
+ *     through surfaces that refract
  */
 public record PathOptions(
     int maxDepth,
@@ -27,7 +28,7 @@ public record PathOptions(
     int firstRoulette,
     int split,
     boolean throughLens,
-    boolean byMirror) {
+    boolean bySpecular) {
   /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 3;
 
@@ -61,34 +62,35 @@ public record PathOptions(
   /** Returns the same options with another heuristic. */
   public PathOptions by(MisHeuristic newHeuristic) {
     return new PathOptions(
-        maxDepth, newHeuristic, lightSampler, firstRoulette, split, throughLens, byMirror);
+        maxDepth, newHeuristic, lightSampler, firstRoulette, split, throughLens, bySpecular);
   }
 
   /** Returns the same options with another light sampler. */
   public PathOptions by(LightSamplerKind newSampler) {
     return new PathOptions(
-        maxDepth, heuristic, newSampler, firstRoulette, split, throughLens, byMirror);
+        maxDepth, heuristic, newSampler, firstRoulette, split, throughLens, bySpecular);
   }
 
   /** Returns the same options with another first vertex for Russian roulette. */
   public PathOptions rouletteFrom(int vertex) {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, vertex, split, throughLens, byMirror);
+        maxDepth, heuristic, lightSampler, vertex, split, throughLens, bySpecular);
   }
 
   /** Returns the same options with another number of branches. */
   public PathOptions splitInto(int ways) {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, firstRoulette, ways, throughLens, byMirror);
+        maxDepth, heuristic, lightSampler, firstRoulette, ways, throughLens, bySpecular);
   }
 
   /** Returns the same options without lights that are sampled through the lens. */
   public PathOptions withoutLensLights() {
-    return new PathOptions(maxDepth, heuristic, lightSampler, firstRoulette, split, false, byMirror);
+    return new PathOptions(
+        maxDepth, heuristic, lightSampler, firstRoulette, split, false, bySpecular);
   }
 
-  /** Returns the same options without lamps that are sampled in mirrors. */
-  public PathOptions withoutMirrorLights() {
+  /** Returns the same options without lamps that are sampled by way of specular surfaces. */
+  public PathOptions withoutSpecularLinks() {
     return new PathOptions(
         maxDepth, heuristic, lightSampler, firstRoulette, split, throughLens, false);
   }

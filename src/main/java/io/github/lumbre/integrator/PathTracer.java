@@ -59,6 +59,12 @@ public final class PathTracer implements Integrator {
   /** Whether vertices also sample the reflections of lights in mirrors. */
   private final boolean reflects;
 
+  /** Whether vertices also sample lights through refracting surfaces. */
+  private final boolean refracts;
+
+  /** Whether lights are sampled by way of specular surfaces. */
+  private final boolean hasLinks;
+
   private final boolean hasAmbient;
 
   /** Whether the camera sees a color instead of environment lights. */
@@ -74,6 +80,7 @@ public final class PathTracer implements Integrator {
   private final Optional<LensLights> lensLights;
 
   private final Optional<MirrorLights> mirrorLights;
+  private final Optional<RefractedLights> refractedLights;
   private final Guide guide;
 
   /** Whether the guide has learned anything. */
@@ -127,10 +134,16 @@ public final class PathTracer implements Integrator {
             ? LensLights.of(scene, emitters, heuristic)
             : Optional.empty();
     mirrorLights =
-        samplesLights && options.byMirror()
+        samplesLights && options.bySpecular()
             ? MirrorLights.of(scene, emitters, selector, heuristic, guide)
             : Optional.empty();
     reflects = mirrorLights.isPresent();
+    refractedLights =
+        samplesLights && options.bySpecular()
+            ? RefractedLights.of(scene, heuristic, guide)
+            : Optional.empty();
+    refracts = refractedLights.isPresent();
+    hasLinks = reflects || refracts;
     this.guide = Objects.requireNonNull(guide, "guide");
     isGuided = !guide.isEmpty();
   }
@@ -168,7 +181,7 @@ public final class PathTracer implements Integrator {
     Path path = context.path;
     path.begin();
     context.crossing.isUsed = throughLens;
-    context.reflection.begin();
+    context.link.begin();
     if (context.isRecorded) {
       context.listener.pathStarted();
     }
@@ -293,8 +306,8 @@ public final class PathTracer implements Integrator {
     }
     path.scale(sample.r(), sample.g(), sample.b());
     path.leave(sample.pdf());
-    if (reflects) {
-      mirrorLights.get().leave(vertex, context.hit.shape(), sample.pdf(), context.reflection);
+    if (hasLinks) {
+      context.link.leave(vertex, context.hit, sample);
     }
 
     // Russian roulette: end weak paths at random and divide the others by their probability.
@@ -344,14 +357,19 @@ public final class PathTracer implements Integrator {
 
   /** Samples lights, and adds their light that the vertex scatters. */
   private void direct(Vertex vertex, Sampler sampler, int depth, RenderContext context) {
-    sampleLight(vertex, sampler, Sampler.vertex(depth), context);
+    boolean isClear = sampleLight(vertex, sampler, Sampler.vertex(depth), context);
+    if (refracts && depth + 2 <= maxDepth && !isClear && !context.light.isEmpty()) {
+      double pdf = context.choice.probability() * context.light.pdf();
+      refractedLights.get().addRefracted(vertex, pdf, context.choice.emitter(), context);
+    }
     if (reflects && depth + 2 <= maxDepth) {
       mirrorLights.get().addReflection(vertex, depth, sampler, context);
     }
   }
 
-  /** Samples one light, selected at random. */
-  private void sampleLight(Vertex vertex, Sampler sampler, int dimension, RenderContext context) {
+  /** Samples one light, selected at random. Returns whether nothing blocks it. */
+  private boolean sampleLight(
+      Vertex vertex, Sampler sampler, int dimension, RenderContext context) {
     LightChoice choice = context.choice;
     LightSample light = context.light;
     vertex.receiveFrom(choice);
@@ -364,7 +382,7 @@ public final class PathTracer implements Integrator {
     Light emitter = emitters[choice.emitter()];
     emitter.sample(choice.x(), choice.y(), choice.z(), uLight.x(), uLight.y(), light);
     if (light.isEmpty()) {
-      return;
+      return false;
     }
     BsdfValue value = context.value;
     vertex.evaluate(light, value);
@@ -380,7 +398,7 @@ public final class PathTracer implements Integrator {
       b = value.b() * light.b();
     }
     if ((isBlack || isBlocked) && !context.isRecorded) {
-      return;
+      return false;
     }
     double lightPdf = choice.probability();
     double misWeight = 1;
@@ -399,6 +417,7 @@ public final class PathTracer implements Integrator {
       double weight = misWeight / lightPdf;
       context.add(r * weight, g * weight, b * weight);
     }
+    return !isBlack && !isBlocked;
   }
 
   /**
@@ -422,9 +441,16 @@ public final class PathTracer implements Integrator {
       bsdfPdf = context.crossing.rayPdf();
       lightPdf = lensLights.get().pdf(emitter, surface, context.crossing);
       weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
-    } else if (reflects && emitter >= 0 && context.reflection.isMet()) {
-      bsdfPdf = context.reflection.pdf();
-      lightPdf = mirrorLights.get().pdf(emitter, surface, context.reflection);
+    } else if (reflects && emitter >= 0 && mirrorLights.get().isMet(context.link)) {
+      bsdfPdf = context.link.pdf();
+      lightPdf = mirrorLights.get().pdf(emitter, surface, context.link, context.reflection);
+      weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
+    } else if (refracts && emitter >= 0 && refractedLights.get().isMet(context.link)) {
+      bsdfPdf = refractedLights.get().scatteredPdf(context.link);
+      double pdf = emitters[emitter].pdf(context.choice.point(), surface);
+      double straightPdf = lightPdf(emitter, pdf, context);
+      lightPdf =
+          refractedLights.get().pdf(context.link, surface, straightPdf, context.refraction);
       weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
     }
     if (context.isRecorded) {

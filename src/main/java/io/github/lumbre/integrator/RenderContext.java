@@ -41,6 +41,8 @@ public final class RenderContext {
   final Passing passing = new Passing();
   final Guiding guiding = new Guiding();
   final LensLights.Crossing crossing = new LensLights.Crossing();
+  final SpecularLink link = new SpecularLink();
+  final RefractedLights.Refraction refraction = new RefractedLights.Refraction();
   final MirrorLights.Reflection reflection = new MirrorLights.Reflection();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();

@@ -268,7 +268,7 @@ public final class SampleLayers implements PathListener {
     }
     double weight = misWeight / lightPdf;
     int group = emitter < 0 ? -1 : groups.ofEmitter(emitter);
-    int times = scatterings + (source == Source.MIRROR ? 2 : 1);
+    int times = scatterings + (source == Source.MIRROR || source == Source.REFRACTION ? 2 : 1);
     add(group, times, r * weight, g * weight, b * weight);
   }
 

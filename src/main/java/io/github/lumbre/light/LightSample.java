@@ -79,17 +79,18 @@ public final class LightSample {
   }
 
   /**
-   * Replaces light that arrives from a point of a surface by its reflection in a mirror.
+   * Replaces light that arrives from a point of a surface by the same light by way of a mirror or a
+   * refracting surface.
    *
-   * @param newWi unit direction to the reflection, in world space
-   * @param reflectance fraction of the light that the mirror reflects, per color
+   * @param newWi unit direction to the mirror or refracting surface, in world space
+   * @param part fraction of the light that goes this way, per color
    * @param newPdf density of that direction per solid angle, &gt; 0
    */
-  public void reflect(Vec3 newWi, Rgb reflectance, double newPdf) {
+  public void redirect(Vec3 newWi, Rgb part, double newPdf) {
     x = newWi.x();
     y = newWi.y();
     z = newWi.z();
-    dim(reflectance);
+    dim(part);
     pdf = newPdf;
   }
 

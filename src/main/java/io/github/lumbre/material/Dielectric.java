@@ -22,18 +22,40 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
     Vec3 wo = new Vec3(woX, woY, woZ);
     double fresnel = reflected(wo);
-    double reflect = fresnel * reflectance.max();
-    double pass = (1 - fresnel) * transmittance.max();
-    if (reflect + pass == 0) {
+    double probability = reflectProbability(fresnel);
+    if (!(probability >= 0)) {
       result.absorb();
       return;
     }
-    double probability = reflect / (reflect + pass);
     if (uLobe < probability) {
       result.setSpecular(SpecularReflection.reflect(wo), reflectance.times(fresnel / probability));
     } else {
       result.setSpecular(refract(wo), transmittance.times((1 - fresnel) / (1 - probability)));
     }
+  }
+
+  /** Returns the probability of sampling the reflection; NaN if the surface is black. */
+  private double reflectProbability(double fresnel) {
+    double reflect = fresnel * reflectance.max();
+    double pass = (1 - fresnel) * transmittance.max();
+    return reflect / (reflect + pass);
+  }
+
+  /** Returns the probability with which {@link #sample} refracts; NaN if the surface is black. */
+  public double passProbability(Vec3 wo) {
+    return 1 - reflectProbability(reflected(wo));
+  }
+
+  /** Returns the fraction of light, per color, that is refracted to a viewer at wo. */
+  public Rgb passed(Vec3 wo) {
+    return transmittance.times(1 - reflected(wo));
+  }
+
+  /**
+   * Returns the index of refraction on the other side of the surface, relative to the side of wo.
+   */
+  public double relativeIor(Vec3 wo) {
+    return eta(wo);
   }
 
   /** Returns the Fresnel reflectance in [0,1] for a viewer at wo, without the tint. */

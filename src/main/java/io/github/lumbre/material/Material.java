@@ -64,6 +64,13 @@ public interface Material {
         : Optional.empty();
   }
 
+  /** Returns the BSDF if it is known to be the same clear glass everywhere; empty otherwise. */
+  default Optional<Dielectric> clearGlass() {
+    return isUniform() && at(0, 0) instanceof Dielectric glass
+        ? Optional.of(glass)
+        : Optional.empty();
+  }
+
   /** Returns whether the surface is known to scatter everywhere alike, in its frame. */
   boolean isUniform();
 

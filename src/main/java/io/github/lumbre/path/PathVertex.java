@@ -71,10 +71,12 @@ public record PathVertex(
     /** A light out of focus was sampled through the lens, beside the camera ray. */
     LENS,
     /** The reflection of a light in a mirror was sampled. */
-    MIRROR;
+    MIRROR,
+    /** A light was sampled through a surface that refracts it. */
+    REFRACTION;
 
     private boolean isSampled() {
-      return this == LIGHT || this == LENS || this == MIRROR;
+      return this == LIGHT || this == LENS || this == MIRROR || this == REFRACTION;
     }
   }
 
@@ -83,17 +85,18 @@ public record PathVertex(
    *
    * @param source how the light was found
    * @param emitter index of the light among the scene's emitters; -1 if it is none of them
-   * @param wi unit direction towards the light; zero for ambient light; through the lens, from
-   *     where the rays of the film point cross
-   * @param radiance radiance that arrives if nothing blocks it; for a delta light, irradiance at
-   *     normal incidence
+   * @param wi unit direction towards the light, or towards the surface that mirrors or refracts it;
+   *     zero for ambient light; through the lens, from where the rays of the film point cross
+   * @param radiance radiance that arrives, mirrored or refracted, if nothing blocks it; for a delta
+   *     light, irradiance at normal incidence
    * @param f f·|cos θi| for that direction; white if the ray itself hit the light; through the
    *     lens, the density with which a random lens point draws the direction
    * @param lightPdf density per solid angle with which light sampling draws wi, times the
    *     probability of selecting the emitter; for a delta light, that probability alone; 0 if light
    *     sampling cannot draw wi
    * @param bsdfPdf density per solid angle with which BSDF sampling, or a random lens point, draws
-   *     wi; infinite for a delta lobe, or the camera if no light is sampled through its lens
+   *     wi, times the probability of being refracted after it; infinite for a delta lobe, or the
+   *     camera if no light is sampled through its lens
    * @param misWeight weight of multiple importance sampling, in [0,1]
    * @param blocked whether something blocks the light
    */

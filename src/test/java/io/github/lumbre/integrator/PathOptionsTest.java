@@ -54,7 +54,7 @@ class PathOptionsTest {
                 .rouletteFrom(5)
                 .splitInto(4)
                 .withoutLensLights()
-                .withoutMirrorLights())
+                .withoutSpecularLinks())
         .isEqualTo(other);
     assertThat(other.by(MisHeuristic.LIGHT).splitInto(4).rouletteFrom(5)).isEqualTo(other);
     assertThat(other.by(LightSamplerKind.POWER)).isEqualTo(other);

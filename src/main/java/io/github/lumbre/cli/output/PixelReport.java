@@ -111,10 +111,14 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     String of = light.emitter() < 0 ? "" : ": " + emitter(light.emitter());
     line(out, "  light      " + source(light.source()) + of);
     line(out, "             radiance " + shown(light.radiance()));
-    if (light.source() == Source.LENS) {
-      line(out, "             direction " + shown(light.wi()) + " from the plane of focus");
-    } else if (light.source() == Source.LIGHT || light.source() == Source.MIRROR) {
-      line(out, "             direction " + shown(light.wi()) + ", f·cos " + shown(light.f()));
+    switch (light.source()) {
+      case LENS ->
+          line(out, "             direction " + shown(light.wi()) + " from the plane of focus");
+      case LIGHT, MIRROR, REFRACTION ->
+          line(out, "             direction " + shown(light.wi()) + ", f·cos " + shown(light.f()));
+      case EMISSION, ENVIRONMENT, AMBIENT -> {
+        // The direction is that of the ray, or there is none.
+      }
     }
     if (light.source() != Source.AMBIENT) {
       line(
@@ -158,7 +162,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   /** Returns a label of the density that is weighted against light sampling. */
   private static String otherWay(Source source) {
     return switch (source) {
-      case LIGHT, MIRROR -> ", of BSDF sampling ";
+      case LIGHT, MIRROR, REFRACTION -> ", of BSDF sampling ";
       case LENS -> ", of random lens points ";
       case EMISSION, ENVIRONMENT, AMBIENT -> ", of the ray ";
     };
@@ -172,6 +176,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
       case LIGHT -> "sampled light";
       case LENS -> "light sampled through the lens";
       case MIRROR -> "light sampled in a mirror";
+      case REFRACTION -> "light sampled through a refracting surface";
     };
   }
 

@@ -1,0 +1,321 @@
+package io.github.lumbre.integrator;
+
+import static io.github.lumbre.integrator.ScatteredLight.assertSameMean;
+import static io.github.lumbre.integrator.ScatteredLight.samples;
+import static io.github.lumbre.integrator.ScatteredLight.scattered;
+import static io.github.lumbre.integrator.TestScenes.at;
+import static io.github.lumbre.integrator.TestScenes.ceilingLamp;
+import static io.github.lumbre.integrator.TestScenes.empty;
+import static io.github.lumbre.integrator.TestScenes.floor;
+import static io.github.lumbre.integrator.TestScenes.glass;
+import static io.github.lumbre.integrator.TestScenes.glow;
+import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
+import static io.github.lumbre.integrator.TestScenes.matte;
+import static io.github.lumbre.integrator.TestScenes.point;
+import static io.github.lumbre.integrator.TestScenes.sphere;
+import static io.github.lumbre.integrator.TestScenes.turned;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.geometry.Plane;
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SharedMesh;
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.guiding.Guide;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.NormalMapped;
+import io.github.lumbre.material.ShadowCatcher;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.path.PathVertex;
+import io.github.lumbre.path.PathVertex.Contribution;
+import io.github.lumbre.path.PathVertex.FoundLight;
+import io.github.lumbre.path.PathVertex.Source;
+import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.testing.Moments;
+import io.github.lumbre.texture.NormalMap;
+import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.UvMapping;
+import java.util.EnumSet;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Compares the light of lamps that are sampled through the surface of water with what scattered
+ * rays find alone, at a point on the ground. Lamps are large, so that scattered rays find them
+ * often.
+ */
+class RefractedLightsTest {
+  private static final Glass WATER =
+      new Glass(
+          Texture.constant(new Rgb(.9, .7, .5)),
+          Texture.constant(new Rgb(.6, .8, 1)),
+          ScalarTexture.constant(1.33),
+          ScalarTexture.constant(0));
+
+  private static final int CELLS = 24;
+
+  private static Rectangle lamp() {
+    return ceilingLamp(1.5, 1, 2.5);
+  }
+
+  /** A lamp above the surface of water; the ground is inside the water. */
+  private static SceneBuilder under(Shape surface) {
+    return empty()
+        .add(floor(), matte(.5))
+        .add(surface, WATER)
+        .addAreaLight(lamp(), glow(4));
+  }
+
+  private static Shape flat() {
+    return new Rectangle(at(0, 1, 0), 8, 8, true);
+  }
+
+  /** Waves at a height of 1, with smooth normals, that bend light enough to cross. */
+  private static TriangleMesh waves(double height, boolean areSmooth) {
+    int side = CELLS + 1;
+    double[] positions = new double[3 * side * side];
+    double[] normals = new double[areSmooth ? positions.length : 0];
+    for (int i = 0; i < side * side; i++) {
+      double x = 4.0 * (i % side) / CELLS - 2;
+      double z = 4.0 * Math.floorDiv(i, side) / CELLS - 2;
+      set(positions, i, x, 1 + height * Math.sin(4 * x) * Math.cos(3 * z), z);
+      if (areSmooth) {
+        double dx = 4 * height * Math.cos(4 * x) * Math.cos(3 * z);
+        double dz = -3 * height * Math.sin(4 * x) * Math.sin(3 * z);
+        Vec3 normal = new Vec3(-dx, 1, -dz).normalized();
+        set(normals, i, normal.x(), normal.y(), normal.z());
+      }
+    }
+    int[] indices = new int[6 * CELLS * CELLS];
+    for (int cell = 0; cell < CELLS * CELLS; cell++) {
+      int a = Math.floorDiv(cell, CELLS) * side + cell % CELLS;
+      int[] corners = {a, a + side, a + 1, a + 1, a + side, a + side + 1};
+      System.arraycopy(corners, 0, indices, 6 * cell, 6);
+    }
+    return TriangleMesh.of(positions, normals, new double[0], indices);
+  }
+
+  private static void set(double[] array, int i, double x, double y, double z) {
+    array[3 * i] = x;
+    array[3 * i + 1] = y;
+    array[3 * i + 2] = z;
+  }
+
+  private static boolean isUsed(Scene scene) {
+    return RefractedLights.of(scene, MisHeuristic.BOTH, Guide.NONE).isPresent();
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {2, 6})
+  void theMeanIsThatOfScatteredRays(int depth) {
+    assertSameMean(under(flat()).build(), depth);
+  }
+
+  /** Some points of the lamp are refracted to the ground by several places of the waves. */
+  @ParameterizedTest
+  @CsvSource({".02, true", ".1, true", ".25, true", ".1, false"})
+  void wavesOfAnyHeightMayBendLight(double height, boolean areSmooth) {
+    assertSameMean(under(Mesh.of(waves(height, areSmooth))).build(), 2);
+  }
+
+  @Test
+  void placedMeshesBendLightAsOthersDo() {
+    Transform placed =
+        at(.1, -.3, 0).times(turned(5, 30, -8)).times(Transform.scale(new Vec3(1.2, 1.3, -.9)));
+    SharedMesh shared = new SharedMesh(waves(.08, true));
+    assertSameMean(under(new MeshInstance(shared, placed)).build(), 2);
+  }
+
+  /** The ground is outside the glass, and the lamp inside. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void lightLeavesTheWaterAsItEnters(boolean isInfinite) {
+    Transform upsideDown = at(0, 1, 0).times(turned(180, 0, 0));
+    Shape surface =
+        isInfinite ? new Plane(upsideDown, true) : new Rectangle(upsideDown, 8, 8, true);
+    assertSameMean(under(surface).build(), 2);
+  }
+
+  @Test
+  void samplingThroughTheSurfaceHasATenthOfTheVariance() {
+    Scene scene =
+        empty()
+            .add(floor(), matte(.5))
+            .add(Mesh.of(waves(.02, true)), WATER)
+            .addAreaLight(ceilingLamp(.4, .4, 2.5), glow(40))
+            .build();
+    Moments expected = scattered(scene, 2);
+    Moments found = samples(scene, PathOptions.toDepth(2));
+    assertThat(found.z(expected)).isBetween(-4.0, 4.0);
+    assertThat(found.variance()).isLessThan(.1 * expected.variance());
+    assertThat(samples(scene, PathOptions.toDepth(1)).mean()).isZero();
+  }
+
+  /** A screen in the water, one above it, and one that hides nothing. */
+  @ParameterizedTest
+  @CsvSource({".5, .45", "2, .5", "1.5, 9"})
+  void screensBlockLightOnBothSides(double height, double x) {
+    Rectangle screen = new Rectangle(at(x, height, .1), .8, .5, true);
+    Scene scene = under(flat()).add(screen, matte(0)).build();
+    assertSameMean(scene, 2);
+    double open = samples(under(flat()).build(), PathOptions.toDepth(2)).mean();
+    double change = Math.abs(samples(scene, PathOptions.toDepth(2)).mean() / open - 1);
+    assertThat(change > .02).isEqualTo(x < 9);
+  }
+
+  /** Two lamps above the water, one in it, and one that is half in it. */
+  @Test
+  void lampsAreSelectedWithTheirProbabilities() {
+    Scene scene =
+        under(Mesh.of(waves(.05, true)))
+            .addAreaLight(sphere(1.4, 2, .5, .5), glow(3))
+            .addAreaLight(sphere(-1.2, .5, .5, .3), glow(1))
+            .addAreaLight(sphere(-1, 1, -1, .4), glow(2))
+            .addAreaLight(
+                new Rectangle(at(0, 1.7, -1.5).times(turned(110, 0, 0)), 1, 1, false),
+                new Emission(Texture.constant(Rgb.grey(3)), true))
+            .addBackground(.2)
+            .add(point(new Vec3(.5, 3, 0), 3))
+            .build();
+    assertSameMean(scene, 3);
+  }
+
+  /** Light that passes two surfaces is left to scattered rays. */
+  @Test
+  void lightMayPassTwoSurfaces() {
+    Scene scene = under(flat()).add(new Rectangle(at(0, 1.4, 0), 8, 8, true), WATER).build();
+    assertSameMean(scene, 4);
+  }
+
+  @Test
+  void branchesShareTheSampledLight() {
+    Scene scene = under(Mesh.of(waves(.05, true))).build();
+    Moments split = samples(scene, PathOptions.toDepth(3).splitInto(4));
+    assertThat(split.z(scattered(scene, 3))).isBetween(-4.0, 4.0);
+  }
+
+  /** Dark glass, through which few scattered rays pass. */
+  @ParameterizedTest
+  @ValueSource(doubles = {.5, 1, 1.001, 2.4})
+  void anyIndexMayRefract(double ior) {
+    Glass dark =
+        new Glass(
+            Texture.constant(Rgb.WHITE),
+            Texture.constant(Rgb.grey(.2)),
+            ScalarTexture.constant(ior),
+            ScalarTexture.constant(0));
+    Scene scene =
+        empty()
+            .add(floor(), matte(.5))
+            .add(Mesh.of(waves(.03, true)), dark)
+            .addAreaLight(ceilingLamp(3, 3, 2.5), glow(4))
+            .build();
+    assertSameMean(scene, 2);
+  }
+
+  @Test
+  void onlyOpenSurfacesOfClearGlassAreUsed() {
+    assertThat(isUsed(under(flat()).build())).isTrue();
+    assertThat(isUsed(under(Mesh.of(waves(.1, true))).build())).isTrue();
+    assertThat(isUsed(under(sphere(0, 1, 0, .5)).build())).isFalse();
+    NormalMap bumps =
+        new NormalMap(Texture.constant(new Rgb(.5, .6, .9)), UvMapping.IDENTITY, 1);
+    for (Material other :
+        new Material[] {
+          WATER.withRoughness(.3), new NormalMapped(WATER, bumps), matte(.5),
+        }) {
+      Scene scene =
+          empty().add(flat(), other).addAreaLight(lamp(), glow(1)).add(floor(), matte(1)).build();
+      assertThat(isUsed(scene)).isFalse();
+    }
+    SceneBuilder catcher =
+        under(flat()).add(sphere(9, 1, 0, 1), ShadowCatcher.of(Rgb.WHITE));
+    assertThat(isUsed(catcher.build())).isFalse();
+  }
+
+  @Test
+  void recordedLightsAddUpToTheSample() {
+    PathRecorder recorder = new PathRecorder();
+    Scene scene = under(Mesh.of(waves(.05, true))).build();
+    PathTracer tracer = new PathTracer(scene, 4);
+    RenderContext recorded = RenderContext.recordedBy(recorder);
+    RenderContext plain = new RenderContext();
+    IndependentSampler sampler = new IndependentSampler(5);
+    int sampled = 0;
+    for (int i = 0; i < 1000; i++) {
+      sampler.startSample(0, 0, i);
+      recorded.startSample();
+      Rgb found = tracer.radiance(lookingDownAt(0, .05), sampler, recorded);
+      assertThat(found)
+          .isEqualTo(tracer.radiance(lookingDownAt(0, .05), sampler, plain));
+      double sum = 0;
+      for (PathVertex vertex : recorder.vertices()) {
+        for (Contribution contribution : vertex.contributions()) {
+          for (FoundLight light : contribution.lights()) {
+            sum += vertex.throughput().times(light.weighted()).g();
+            sampled += light.source() == Source.REFRACTION && !light.blocked() ? 1 : 0;
+          }
+        }
+      }
+      assertThat(sum).isCloseTo(found.g(), within(1e-12));
+    }
+    assertThat(sampled).isGreaterThan(500);
+  }
+
+  /** Refracted light is scattered twice, and belongs to the lamp's group. */
+  @Test
+  void layersTellRefractedLightFromDirectLight() {
+    Scene scene =
+        empty()
+            .lightGroup("lamp")
+            .addAreaLight(lamp(), glow(4))
+            .add(floor(), matte(.5))
+            .add(flat(), WATER)
+            .build();
+    SampleLayers layers = new SampleLayers(EnumSet.of(Layer.DIRECT, Layer.LIGHTS), scene);
+    RenderContext context = RenderContext.collecting(layers);
+    PathTracer tracer = new PathTracer(scene, 3);
+    IndependentSampler sampler = new IndependentSampler(5);
+    double sum = 0;
+    for (int i = 0; i < 1000; i++) {
+      sampler.startSample(0, 0, i);
+      context.startSample();
+      layers.clear();
+      Rgb found = tracer.radiance(lookingDownAt(0, .05), sampler, context);
+      assertThat(layers.of(Layer.DIRECT)).containsOnly(0);
+      assertThat(layers.of(Layer.LIGHTS)[1]).isCloseTo(found.g(), within(1e-12));
+      sum += found.g();
+    }
+    assertThat(sum).isPositive();
+  }
+
+  @ParameterizedTest
+  @EnumSource(MisHeuristic.class)
+  void lampsAtTheSurfaceHaveFiniteRadiance(MisHeuristic heuristic) {
+    Scene scene =
+        empty()
+            .add(floor(), matte(.5))
+            .add(Mesh.of(waves(.3, true)), WATER)
+            .add(new Plane(at(0, 1e-9, 0), true), glass(1.5))
+            .addAreaLight(ceilingLamp(3, 3, 1), glow(1))
+            .addAreaLight(sphere(1.5, 1, 0, 1), glow(1))
+            .build();
+    Moments found = samples(scene, PathOptions.toDepth(5).by(heuristic));
+    assertThat(found.mean()).isBetween(0.0, 10.0);
+    assertThat(found.variance()).isFinite();
+  }
+}
