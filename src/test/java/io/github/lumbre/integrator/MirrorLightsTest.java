@@ -1,5 +1,7 @@
 package io.github.lumbre.integrator;
 
+import static io.github.lumbre.integrator.ScatteredLight.assertIsIndirectLightOfTheGroup;
+import static io.github.lumbre.integrator.ScatteredLight.assertRecordedLightsAddUp;
 import static io.github.lumbre.integrator.ScatteredLight.assertSameMean;
 import static io.github.lumbre.integrator.ScatteredLight.samples;
 import static io.github.lumbre.integrator.ScatteredLight.scattered;
@@ -8,13 +10,11 @@ import static io.github.lumbre.integrator.TestScenes.ceilingLamp;
 import static io.github.lumbre.integrator.TestScenes.empty;
 import static io.github.lumbre.integrator.TestScenes.floor;
 import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
 import static io.github.lumbre.integrator.TestScenes.matte;
 import static io.github.lumbre.integrator.TestScenes.point;
 import static io.github.lumbre.integrator.TestScenes.sphere;
 import static io.github.lumbre.integrator.TestScenes.turned;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
@@ -29,17 +29,11 @@ import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.path.PathVertex;
-import io.github.lumbre.path.PathVertex.Contribution;
-import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.IndependentSampler;
-import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.texture.Texture;
-import java.util.EnumSet;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -209,31 +203,7 @@ class MirrorLightsTest {
 
   @Test
   void recordedLightsAddUpToTheSample() {
-    PathRecorder recorder = new PathRecorder();
-    Scene scene = ballAndLamp().build();
-    PathTracer tracer = new PathTracer(scene, 4);
-    RenderContext recorded = RenderContext.recordedBy(recorder);
-    RenderContext plain = new RenderContext();
-    IndependentSampler sampler = new IndependentSampler(5);
-    Ray ray = lookingDownAt(0, .05);
-    int sampled = 0;
-    for (int i = 0; i < 1000; i++) {
-      sampler.startSample(0, 0, i);
-      recorded.startSample();
-      Rgb found = tracer.radiance(ray, sampler, recorded);
-      assertThat(found).isEqualTo(tracer.radiance(ray, sampler, plain));
-      double sum = 0;
-      for (PathVertex vertex : recorder.vertices()) {
-        for (Contribution contribution : vertex.contributions()) {
-          for (FoundLight light : contribution.lights()) {
-            sum += vertex.throughput().times(light.weighted()).g();
-            sampled += light.source() == Source.MIRROR && !light.blocked() ? 1 : 0;
-          }
-        }
-      }
-      assertThat(sum).isCloseTo(found.g(), within(1e-12));
-    }
-    assertThat(sampled).isGreaterThan(300);
+    assertRecordedLightsAddUp(ballAndLamp().build(), Source.MIRROR, 300);
   }
 
   /** Light that a mirror reflects is scattered twice, and belongs to the lamp's group. */
@@ -246,21 +216,7 @@ class MirrorLightsTest {
             .add(sphere(1.5, 1, 0, .9), SILVER)
             .add(new Rectangle(at(0, 1.5, 0), .3, .3, true), matte(0))
             .build();
-    SampleLayers layers = new SampleLayers(EnumSet.of(Layer.DIRECT, Layer.LIGHTS), scene);
-    RenderContext context = RenderContext.collecting(layers);
-    PathTracer tracer = new PathTracer(scene, 3);
-    IndependentSampler sampler = new IndependentSampler(5);
-    double sum = 0;
-    for (int i = 0; i < 1000; i++) {
-      sampler.startSample(0, 0, i);
-      context.startSample();
-      layers.clear();
-      Rgb found = tracer.radiance(lookingDownAt(0, .05), sampler, context);
-      assertThat(layers.of(Layer.DIRECT)).containsOnly(0);
-      assertThat(layers.of(Layer.LIGHTS)[1]).isCloseTo(found.g(), within(1e-12));
-      sum += found.g();
-    }
-    assertThat(sum).isPositive();
+    assertIsIndirectLightOfTheGroup(scene);
   }
 
   /** Whatever the sizes, radiance is finite. */

@@ -1,5 +1,7 @@
 package io.github.lumbre.integrator;
 
+import static io.github.lumbre.integrator.ScatteredLight.assertIsIndirectLightOfTheGroup;
+import static io.github.lumbre.integrator.ScatteredLight.assertRecordedLightsAddUp;
 import static io.github.lumbre.integrator.ScatteredLight.assertSameMean;
 import static io.github.lumbre.integrator.ScatteredLight.samples;
 import static io.github.lumbre.integrator.ScatteredLight.scattered;
@@ -9,13 +11,11 @@ import static io.github.lumbre.integrator.TestScenes.empty;
 import static io.github.lumbre.integrator.TestScenes.floor;
 import static io.github.lumbre.integrator.TestScenes.glass;
 import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
 import static io.github.lumbre.integrator.TestScenes.matte;
 import static io.github.lumbre.integrator.TestScenes.point;
 import static io.github.lumbre.integrator.TestScenes.sphere;
 import static io.github.lumbre.integrator.TestScenes.turned;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
@@ -33,12 +33,7 @@ import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.path.PathVertex;
-import io.github.lumbre.path.PathVertex.Contribution;
-import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.IndependentSampler;
-import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.testing.Moments;
@@ -46,7 +41,6 @@ import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.UvMapping;
-import java.util.EnumSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -249,31 +243,7 @@ class RefractedLightsTest {
 
   @Test
   void recordedLightsAddUpToTheSample() {
-    PathRecorder recorder = new PathRecorder();
-    Scene scene = under(Mesh.of(waves(.05, true))).build();
-    PathTracer tracer = new PathTracer(scene, 4);
-    RenderContext recorded = RenderContext.recordedBy(recorder);
-    RenderContext plain = new RenderContext();
-    IndependentSampler sampler = new IndependentSampler(5);
-    int sampled = 0;
-    for (int i = 0; i < 1000; i++) {
-      sampler.startSample(0, 0, i);
-      recorded.startSample();
-      Rgb found = tracer.radiance(lookingDownAt(0, .05), sampler, recorded);
-      assertThat(found)
-          .isEqualTo(tracer.radiance(lookingDownAt(0, .05), sampler, plain));
-      double sum = 0;
-      for (PathVertex vertex : recorder.vertices()) {
-        for (Contribution contribution : vertex.contributions()) {
-          for (FoundLight light : contribution.lights()) {
-            sum += vertex.throughput().times(light.weighted()).g();
-            sampled += light.source() == Source.REFRACTION && !light.blocked() ? 1 : 0;
-          }
-        }
-      }
-      assertThat(sum).isCloseTo(found.g(), within(1e-12));
-    }
-    assertThat(sampled).isGreaterThan(500);
+    assertRecordedLightsAddUp(under(Mesh.of(waves(.05, true))).build(), Source.REFRACTION, 500);
   }
 
   /** Refracted light is scattered twice, and belongs to the lamp's group. */
@@ -286,21 +256,7 @@ class RefractedLightsTest {
             .add(floor(), matte(.5))
             .add(flat(), WATER)
             .build();
-    SampleLayers layers = new SampleLayers(EnumSet.of(Layer.DIRECT, Layer.LIGHTS), scene);
-    RenderContext context = RenderContext.collecting(layers);
-    PathTracer tracer = new PathTracer(scene, 3);
-    IndependentSampler sampler = new IndependentSampler(5);
-    double sum = 0;
-    for (int i = 0; i < 1000; i++) {
-      sampler.startSample(0, 0, i);
-      context.startSample();
-      layers.clear();
-      Rgb found = tracer.radiance(lookingDownAt(0, .05), sampler, context);
-      assertThat(layers.of(Layer.DIRECT)).containsOnly(0);
-      assertThat(layers.of(Layer.LIGHTS)[1]).isCloseTo(found.g(), within(1e-12));
-      sum += found.g();
-    }
-    assertThat(sum).isPositive();
+    assertIsIndirectLightOfTheGroup(scene);
   }
 
   @ParameterizedTest
