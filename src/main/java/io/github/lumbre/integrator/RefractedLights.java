@@ -195,7 +195,7 @@ final class RefractedLights {
       }
       Vec3 normal = patch.get().normal();
       double side = normal.dot(origin.minus(patch.get().origin()));
-      double eta = glass[primitive].relativeIor(new Vec3(0, 0, side));
+      double eta = glass[primitive].eta(new Vec3(0, 0, side));
       Optional<Point2> solution = patch.get().refraction(origin, to, eta);
       if (solution.isEmpty()) {
         return false;

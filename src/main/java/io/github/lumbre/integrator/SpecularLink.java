@@ -36,7 +36,7 @@ final class SpecularLink {
    * Leaves a vertex.
    *
    * @param hit the ray that reached the vertex
-   * @param sample where the path goes on, in world space
+   * @param sample the direction in which the path leaves the vertex, in world space
    */
   void leave(Vertex left, NearestHit hit, BsdfSample sample) {
     SurfaceHit surface = left.surface();

@@ -41,21 +41,23 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
     return reflect / (reflect + pass);
   }
 
-  /** Returns the probability with which {@link #sample} refracts; NaN if the surface is black. */
+  /**
+   * Returns the probability with which {@link #sample} refracts, in [0,1]; NaN if the surface is
+   * black.
+   *
+   * @param wo unit direction to the viewer in the local frame
+   */
   public double passProbability(Vec3 wo) {
     return 1 - reflectProbability(reflected(wo));
   }
 
-  /** Returns the fraction of light, per color, that is refracted to a viewer at wo. */
+  /**
+   * Returns the fraction of light, per color in [0,1], that is refracted to a viewer.
+   *
+   * @param wo unit direction to the viewer in the local frame
+   */
   public Rgb passed(Vec3 wo) {
     return transmittance.times(1 - reflected(wo));
-  }
-
-  /**
-   * Returns the index of refraction on the other side of the surface, relative to the side of wo.
-   */
-  public double relativeIor(Vec3 wo) {
-    return eta(wo);
   }
 
   /** Returns the Fresnel reflectance in [0,1] for a viewer at wo, without the tint. */
@@ -73,7 +75,12 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
         : new Vec3(-wo.x() / eta, -wo.y() / eta, -Math.copySign(cosT, wo.z())).normalized();
   }
 
-  private double eta(Vec3 wo) {
+  /**
+   * Returns the index of refraction on the other side of the surface, relative to the side of wo.
+   *
+   * @param wo local direction of any length
+   */
+  public double eta(Vec3 wo) {
     return wo.z() > 0 ? ior : 1 / ior;
   }
 

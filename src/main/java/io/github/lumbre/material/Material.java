@@ -55,8 +55,8 @@ public interface Material {
   }
 
   /**
-   * Returns the fraction of light, per color, that the surface reflects if it is known to be the
-   * same perfect mirror everywhere; empty otherwise.
+   * Returns the fraction of light, per color in [0,1], that the surface reflects if it is known to
+   * be the same perfect mirror everywhere; empty otherwise.
    */
   default Optional<Rgb> mirrorReflectance() {
     return isUniform() && at(0, 0) instanceof SpecularReflection mirror
