@@ -115,11 +115,12 @@ final class MirrorLights {
     for (int i = 0; i < scene.primitives().size(); i++) {
       Mirror.of(i, scene.primitives().get(i)).ifPresent(found::add);
     }
+    if (found.isEmpty()) {
+      return Optional.empty();
+    }
     found.sort(Comparator.comparingDouble((Mirror mirror) -> mirror.sphere.radius()).reversed());
     List<Mirror> largest = found.subList(0, Math.min(MOST_MIRRORS, found.size()));
-    return largest.isEmpty()
-        ? Optional.empty()
-        : Optional.of(new MirrorLights(scene, emitters, selector, heuristic, guide, largest));
+    return Optional.of(new MirrorLights(scene, emitters, selector, heuristic, guide, largest));
   }
 
   /** A reflection that is sampled. Mutable; each thread reuses one instance. */

@@ -103,7 +103,7 @@ public final class SceneAssembly {
    */
   public SceneAssembly addAreaLight(Shape shape, Emission emission) {
     AreaLight light = new AreaLight(shape, emission);
-    addEmissive(shape, emission);
+    add(Unlit.INSTANCE, light);
     if (!light.isBlack()) {
       lights.add(light);
     }
@@ -123,12 +123,16 @@ public final class SceneAssembly {
    * {@link #addEmissive}.
    */
   public SceneAssembly add(Shape shape, Material material, Emission emission) {
-    if (!emission.isBlack() && Double.isFinite(shape.area())) {
-      emitterOfPrimitive.put(primitives.size(), emitters.size());
-      addEmitter(new AreaLight(shape, emission));
-    }
-    add(new Primitive(shape, material, Optional.of(emission)));
+    add(material, new AreaLight(shape, emission));
     return this;
+  }
+
+  private void add(Material material, AreaLight light) {
+    if (!light.emission().isBlack() && Double.isFinite(light.shape().area())) {
+      emitterOfPrimitive.put(primitives.size(), emitters.size());
+      addEmitter(light);
+    }
+    add(new Primitive(light.shape(), material, Optional.of(light.emission())));
   }
 
   /** Adds a uniform environment light, which lights surfaces in path mode. */

@@ -7,6 +7,7 @@ import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.geometry.Kernel;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -14,7 +15,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
@@ -42,6 +48,24 @@ class RunnableJarIT {
     assertThat(outcome.out()).isEmpty();
     assertThat(outcome.exitCode()).isZero();
     assertThat(ImageIO.read(directory.resolve("tiny.png").toFile()).getWidth()).isEqualTo(16);
+  }
+
+  /** Java archives no classes of formats before Java 6 (50), and would load them anew each time. */
+  @Test
+  void allClassesCanBeArchived() throws IOException {
+    Map<String, Integer> versions = new TreeMap<>();
+    try (JarFile jar = new JarFile(Path.of("target", "lumbre-all.jar").toFile())) {
+      for (JarEntry entry : Collections.list(jar.entries())) {
+        if (entry.getName().endsWith(".class")) {
+          try (DataInputStream in = new DataInputStream(jar.getInputStream(entry))) {
+            in.skipNBytes(6);
+            versions.put(entry.getName(), in.readUnsignedShort());
+          }
+        }
+      }
+    }
+    assertThat(versions).containsKey("picocli/CommandLine.class");
+    assertThat(versions.values()).allMatch(version -> version >= 50);
   }
 
   @Test
