@@ -102,8 +102,8 @@ public final class Mesh implements Shape {
   }
 
   @Override
-  public Optional<SurfacePatch> patchAt(NearestHit hit) {
-    return Optional.of(surface.patchAt(hit));
+  public NormalGradient normalGradientAt(NearestHit hit) {
+    return surface.normalGradientAt(hit);
   }
 
   @Override

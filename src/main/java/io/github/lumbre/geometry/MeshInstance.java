@@ -66,8 +66,8 @@ public final class MeshInstance implements Shape {
   }
 
   @Override
-  public Optional<SurfacePatch> patchAt(NearestHit hit) {
-    return Optional.of(surface.patchAt(hit));
+  public NormalGradient normalGradientAt(NearestHit hit) {
+    return surface.normalGradientAt(hit);
   }
 
   @Override

@@ -55,24 +55,27 @@ final class MeshSurface {
     return hasAttributes ? surface.withAttributes(mesh, triangle, hit.b1, hit.b2) : surface;
   }
 
-  /** Returns the triangle of a hit as a patch, whose coordinates start at the hit. */
-  SurfacePatch patchAt(NearestHit hit) {
+  /** Returns how the shading normal changes along the triangle of a hit. */
+  NormalGradient normalGradientAt(NearestHit hit) {
+    if (!mesh.hasNormals()) {
+      return NormalGradient.FLAT;
+    }
     int triangle = hit.element;
     Vec3 a = position(triangle, 0);
     Vec3 e1 = position(triangle, 1).minus(a);
     Vec3 e2 = position(triangle, 2).minus(a);
-    Vec3 point = a.plus(hit.b1, e1).plus(hit.b2, e2);
-    Vec3 geometric = geometricNormal(triangle, e1, e2);
-    if (!mesh.hasNormals()) {
-      return SurfacePatch.flat(point, e1, e2, geometric);
-    }
     Vec3 n = normal(triangle, 0);
     Vec3 n1 = normal(triangle, 1).minus(n);
     Vec3 n2 = normal(triangle, 2).minus(n);
     Vec3 sum = n.plus(hit.b1, n1).plus(hit.b2, n2);
-    return sum.dot(geometric) > 0
-        ? new SurfacePatch(point, e1, e2, sum, n1, n2)
-        : SurfacePatch.flat(point, e1, e2, geometric);
+    if (!(sum.dot(geometricNormal(triangle, e1, e2)) > 0)) {
+      return NormalGradient.FLAT;
+    }
+    // The gradients of the barycentric weights.
+    Vec3 cross = e1.cross(e2);
+    double square = cross.dot(cross);
+    return new NormalGradient(
+        sum, e2.cross(cross).times(1 / square), n1, cross.cross(e1).times(1 / square), n2);
   }
 
   private Vec3 position(int triangle, int corner) {

@@ -5,7 +5,6 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.TexturePoint;
-import java.util.Optional;
 
 /**
  * The infinite local xz plane with normal +y. Its texture coordinates are u = x / 10 and v = z / 10
@@ -72,13 +71,6 @@ public final class Plane implements Shape {
     nearest.t = t;
     nearest.element = 0;
     return true;
-  }
-
-  @Override
-  public Optional<SurfacePatch> patchAt(NearestHit hit) {
-    Vec3 point = hit.origin().plus(hit.t, hit.direction());
-    return Optional.of(
-        SurfacePatch.flat(point, shading.tangent(), shading.bitangent(), shading.normal()));
   }
 
   @Override

@@ -164,13 +164,6 @@ public final class Rectangle implements Shape {
   }
 
   @Override
-  public Optional<SurfacePatch> patchAt(NearestHit hit) {
-    Vec3 point = hit.origin().plus(hit.t, hit.direction());
-    return Optional.of(
-        SurfacePatch.flat(point, shading.tangent(), shading.bitangent(), shading.normal()));
-  }
-
-  @Override
   public SurfaceHit surfaceAt(NearestHit hit) {
     Vec3 origin = toWorld.inversePoint(hit.origin());
     Vec3 direction = toWorld.inverseVector(hit.direction());

@@ -43,12 +43,9 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
   /** Returns whether the surface encloses a volume. */
   boolean isClosed();
 
-  /**
-   * Returns the flat piece of surface around a hit that {@link #intersect} found, with the
-   * coordinates (0, 0) there; empty if the surface is not made of flat pieces.
-   */
-  default Optional<SurfacePatch> patchAt(NearestHit hit) {
-    return Optional.empty();
+  /** Returns how the shading normal changes around the hit that {@link #intersect} stored last. */
+  default NormalGradient normalGradientAt(NearestHit hit) {
+    return NormalGradient.FLAT;
   }
 
   /**

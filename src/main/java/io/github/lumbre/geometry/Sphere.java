@@ -149,6 +149,22 @@ public final class Sphere implements Shape {
         toWorld.pointError(local, normal));
   }
 
+  @Override
+  public NormalGradient normalGradientAt(NearestHit hit) {
+    Vec3 n = toWorld.inversePoint(hit.origin().plus(hit.t, hit.direction())).normalized();
+    Frame frame = Frame.around(toWorld.normal(n));
+    return new NormalGradient(
+        toWorld.covector(n),
+        frame.tangent(),
+        changeAlong(frame.tangent()),
+        frame.bitangent(),
+        changeAlong(frame.bitangent()));
+  }
+
+  private Vec3 changeAlong(Vec3 step) {
+    return toWorld.covector(toWorld.inverseVector(step)).times(1 / radius);
+  }
+
   private static TexturePoint texture(Vec3 n) {
     return new TexturePoint(
         .5 + Elementary.atan2(n.z(), n.x()) / Elementary.TWO_PI,

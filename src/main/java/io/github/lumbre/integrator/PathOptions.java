@@ -19,7 +19,7 @@ import java.util.Objects;
  * @param throughLens whether lights out of focus are also sampled through the lens. Not for
  *     pictures with a transparent background: their alpha counts the camera rays that hit something
  * @param bySpecular whether surfaces also sample lamps by way of mirrors that are spheres, and
- *     through surfaces that refract
+ *     through clear glass
  */
 public record PathOptions(
     int maxDepth,

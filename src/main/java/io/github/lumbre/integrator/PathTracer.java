@@ -59,7 +59,7 @@ public final class PathTracer implements Integrator {
   /** Whether vertices also sample the reflections of lights in mirrors. */
   private final boolean reflects;
 
-  /** Whether vertices also sample lights through refracting surfaces. */
+  /** Whether vertices also sample lights through clear glass. */
   private final boolean refracts;
 
   /** Whether lights are sampled by way of specular surfaces. */
@@ -294,6 +294,7 @@ public final class PathTracer implements Integrator {
     int dimension = Sampler.vertex(depth);
     BsdfSample sample = context.scattered;
     double uLobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
+    double throughput = path.throughput();
     double survival = 1;
     if (vertex.isGuided()) {
       survival = path.survival(guide.mean(vertex.cell()));
@@ -307,7 +308,7 @@ public final class PathTracer implements Integrator {
     path.scale(sample.r(), sample.g(), sample.b());
     path.leave(sample.pdf());
     if (hasLinks) {
-      context.link.leave(vertex, context.hit, sample);
+      context.link.leave(vertex, throughput, context.hit, sample);
     }
 
     // Russian roulette: end weak paths at random and divide the others by their probability.
@@ -359,8 +360,7 @@ public final class PathTracer implements Integrator {
   private void direct(Vertex vertex, Sampler sampler, int depth, RenderContext context) {
     boolean isClear = sampleLight(vertex, sampler, Sampler.vertex(depth), context);
     if (refracts && depth + 2 <= maxDepth && !isClear && !context.light.isEmpty()) {
-      double pdf = context.choice.probability() * context.light.pdf();
-      refractedLights.get().addRefracted(vertex, pdf, context.choice.emitter(), context);
+      refractedLights.get().addRefracted(vertex, depth, maxDepth, sampler, context);
     }
     if (reflects && depth + 2 <= maxDepth) {
       mirrorLights.get().addReflection(vertex, depth, sampler, context);
@@ -445,12 +445,12 @@ public final class PathTracer implements Integrator {
       bsdfPdf = context.link.pdf();
       lightPdf = mirrorLights.get().pdf(emitter, surface, context.link, context.reflection);
       weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
-    } else if (refracts && emitter >= 0 && refractedLights.get().isMet(context.link)) {
-      bsdfPdf = refractedLights.get().scatteredPdf(context.link);
+    } else if (refracts && emitter >= 0 && context.link.isRefracted()) {
+      bsdfPdf = context.link.pdf() * context.link.passProbability();
       double pdf = emitters[emitter].pdf(context.choice.point(), surface);
       double straightPdf = lightPdf(emitter, pdf, context);
       lightPdf =
-          refractedLights.get().pdf(context.link, surface, straightPdf, context.refraction);
+          refractedLights.get().pdf(context.link, surface, straightPdf, context);
       weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
     }
     if (context.isRecorded) {

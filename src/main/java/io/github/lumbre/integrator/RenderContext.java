@@ -42,9 +42,10 @@ public final class RenderContext {
   final Guiding guiding = new Guiding();
   final LensLights.Crossing crossing = new LensLights.Crossing();
   final SpecularLink link = new SpecularLink();
-  final RefractedLights.Refraction refraction = new RefractedLights.Refraction();
+  final GlassPath glassPath = new GlassPath();
   final MirrorLights.Reflection reflection = new MirrorLights.Reflection();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
+  final NearestHit probe = new NearestHit();
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
   private Vertex otherVertex = new Vertex();
@@ -131,6 +132,11 @@ public final class RenderContext {
     shadowRays++;
     surface.spawnTowards(point, shadow);
     return scene.isOccluded(shadow);
+  }
+
+  /** Counts the rays of a search through glass as shadow rays. */
+  void countSearch() {
+    shadowRays += glassPath.takeRays();
   }
 
   private boolean isBlocked(Scene scene) {

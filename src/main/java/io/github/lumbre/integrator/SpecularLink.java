@@ -3,64 +3,102 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.Dielectric;
 import io.github.lumbre.math.Vec3;
 
 /**
- * The last non-specular vertex of a path, and the specular surface that the path met since, if it
- * is only one. Light that the path then finds may also be found from that vertex, by way of that
- * surface. Mutable; each thread reuses one instance.
+ * The last non-specular vertex of a path, and the specular surfaces that the path met since. Light
+ * that the path then finds may also be found from that vertex, by way of those surfaces. Mutable;
+ * each thread reuses one instance.
  */
 final class SpecularLink {
   /** The density with which the path left the vertex; 0 if there is no vertex. */
   private double pdf;
 
-  private Vec3 vertex = Vec3.ZERO;
-  private Vec3 facing = Vec3.ZERO;
+  /** The path's throughput at the vertex, its largest component. */
+  private double throughput;
 
-  /** The primitive of the specular surface; -1 if none or more than one was met. */
-  private int primitive = -1;
+  /** Plain numbers: most paths leave vertices without meeting a specular surface. */
+  private double vertexX, vertexY, vertexZ;
+
+  private double facingX, facingY, facingZ;
+
+  /** The number of specular surfaces since the vertex. */
+  private int surfaces;
+
+  /** The first of them. */
+  private int primitive;
 
   private boolean isFrontal;
-  private boolean isRefracted;
-  private double cosine;
   private Vec3 origin = Vec3.ZERO;
+  private Vec3 direction = Vec3.ZERO;
   private Vec3 point = Vec3.ZERO;
+
+  /** The probability with which all of them refract; 0 if one of them did not. */
+  private double passProbability;
 
   /** Starts a path, which has no vertex yet. */
   void begin() {
     pdf = 0;
-    primitive = -1;
+    surfaces = 0;
   }
 
   /**
    * Leaves a vertex.
    *
+   * @param pathThroughput the path's throughput at the vertex, its largest component
    * @param hit the ray that reached the vertex
    * @param sample the direction in which the path leaves the vertex, in world space
    */
-  void leave(Vertex left, NearestHit hit, BsdfSample sample) {
+  void leave(Vertex left, double pathThroughput, NearestHit hit, BsdfSample sample) {
     SurfaceHit surface = left.surface();
     if (!sample.isSpecular()) {
-      vertex = surface.position();
-      facing = left.facing();
+      Vec3 position = surface.position();
+      vertexX = position.x();
+      vertexY = position.y();
+      vertexZ = position.z();
+      Vec3 facing = left.facing();
+      facingX = facing.x();
+      facingY = facing.y();
+      facingZ = facing.z();
       pdf = sample.pdf();
-      primitive = -1;
-    } else if (pdf > 0 && primitive < 0) {
-      Vec3 normal = surface.geometricNormal();
+      throughput = pathThroughput;
+      surfaces = 0;
+      return;
+    }
+    if (surfaces == 0) {
       primitive = hit.shape();
       isFrontal = surface.isFrontal();
-      isRefracted = sample.wi().dot(normal) * surface.wo().dot(normal) < 0;
-      cosine = left.wo().z();
       origin = hit.origin();
+      direction = hit.direction();
       point = surface.position();
-    } else {
-      begin();
+      passProbability = 1;
     }
+    surfaces++;
+    Vec3 normal = surface.geometricNormal();
+    boolean passes = sample.wi().dot(normal) * surface.wo().dot(normal) < 0;
+    passProbability *=
+        passes && left.bsdf() instanceof Dielectric glass ? glass.passProbability(left.wo()) : 0;
   }
 
   /** Returns whether the path met one specular surface since it left the vertex. */
   boolean isSingle() {
-    return primitive >= 0;
+    return pdf > 0 && surfaces == 1;
+  }
+
+  /** Returns whether clear glass refracted the path, at least once, and nothing else since. */
+  boolean isRefracted() {
+    return pdf > 0 && surfaces > 0 && passProbability > 0;
+  }
+
+  /** Returns the number of specular surfaces that the path met since it left the vertex. */
+  int surfaces() {
+    return surfaces;
+  }
+
+  /** Returns the probability with which the path was refracted; 0 if it was not at each surface. */
+  double passProbability() {
+    return passProbability;
   }
 
   /** Returns the density, per solid angle, with which the path left the vertex. */
@@ -68,34 +106,29 @@ final class SpecularLink {
     return pdf;
   }
 
+  /** Returns the path's throughput at the vertex, its largest component. */
+  double throughput() {
+    return throughput;
+  }
+
   /** Returns the position of the vertex, in world space. */
   Vec3 vertex() {
-    return vertex;
+    return new Vec3(vertexX, vertexY, vertexZ);
   }
 
   /** Returns {@link Vertex#facing} of the vertex. */
   Vec3 facing() {
-    return facing;
+    return new Vec3(facingX, facingY, facingZ);
   }
 
-  /** Returns the number of the specular surface's primitive. */
+  /** Returns the number of the first specular surface's primitive. */
   int primitive() {
     return primitive;
   }
 
-  /** Returns whether the path met the outside of the specular surface. */
+  /** Returns whether the path met the outside of the first specular surface. */
   boolean isFrontal() {
     return isFrontal;
-  }
-
-  /** Returns whether the path went through the specular surface. */
-  boolean isRefracted() {
-    return isRefracted;
-  }
-
-  /** Returns the cosine at the specular surface towards the vertex, in its shading frame. */
-  double cosine() {
-    return cosine;
   }
 
   /** Returns where the ray from the vertex started, in world space. */
@@ -103,7 +136,12 @@ final class SpecularLink {
     return origin;
   }
 
-  /** Returns where the path met the specular surface, in world space. */
+  /** Returns the unit direction of the ray from the vertex, in world space. */
+  Vec3 direction() {
+    return direction;
+  }
+
+  /** Returns where the path met the first specular surface, in world space. */
   Vec3 point() {
     return point;
   }

@@ -7,6 +7,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
+import io.github.lumbre.material.Dielectric;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Vec3;
 
@@ -145,6 +146,22 @@ final class Vertex {
     } else {
       drawn.absorb();
     }
+  }
+
+  /**
+   * Returns the unit direction, in world space, that the surface refracts the path to; zero if it
+   * reflects all light, or if the shading plane and the surface disagree on the direction's side.
+   *
+   * @param glass the surface's BSDF
+   */
+  Vec3 refracted(Dielectric glass) {
+    Vec3 wo = wo();
+    if (!(glass.reflected(wo) < 1)) {
+      return Vec3.ZERO;
+    }
+    Vec3 local = glass.refract(wo);
+    Vec3 wi = surface.toWorld(local);
+    return isConsistent(wi.x(), wi.y(), wi.z(), local.z()) ? wi : Vec3.ZERO;
   }
 
   /**

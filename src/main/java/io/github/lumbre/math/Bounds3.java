@@ -34,6 +34,31 @@ public record Bounds3(Vec3 min, Vec3 max) {
     return !(min.x() <= max.x() && min.y() <= max.y() && min.z() <= max.z());
   }
 
+  /**
+   * Returns whether the segment between two points meets the box, by the separating axis theorem
+   * (Ericson 2005, "Real-Time Collision Detection", sec. 5.3.3). True for an infinite box.
+   */
+  public boolean meets(Vec3 a, Vec3 b) {
+    double ex = max.x() - min.x();
+    double ey = max.y() - min.y();
+    double ez = max.z() - min.z();
+    // Twice the vector from the box's center to the segment's; NaN for an infinite box.
+    double cx = a.x() + b.x() - (min.x() + max.x());
+    double cy = a.y() + b.y() - (min.y() + max.y());
+    double cz = a.z() + b.z() - (min.z() + max.z());
+    double dx = b.x() - a.x();
+    double dy = b.y() - a.y();
+    double dz = b.z() - a.z();
+    double lx = Math.abs(dx);
+    double ly = Math.abs(dy);
+    double lz = Math.abs(dz);
+    boolean isBeside = Math.abs(cx) > ex + lx || Math.abs(cy) > ey + ly || Math.abs(cz) > ez + lz;
+    return !isBeside
+        && !(Math.abs(cy * dz - cz * dy) > ey * lz + ez * ly)
+        && !(Math.abs(cz * dx - cx * dz) > ez * lx + ex * lz)
+        && !(Math.abs(cx * dy - cy * dx) > ex * ly + ey * lx);
+  }
+
   public boolean isFinite() {
     return min.isFinite() && max.isFinite();
   }

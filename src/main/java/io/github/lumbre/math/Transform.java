@@ -259,11 +259,15 @@ public final class Transform {
    * normal stays outward, even if the transform mirrors.
    */
   public Vec3 normal(Vec3 n) {
+    return covector(n).normalized();
+  }
+
+  /** Returns the inverse transpose of the 3×3 matrix times a vector: a normal of any length. */
+  public Vec3 covector(Vec3 n) {
     return new Vec3(
-            i00 * n.x() + i10 * n.y() + i20 * n.z(),
-            i01 * n.x() + i11 * n.y() + i21 * n.z(),
-            i02 * n.x() + i12 * n.y() + i22 * n.z())
-        .normalized();
+        i00 * n.x() + i10 * n.y() + i20 * n.z(),
+        i01 * n.x() + i11 * n.y() + i21 * n.z(),
+        i02 * n.x() + i12 * n.y() + i22 * n.z());
   }
 
   /** Returns the local position of a world one. */

@@ -72,7 +72,7 @@ public record PathVertex(
     LENS,
     /** The reflection of a light in a mirror was sampled. */
     MIRROR,
-    /** A light was sampled through a surface that refracts it. */
+    /** A light was sampled through clear glass that refracts it. */
     REFRACTION;
 
     private boolean isSampled() {

@@ -51,7 +51,7 @@ public interface Sampler {
    */
   int THROUGH_LENS = 7 << 28;
 
-  /** Beyond all other dimensions. */
+  /** Beyond all other dimensions: lights by way of specular surfaces. */
   int FIRST_MIRROR = 15 << 27;
 
   /** Returns the first dimension of a path's vertex; the one that the camera sees is 0. */
@@ -84,6 +84,11 @@ public interface Sampler {
    */
   static int mirror(int vertex) {
     return FIRST_MIRROR + (vertex << 2);
+  }
+
+  /** Returns the dimension that decides whether a vertex samples light through glass. */
+  static int glass(int vertex) {
+    return mirror(vertex) + 3;
   }
 
   /** Moves to a sample of a pixel of the full frame. */

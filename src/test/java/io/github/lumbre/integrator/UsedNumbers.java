@@ -46,7 +46,9 @@ final class UsedNumbers implements Sampler {
 
   private void note(Set<Integer> kind, int dimension) {
     assertThat(dimension).isGreaterThanOrEqualTo(FIRST_VERTEX);
-    kind.add((dimension - FIRST_VERTEX) % VERTEX_STRIDE);
+    if (dimension < FIRST_MIRROR) {
+      kind.add((dimension - FIRST_VERTEX) % VERTEX_STRIDE);
+    }
     // Parts of a sample have different numbers at the same dimensions.
     all.add(dimension + 1_000_000 * part);
   }

@@ -2,6 +2,7 @@ package io.github.lumbre.math;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** Tests bounding boxes. */
@@ -59,5 +60,44 @@ class Bounds3Test {
     assertThat(box.centre()).isEqualTo(new Vec3(0, huge, huge));
     assertThat(box.radius()).isEqualTo(huge);
     assertThat(new Bounds3(LOW, new Vec3(1, Double.POSITIVE_INFINITY, 1)).isFinite()).isFalse();
+  }
+
+  /** Compares with points of the segment. */
+  @Test
+  void segmentsMeetTheBoxesThatTheyPass() {
+    SplittableRandom random = new SplittableRandom(3);
+    Bounds3 box = new Bounds3(LOW, HIGH);
+    int met = 0;
+    for (int i = 0; i < 2000; i++) {
+      Vec3 a = point(random);
+      Vec3 b = point(random);
+      boolean passes = false;
+      for (int step = 0; step <= 2000; step++) {
+        Vec3 p = a.plus(step / 2000.0, b.minus(a));
+        passes |=
+            p.x() >= LOW.x()
+                && p.x() <= HIGH.x()
+                && p.y() >= LOW.y()
+                && p.y() <= HIGH.y()
+                && p.z() >= LOW.z()
+                && p.z() <= HIGH.z();
+      }
+      assertThat(!passes || box.meets(a, b)).isTrue();
+      met += box.meets(a, b) == passes ? 1 : 0;
+    }
+    // A segment that cuts a corner off may pass between two points.
+    assertThat(met).isGreaterThan(1990);
+  }
+
+  private static Vec3 point(SplittableRandom random) {
+    return new Vec3(
+        random.nextDouble(-12, 12), random.nextDouble(-12, 12), random.nextDouble(-12, 12));
+  }
+
+  @Test
+  void anyMayMeetAnInfiniteBox() {
+    double infinite = Double.POSITIVE_INFINITY;
+    Vec3 corner = new Vec3(infinite, infinite, infinite);
+    assertThat(new Bounds3(corner.negated(), corner).meets(LOW, HIGH)).isTrue();
   }
 }
