@@ -6,10 +6,10 @@ import io.github.lumbre.math.Vec3;
  * How the shading normal of a surface changes around a point, to first order. In world space.
  * Immutable.
  *
- * @param normal the shading normal at the point, of any length
- * @param alongX its product with a step along the surface is the step's first coordinate
+ * @param normal the shading normal at the point, of any length above 0
+ * @param alongX the dot product with it is the first coordinate of a step along the surface
  * @param changeX the change of {@code normal} per unit of the first coordinate
- * @param alongY its product with a step along the surface is the step's second coordinate
+ * @param alongY the dot product with it is the second coordinate of a step along the surface
  * @param changeY the change of {@code normal} per unit of the second coordinate
  */
 public record NormalGradient(
@@ -18,7 +18,11 @@ public record NormalGradient(
   public static final NormalGradient FLAT =
       new NormalGradient(Vec3.Z, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO);
 
-  /** Returns the change of the unit normal along a step on the surface. */
+  /**
+   * Returns the change of the unit normal along a step; it is perpendicular to the normal.
+   *
+   * @param step along the surface, in world units
+   */
   public Vec3 change(Vec3 step) {
     double length = normal.length();
     Vec3 unit = normal.times(1 / length);

@@ -6,6 +6,7 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Dielectric;
 import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
@@ -48,17 +49,25 @@ final class GlassPath {
       direction = step;
     }
 
-    /** Moves on to a plane. */
+    /**
+     * Moves to where the ray meets a plane (Igehy 1999, eq. 10 to 12).
+     *
+     * @param along unit direction of the ray
+     * @param normal of the plane, of either sign
+     */
     private void move(double length, Vec3 along, Vec3 normal) {
       Vec3 moved = origin.plus(length, direction);
       origin = moved.plus(-moved.dot(normal) / along.dot(normal), along);
     }
 
     /**
-     * @param along unit direction that is refracted
+     * Turns the direction as a surface refracts it (Igehy 1999, eq. 17 to 19).
+     *
+     * @param along unit direction of the ray before
      * @param normal unit shading normal on the side that the ray comes from
+     * @param normalChange its change
      * @param ratio index of refraction of that side, relative to the other
-     * @param cosine of the refracted direction and the normal; negative
+     * @param cosine of the refracted direction and the normal, in [-1,0)
      */
     private void refract(
         Vec3 along, Vec3 normal, Vec3 normalChange, double ratio, double cosine) {
@@ -71,7 +80,8 @@ final class GlassPath {
   }
 
   /**
-   * Traces a ray through glass as far as a plane. Whatever else is in its way does not stop it.
+   * Traces a ray through glass until it reaches a plane. A surface of another material counts as if
+   * it were not there, and so does glass behind it.
    *
    * @param from where the ray starts, in world space
    * @param towards its unit direction
@@ -95,14 +105,7 @@ final class GlassPath {
       double slope = direction.dot(axis);
       length = end.minus(origin).dot(axis) / slope;
       boolean isTowards = slope > 0 && length > 0;
-      probe.aim(
-          origin.x(),
-          origin.y(),
-          origin.z(),
-          direction.x(),
-          direction.y(),
-          direction.z(),
-          isTowards ? length : Double.POSITIVE_INFINITY);
+      probe.aim(new Ray(origin, direction, isTowards ? length : Double.POSITIVE_INFINITY));
       rays++;
       if (!scene.intersect(probe) || glass[probe.shape()] == null) {
         if (!isTowards || surfaces == 0) {

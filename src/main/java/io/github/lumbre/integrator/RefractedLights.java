@@ -108,8 +108,7 @@ final class RefractedLights {
       return;
     }
     GlassPath found = context.glassPath;
-    vertex.surface().spawnTowards(to, context.probe);
-    Vec3 origin = context.probe.origin();
+    Vec3 origin = vertex.surface().spawn(light.wi()).origin();
     boolean isFound = find(origin, vertex.facing(), to, found);
     context.countSearch();
     if (!isFound || depth + 1 + found.surfaces() > maxDepth) {

@@ -45,7 +45,6 @@ public final class RenderContext {
   final GlassPath glassPath = new GlassPath();
   final MirrorLights.Reflection reflection = new MirrorLights.Reflection();
   final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
-  final NearestHit probe = new NearestHit();
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
   private Vertex otherVertex = new Vertex();

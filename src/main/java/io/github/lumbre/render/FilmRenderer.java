@@ -279,10 +279,8 @@ public final class FilmRenderer implements PassRenderer {
               + film.window()
               + (film.hasAlpha() ? " with" : " without"));
     }
-    FilmLayers found = film.layers();
-    // By component, because Java makes the comparison of records at run time, which delays the start.
-    if (!found.kinds().equals(layers.kinds()) || found.lightGroups() != layers.lightGroups()) {
-      throw new IllegalArgumentException("film: expected " + layers + ", found " + found);
+    if (!film.layers().equals(layers)) {
+      throw new IllegalArgumentException("film: expected " + layers + ", found " + film.layers());
     }
   }
 

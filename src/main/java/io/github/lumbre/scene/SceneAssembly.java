@@ -103,7 +103,7 @@ public final class SceneAssembly {
    */
   public SceneAssembly addAreaLight(Shape shape, Emission emission) {
     AreaLight light = new AreaLight(shape, emission);
-    add(Unlit.INSTANCE, light);
+    addEmissive(shape, emission);
     if (!light.isBlack()) {
       lights.add(light);
     }
@@ -123,16 +123,12 @@ public final class SceneAssembly {
    * {@link #addEmissive}.
    */
   public SceneAssembly add(Shape shape, Material material, Emission emission) {
-    add(material, new AreaLight(shape, emission));
-    return this;
-  }
-
-  private void add(Material material, AreaLight light) {
-    if (!light.emission().isBlack() && Double.isFinite(light.shape().area())) {
+    if (!emission.isBlack() && Double.isFinite(shape.area())) {
       emitterOfPrimitive.put(primitives.size(), emitters.size());
-      addEmitter(light);
+      addEmitter(new AreaLight(shape, emission));
     }
-    add(new Primitive(light.shape(), material, Optional.of(light.emission())));
+    add(new Primitive(shape, material, Optional.of(emission)));
+    return this;
   }
 
   /** Adds a uniform environment light, which lights surfaces in path mode. */

@@ -48,6 +48,9 @@ final class UsedNumbers implements Sampler {
     assertThat(dimension).isGreaterThanOrEqualTo(FIRST_VERTEX);
     if (dimension < FIRST_MIRROR) {
       kind.add((dimension - FIRST_VERTEX) % VERTEX_STRIDE);
+    } else {
+      assertThat(kind).as("a search through glass").isSameAs(singles);
+      assertThat((dimension - Sampler.glass(0)) % 4).isZero();
     }
     // Parts of a sample have different numbers at the same dimensions.
     all.add(dimension + 1_000_000 * part);
