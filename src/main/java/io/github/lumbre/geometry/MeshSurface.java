@@ -41,17 +41,18 @@ final class MeshSurface {
     Vec3 e1 = position(triangle, 1).minus(a);
     Vec3 e2 = position(triangle, 2).minus(a);
     Vec3 normal = geometricNormal(triangle, e1, e2);
-    Vec3 shadingNormal = shadingNormal(hit, normal);
     SurfaceHit surface =
         hit.surface.set(
             a.plus(hit.b1, e1).plus(hit.b2, e2),
             normal,
-            hasTangents
-                ? tangentFrame(hit, shadingNormal)
-                : shadingFrame(triangle, e1, e2, shadingNormal),
             texture(triangle, hit.b1, hit.b2),
             hit.backwards(),
             error(triangle, e1, e2, normal));
+    if (hasTangents) {
+      shadeByTangents(surface, hit, shadingNormal(hit, normal));
+    } else {
+      shade(surface, triangle, e1, e2, shadingNormal(hit, normal));
+    }
     return hasAttributes ? surface.withAttributes(mesh, triangle, hit.b1, hit.b2) : surface;
   }
 
@@ -78,14 +79,35 @@ final class MeshSurface {
         sum, e2.cross(cross).times(1 / square), n1, cross.cross(e1).times(1 / square), n2);
   }
 
+  // Escape analysis cannot remove an object that comes from two branches, so that the methods of a
+  // hit choose between numbers, and not between vectors.
+
   private Vec3 position(int triangle, int corner) {
     Vec3 local = mesh.position(mesh.vertex(triangle, corner));
-    return isInWorld ? local : toWorld.point(local);
+    double x = local.x();
+    double y = local.y();
+    double z = local.z();
+    if (!isInWorld) {
+      Vec3 world = toWorld.point(local);
+      x = world.x();
+      y = world.y();
+      z = world.z();
+    }
+    return new Vec3(x, y, z);
   }
 
   private Vec3 normal(int triangle, int corner) {
     Vec3 local = mesh.normal(mesh.vertex(triangle, corner));
-    return isInWorld ? local : TriangleMesh.mappedNormal(toWorld, local);
+    double x = local.x();
+    double y = local.y();
+    double z = local.z();
+    if (!isInWorld && local.maxAbs() > 0) {
+      Vec3 world = toWorld.normal(local);
+      x = world.x();
+      y = world.y();
+      z = world.z();
+    }
+    return new Vec3(x, y, z);
   }
 
   private Vec3 geometricNormal(int triangle, Vec3 e1, Vec3 e2) {
@@ -95,7 +117,7 @@ final class MeshSurface {
       return e1.maxAbs() > 0 ? Frame.around(e1.normalized()).tangent() : Vec3.Y;
     }
     boolean isTurned = mesh.isTurned(triangle) ^ toWorld.isMirroring();
-    return isTurned ? cross.normalized().negated() : cross.normalized();
+    return cross.normalized().times(isTurned ? -1 : 1);
   }
 
   private Vec3 shadingNormal(NearestHit hit, Vec3 geometricNormal) {
@@ -107,11 +129,23 @@ final class MeshSurface {
             .times(1 - hit.b1 - hit.b2)
             .plus(hit.b1, normal(hit.element, 1))
             .plus(hit.b2, normal(hit.element, 2));
-    return sum.dot(geometricNormal) > 0 ? sum.normalized() : geometricNormal;
+    double x = geometricNormal.x();
+    double y = geometricNormal.y();
+    double z = geometricNormal.z();
+    if (sum.dot(geometricNormal) > 0) {
+      Vec3 smooth = sum.normalized();
+      x = smooth.x();
+      y = smooth.y();
+      z = smooth.z();
+    }
+    return new Vec3(x, y, z);
   }
 
-  /** Returns the frame whose tangents solve E1 = ΔU1 T + ΔV1 B and E2 = ΔU2 T + ΔV2 B. */
-  private Frame shadingFrame(int triangle, Vec3 e1, Vec3 e2, Vec3 normal) {
+  /**
+   * Sets the shading frame around a normal; its tangents solve E1 = ΔU1 T + ΔV1 B and E2 = ΔU2 T +
+   * ΔV2 B. If these have no solution, the tangents are arbitrary.
+   */
+  private void shade(SurfaceHit surface, int triangle, Vec3 e1, Vec3 e2, Vec3 normal) {
     TexturePoint a = mesh.uv(triangle, 0);
     TexturePoint b = mesh.uv(triangle, 1);
     TexturePoint c = mesh.uv(triangle, 2);
@@ -120,17 +154,16 @@ final class MeshSurface {
     double du2 = c.u() - a.u();
     double dv2 = c.v() - a.v();
     double determinant = du1 * dv2 - du2 * dv1;
-    if (!(Math.abs(determinant) > 1e-12 * (Math.abs(du1 * dv2) + Math.abs(du2 * dv1)))) {
-      return Frame.around(normal);
-    }
-    double sign = Math.copySign(1, determinant);
+    boolean isSolvable =
+        Math.abs(determinant) > 1e-12 * (Math.abs(du1 * dv2) + Math.abs(du2 * dv1));
+    double sign = isSolvable ? Math.copySign(1, determinant) : 0;
     Vec3 tangent = e1.times(sign * dv2).plus(-sign * dv1, e2);
     Vec3 bitangent = e2.times(sign * du1).plus(-sign * du2, e1);
-    return Frame.around(normal, tangent, bitangent);
+    surface.shadeAround(normal, tangent, bitangent);
   }
 
-  /** Returns the frame of the interpolated vertex tangents. */
-  private Frame tangentFrame(NearestHit hit, Vec3 normal) {
+  /** Sets the shading frame of the interpolated vertex tangents around a normal. */
+  private void shadeByTangents(SurfaceHit surface, NearestHit hit, Vec3 normal) {
     Vec3 local =
         mesh.tangent(hit.element, 0)
             .times(1 - hit.b1 - hit.b2)
@@ -138,7 +171,7 @@ final class MeshSurface {
             .plus(hit.b2, mesh.tangent(hit.element, 2));
     Vec3 tangent = isInWorld ? local : toWorld.vector(local);
     double sign = mesh.bitangentSign(hit.element) * (toWorld.isMirroring() ? -1 : 1);
-    return Frame.around(normal, tangent, normal.cross(tangent).times(sign));
+    surface.shadeAround(normal, tangent, normal.cross(tangent).times(sign));
   }
 
   private TexturePoint texture(int triangle, double b1, double b2) {

@@ -51,13 +51,19 @@ public final class SurfaceHit {
       TexturePoint texture,
       Vec3 wo,
       double newError) {
+    shadeBy(shading);
+    return set(position, geometricNormal, texture, wo, newError);
+  }
+
+  /** Sets all values of the hit but the shading frame, which the caller sets next. */
+  SurfaceHit set(
+      Vec3 position, Vec3 geometricNormal, TexturePoint texture, Vec3 wo, double newError) {
     x = position.x();
     y = position.y();
     z = position.z();
     geometricX = geometricNormal.x();
     geometricY = geometricNormal.y();
     geometricZ = geometricNormal.z();
-    shadeBy(shading);
     u = texture.u();
     v = texture.v();
     outX = wo.x();
@@ -82,8 +88,25 @@ public final class SurfaceHit {
 
   /** Replaces the shading frame with one around the geometric normal. */
   public void shadeFlat() {
-    Vec3 normal = geometricNormal();
+    shadeAround(geometricX, geometricY, geometricZ);
+  }
+
+  /** Replaces the shading frame with {@link Frame#around(Vec3)}. */
+  private void shadeAround(double nx, double ny, double nz) {
+    Vec3 normal = new Vec3(nx, ny, nz);
     shadeBy(Frame.tangentAround(normal), Frame.bitangentAround(normal), normal);
+  }
+
+  /** Replaces the shading frame with {@link Frame#around(Vec3, Vec3, Vec3)}. */
+  void shadeAround(Vec3 normal, Vec3 u, Vec3 v) {
+    // Escape analysis cannot remove an object that comes from two branches, as a Frame would, or
+    // that is passed to a method that the JIT does not inline because it is called rarely.
+    if (Frame.isAlong(normal, u)) {
+      shadeAround(normal.x(), normal.y(), normal.z());
+    } else {
+      Vec3 tangent = Frame.tangentAround(normal, u);
+      shadeBy(tangent, Frame.bitangentAround(normal, tangent, v), normal);
+    }
   }
 
   /**
@@ -93,14 +116,7 @@ public final class SurfaceHit {
   public void perturb(Vec3 normal) {
     Vec3 u = new Vec3(tangentX, tangentY, tangentZ);
     Vec3 v = new Vec3(bitangentX, bitangentY, bitangentZ);
-    // No Frame is created here: escape analysis cannot remove an object that comes from two
-    // branches.
-    if (Frame.isAlong(normal, u)) {
-      shadeBy(Frame.tangentAround(normal), Frame.bitangentAround(normal), normal);
-    } else {
-      Vec3 tangent = Frame.tangentAround(normal, u);
-      shadeBy(tangent, Frame.bitangentAround(normal, tangent, v), normal);
-    }
+    shadeAround(normal, u, v);
   }
 
   private void shadeBy(Vec3 tangent, Vec3 bitangent, Vec3 normal) {

@@ -100,13 +100,19 @@ final class RefractedLights {
     if (light.target() != LightSample.Target.SURFACE) {
       return;
     }
+    double probability = probability(context.path.throughput());
+    if (bounds.meets(vertex.surface().position(), light.surface().position())
+        && sampler.get1d(Sampler.glass(depth)) < probability) {
+      search(vertex, depth, maxDepth, probability, context);
+    }
+  }
+
+  /** Searches for the path to the lamp, and adds its light if there is one. */
+  private void search(
+      Vertex vertex, int depth, int maxDepth, double probability, RenderContext context) {
+    LightSample light = context.light;
     SurfaceSample onLight = light.surface();
     Vec3 to = onLight.position();
-    double probability = probability(context.path.throughput());
-    if (!bounds.meets(vertex.surface().position(), to)
-        || sampler.get1d(Sampler.glass(depth)) >= probability) {
-      return;
-    }
     GlassPath found = context.glassPath;
     Vec3 origin = vertex.surface().spawn(light.wi()).origin();
     boolean isFound = find(origin, vertex.facing(), to, found);
