@@ -29,6 +29,9 @@ final class Vertex {
   /** Unit direction back along the path, in the local shading frame. */
   private double outX, outY, outZ;
 
+  /** The cosine of that direction and the geometric normal. */
+  private double outCosine;
+
   /**
    * Moves to another hit. May change the hit's shading frame, by a normal map or back to the
    * geometric normal.
@@ -39,7 +42,8 @@ final class Vertex {
     // If the viewer is behind the shading plane but in front of the surface, shade with the
     // geometric normal.
     lookBack();
-    if (surface.wo().dot(surface.geometricNormal()) * outZ <= 0) {
+    outCosine = surface.wo().dot(surface.geometricNormal());
+    if (outCosine * outZ <= 0) {
       surface.shadeFlat();
       lookBack();
     }
@@ -173,6 +177,6 @@ final class Vertex {
   private boolean isConsistent(double wx, double wy, double wz, double localZ) {
     Vec3 normal = surface.geometricNormal();
     double cosine = wx * normal.x() + wy * normal.y() + wz * normal.z();
-    return cosine * (localZ * outZ) * surface.wo().dot(normal) > 0;
+    return cosine * (localZ * outZ) * outCosine > 0;
   }
 }
