@@ -7,6 +7,7 @@ import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Facing;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
@@ -39,6 +40,10 @@ public final class PathTracer implements Integrator {
   private final Scene scene;
   private final int maxDepth;
   private final Light[] emitters;
+
+  /** Tells which points each emitter faces. */
+  private final Facing[] facings;
+
   private final EnvironmentLight[] environments;
   private final LightSampler selector;
   private final MisHeuristic heuristic;
@@ -52,6 +57,9 @@ public final class PathTracer implements Integrator {
 
   /** Whether there is more than one light to select from. */
   private final boolean selects;
+
+  /** Whether the selection of a light needs a random number. */
+  private final boolean drawsLight;
 
   /** Whether vertices sample lights. */
   private final boolean samplesLights;
@@ -118,12 +126,14 @@ public final class PathTracer implements Integrator {
     isPlanned = options.split() == PathOptions.PLANNED;
     split = Math.max(1, options.split());
     emitters = scene.emitters().stream().map(PathTracer::besideBsdf).toArray(Light[]::new);
+    facings = scene.emitters().stream().map(Facing::of).toArray(Facing[]::new);
     environments =
         scene.environments().stream()
             .map(EnvironmentLight::besideBsdf)
             .toArray(EnvironmentLight[]::new);
     this.selector = Objects.requireNonNull(selector, "selector");
     selects = !scene.takes(Specialization.ONE_EMITTER);
+    drawsLight = selector.isRandom();
     samplesLights = selector.canChoose() && heuristic.samplesLights(scene.emitters());
     hasAmbient = !scene.ambient().isBlack();
     hasBackplate = scene.backplate().isPresent();
@@ -374,9 +384,14 @@ public final class PathTracer implements Integrator {
     LightSample light = context.light;
     vertex.receiveFrom(choice);
     if (selects) {
-      selector.choose(sampler.get1d(dimension + Sampler.LIGHT_CHOICE), choice);
+      double uChoice = drawsLight ? sampler.get1d(dimension + Sampler.LIGHT_CHOICE) : 0;
+      selector.choose(uChoice, choice);
     } else {
       choice.setOnly();
+    }
+    if (facings[choice.emitter()].isAway(choice) && !context.isRecorded) {
+      light.clear();
+      return false;
     }
     Point2 uLight = sampler.get2d(dimension + Sampler.LIGHT_POINT);
     Light emitter = emitters[choice.emitter()];

@@ -32,6 +32,11 @@ public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, do
     return new LightBounds(box, axis, spread + MARGIN, fall + MARGIN, intensity);
   }
 
+  /** Returns whether all emitters face the direction of the axis and emit nothing backwards. */
+  boolean isFlat() {
+    return spread <= 2 * MARGIN && fall <= .5 * Math.PI + 2 * MARGIN;
+  }
+
   LightBounds withIntensity(double value) {
     return new LightBounds(box, axis, spread, fall, value);
   }

@@ -65,6 +65,9 @@ public final class LightSampler {
 
   private final Optional<NearLights> near;
 
+  /** The number of emitters that are ever selected. */
+  private final int selectable;
+
   /** The sum over the far group, in units of the near group's mean intensity. */
   private final double farIrradiance;
 
@@ -75,6 +78,7 @@ public final class LightSampler {
     this.places = places;
     near = Optional.empty();
     farIrradiance = 0;
+    selectable = alone.length;
   }
 
   /**
@@ -94,6 +98,7 @@ public final class LightSampler {
         items.stream().mapToDouble(item -> item.bounds().intensity()).average().orElseThrow();
     near = Optional.of(near(comparable(items, unit), emitters.size()));
     farIrradiance = Arrays.stream(weights).sum() / unit;
+    selectable = items.size() + far.length;
   }
 
   /** Returns the place in {@code far} of each of {@code count} emitters, {@link #NEVER} if none. */
@@ -153,6 +158,14 @@ public final class LightSampler {
     return near.isPresent() || alone.length > 0;
   }
 
+  /**
+   * Returns whether the emitter that {@link #choose} selects depends on its random number: whether
+   * there are several to select from.
+   */
+  public boolean isRandom() {
+    return selectable > 1;
+  }
+
   private static NearLights near(List<LightTreeBuilder.Item> items, int count) {
     return items.size() <= FewLights.MOST
         ? new FewLights(items, count)
@@ -200,7 +213,7 @@ public final class LightSampler {
   /**
    * Selects an emitter that may light a point; only if {@link #canChoose}.
    *
-   * @param u uniform in [0,1)
+   * @param u uniform in [0,1); any number in [0,1) unless {@link #isRandom}
    * @param choice holds the point and receives the result
    */
   public void choose(double u, LightChoice choice) {

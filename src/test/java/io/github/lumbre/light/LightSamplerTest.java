@@ -287,6 +287,19 @@ class LightSamplerTest {
     assertThat(choice.probability()).isEqualTo(1);
   }
 
+  @Test
+  void onlySeveralSelectableEmittersNeedARandomNumber() {
+    Light sky = EnvironmentLight.uniform(Rgb.WHITE);
+    List<Light> bulb = bulbs(1);
+    assertThat(LightSampler.over(bulb).isRandom()).isFalse();
+    assertThat(LightSampler.over(List.of(sky, bulb.get(0))).isRandom()).isFalse();
+    assertThat(LightSampler.over(bulbs(1, 1)).isRandom()).isTrue();
+    assertThat(LightSampler.byPower(1).isRandom()).isFalse();
+    assertThat(LightSampler.byPower(1, 2).isRandom()).isTrue();
+    Light sun = new DirectionalLight(Vec3.Y, TWO);
+    assertThat(LightSampler.over(List.of(sun, bulb.get(0))).isRandom()).isTrue();
+  }
+
   private static LightChoice choose(LightSampler selector, Vec3 point, Vec3 normal, double u) {
     LightChoice choice = new LightChoice();
     choice.moveTo(point, normal);
