@@ -7,7 +7,7 @@ import java.util.Arrays;
  * in double precision.
  */
 final class BinaryTraversal implements Traversal {
-  static final LeafCost COSTS = new LeafCost(1, 4, 1);
+  static final LeafCost COSTS = new LeafCost(1, 4, 1, false);
 
   /**
    * Doubles per node: minimum and maximum on x, y, z of the first child's box, then the second's.

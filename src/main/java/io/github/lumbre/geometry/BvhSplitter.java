@@ -111,7 +111,7 @@ final class BvhSplitter {
           continue;
         }
         if (last >= 0) {
-          double cost = costs.units(left) * halfArea(side) + rightCost[bin];
+          double cost = costs.partCost(left, weight) * halfArea(side) + rightCost[bin];
           if (cost < best) {
             best = cost;
             bestAxis = axis;
@@ -165,7 +165,7 @@ final class BvhSplitter {
     box[at + 5] = Math.max(box[at + 5], maxZ);
   }
 
-  /** Sets, for each bin with items of an axis, the cost of a leaf that holds it and later bins. */
+  /** Sets, for each bin with items of an axis, the cost of a part that holds it and later bins. */
   private void fillRightCosts(int axis) {
     clear(side);
     int right = 0;
@@ -174,7 +174,7 @@ final class BvhSplitter {
       if (added > 0) {
         growByBin(axis, bin);
         right += added;
-        rightCost[bin] = costs.units(right) * halfArea(side);
+        rightCost[bin] = costs.partCost(right, weight) * halfArea(side);
       }
     }
   }

@@ -7,8 +7,12 @@ package io.github.lumbre.geometry;
  * @param block the number of triangles tested at once; a power of two
  * @param maxUnits the maximum cost of a leaf, in units
  * @param nodeCost the cost of testing the boxes of a binary node's children, in units
+ * @param isWide whether nodes with many children are made of several binary ones
  */
-record LeafCost(int block, int maxUnits, double nodeCost) {
+record LeafCost(int block, int maxUnits, double nodeCost, boolean isWide) {
+  /** The cost of a leaf, in units, beyond which a range is large. */
+  private static final int LARGE = 64;
+
   /** Returns the weight of one item; {@link #units} takes the sum of the weights. */
   int weight(boolean isTriangle) {
     return isTriangle ? 1 : block;
@@ -17,5 +21,18 @@ record LeafCost(int block, int maxUnits, double nodeCost) {
   /** Returns the cost, in units, of a leaf whose items have the given total weight. */
   int units(int weight) {
     return (weight + block - 1) / block;
+  }
+
+  /**
+   * Returns the cost of a part of a split range, relative to other parts. The surface area
+   * heuristic takes the cost of a leaf, as if the part were not split again. In large ranges, this
+   * overestimates meshes so much that other shapes are split badly. Measured: rays visit fewer wide
+   * nodes there if the cost grows with the square root.
+   *
+   * @param weight the total weight of the part's items
+   * @param whole the total weight of the range's items
+   */
+  double partCost(int weight, int whole) {
+    return isWide && units(whole) > LARGE ? Math.sqrt(units(weight)) : units(weight);
   }
 }

@@ -39,7 +39,7 @@ final class WideTree {
   /** The maximum number of nodes whose leaves one task stores. */
   private static final int MAX_PART = 2048;
 
-  static final LeafCost COSTS = new LeafCost(WIDTH, 1, .2);
+  static final LeafCost COSTS = new LeafCost(WIDTH, 1, .2, true);
 
   private final UnitSpace space;
   private final Triangles triangles;

@@ -21,7 +21,10 @@ class BvhSplitterTest {
 
   private static final List<LeafCost> COSTS =
       List.of(
-          BinaryTraversal.COSTS, WideTree.COSTS, new LeafCost(1, 16, 3), new LeafCost(4, 2, .5));
+          BinaryTraversal.COSTS,
+          WideTree.COSTS,
+          new LeafCost(1, 16, 3, false),
+          new LeafCost(4, 2, .5, true));
 
   private static final int SIZE = BuildItems.SIZE;
 

@@ -27,7 +27,7 @@ class LeafTest {
   @Test
   void blocksOfTrianglesAndShapesAreUnits() {
     for (int block : new int[] {1, 2, 4, 8}) {
-      LeafCost costs = new LeafCost(block, 4, 1);
+      LeafCost costs = new LeafCost(block, 4, 1, false);
       for (int triangles = 0; triangles <= 20; triangles++) {
         for (int shapes = 0; shapes <= 5; shapes++) {
           int weight = triangles * costs.weight(true) + shapes * costs.weight(false);
@@ -36,6 +36,16 @@ class LeafTest {
         }
       }
     }
+  }
+
+  /** Parts of ranges of more than 64 units cost their root in wide trees. */
+  @Test
+  void partsOfLargeRangesCostLessInWideTrees() {
+    int block = WideTree.WIDTH;
+    assertThat(WideTree.COSTS.partCost(25 * block, 64 * block)).isEqualTo(25);
+    assertThat(WideTree.COSTS.partCost(25 * block, 64 * block + 1)).isEqualTo(5);
+    assertThat(WideTree.COSTS.partCost(24 * block + 1, 1000 * block)).isEqualTo(5);
+    assertThat(BinaryTraversal.COSTS.partCost(25, 1000)).isEqualTo(25);
   }
 
   @Test
