@@ -26,11 +26,10 @@ final class CellFraction {
 
   private CellFraction() {}
 
-  /** Returns the best part, in [0,1), for a range of records. */
-  static float best(
-      GuideRecords records, RecordValues values, RecordOrder order, int from, int to) {
+  /** Returns the best part, in [0,1), for the records of a cell. */
+  static float best(GuideRecords records, RecordValues values, RecordOrder order) {
     double[] moments = new double[FRACTIONS.length];
-    for (int i = from; i < to; i++) {
+    for (int i = 0; i < order.size(); i++) {
       int record = order.record(i);
       double value = values.value(record);
       for (int k = 0; k < moments.length; k++) {
@@ -50,15 +49,17 @@ final class CellFraction {
 
   /**
    * Returns the weight of a record's square if a part of the directions follows the guide. Delta
-   * lobes only lose the directions that follow the guide.
+   * lobes only lose the directions that follow the guide. {@link Connections} never draw them, and
+   * are half of all directions.
    */
   static double weight(GuideRecords records, int record, double fraction) {
     double pdf = records.number(record, GuideRecords.PDF);
     if (pdf == 0) {
-      return (1 - TRAINING) / (1 - fraction);
+      return .5 * (1 - TRAINING) / (1 - fraction);
     }
     double bsdf = records.number(record, GuideRecords.BSDF_PDF);
     double guide = Math.max(0, (pdf - (1 - TRAINING) * bsdf) / TRAINING);
-    return Math.min(MOST_WEIGHT, pdf / (fraction * guide + (1 - fraction) * bsdf));
+    double allPdf = records.number(record, GuideRecords.ALL_PDF);
+    return Math.min(MOST_WEIGHT, allPdf / (fraction * guide + (1 - fraction) * bsdf));
   }
 }

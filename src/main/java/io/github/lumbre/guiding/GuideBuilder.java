@@ -20,6 +20,7 @@ public final class GuideBuilder {
   private final GuideRecords records;
   private final RecordValues values;
   private final RecordOrder[] orders = new RecordOrder[Guide.AXES];
+  private final Connections connections;
   private final SquareBuilder squares;
   private int[] places = new int[1024];
   private int size;
@@ -42,7 +43,8 @@ public final class GuideBuilder {
     private static final Built NONE = new Built(Guide.NONE, 1);
   }
 
-  private GuideBuilder(GuideRecords records, int limit, boolean isTraining) {
+  private GuideBuilder(
+      GuideRecords records, Guide drawnBy, Sight sight, int limit, boolean isTraining) {
     this.records = Objects.requireNonNull(records, "records");
     this.isTraining = isTraining;
     cells = new int[records.size()];
@@ -51,17 +53,27 @@ public final class GuideBuilder {
       orders[axis] = new RecordOrder(records, axis);
     }
     values = new RecordValues(records, orders);
+    connections = new Connections(records, values, drawnBy, sight);
     squares = new SquareBuilder(records, values, limit);
   }
 
-  /** Returns the guide of some records; {@link Guide#NONE} if they have no light. */
-  public static Built build(GuideRecords records) {
-    return build(records, Guide.MOST_INTS, false);
+  /**
+   * Returns the guide of some records; {@link Guide#NONE} if they have no light.
+   *
+   * @param records the builder adds to them
+   * @param drawnBy the guide of {@link #train} that drew their directions, or {@link Guide#NONE}
+   * @param sight of the scene
+   */
+  public static Built build(GuideRecords records, Guide drawnBy, Sight sight) {
+    return build(records, drawnBy, sight, Guide.MOST_INTS, false);
   }
 
-  /** Returns a guide to record paths for a better one: all cells have the same mixture. */
-  public static Built train(GuideRecords records) {
-    return build(records, Guide.MOST_INTS, true);
+  /**
+   * Returns a guide to record paths for a better one: all cells have the same mixture. The
+   * parameters are those of {@link #build}.
+   */
+  public static Built train(GuideRecords records, Guide drawnBy, Sight sight) {
+    return build(records, drawnBy, sight, Guide.MOST_INTS, true);
   }
 
   /**
@@ -69,10 +81,11 @@ public final class GuideBuilder {
    *
    * @param limit number of ints of all quadtrees beyond which they are not refined
    */
-  static Built build(GuideRecords records, int limit, boolean isTraining) {
+  static Built build(
+      GuideRecords records, Guide drawnBy, Sight sight, int limit, boolean isTraining) {
     for (int i = 0; i < records.size(); i++) {
       if (records.number(i, GuideRecords.FOUND) > 0 || records.number(i, GuideRecords.DIRECT) > 0) {
-        return new GuideBuilder(records, limit, isTraining).build();
+        return new GuideBuilder(records, drawnBy, sight, limit, isTraining).build();
       }
     }
     return Built.NONE;
@@ -91,7 +104,7 @@ public final class GuideBuilder {
             Arrays.copyOf(places, size),
             nodes,
             Arrays.copyOf(means, nodes.length / Guide.SQUARE_STRIDE));
-    return new Built(guide, GuideGain.of(records, values, cells, means, fractions));
+    return new Built(guide, GuideGain.of(records, values, connections, cells, means, fractions));
   }
 
   /** Adds the binary tree of a range of records; returns its root, or a cell. */
@@ -101,7 +114,7 @@ public final class GuideBuilder {
       return cell(order, from, to);
     }
     int axis = order.widest(from, to);
-    float limit = center(order, from, to, axis);
+    float limit = order.center(from, to, axis);
     int middle = order.divide(from, to, axis, limit);
     if (Math.min(middle - from, to - middle) < count / LEAST_PART) {
       limit = order.median(from, to, axis);
@@ -124,31 +137,23 @@ public final class GuideBuilder {
     return node;
   }
 
-  private float center(RecordOrder order, int from, int to, int axis) {
-    float low = Float.POSITIVE_INFINITY;
-    float high = Float.NEGATIVE_INFINITY;
-    for (int i = from; i < to; i++) {
-      float x = records.number(order.record(i), axis);
-      low = Math.min(low, x);
-      high = Math.max(high, x);
-    }
-    return .5f * low + .5f * high;
-  }
-
   private int cell(RecordOrder order, int from, int to) {
-    float fraction = CellFraction.best(records, values, order, from, to);
-    int cell = squares.add(order, from, to, isTraining ? CellFraction.TRAINING : fraction);
+    double light = 0;
+    for (int i = from; i < to; i++) {
+      int record = order.record(i);
+      light += values.value(record) + records.number(record, GuideRecords.DIRECT);
+    }
+    RecordOrder all = connections.connected(order, from, to);
+    float fraction = CellFraction.best(records, values, all);
+    int cell = squares.add(all, isTraining ? CellFraction.TRAINING : fraction);
     int number = cell / Guide.SQUARE_STRIDE;
     if (means.length <= number) {
       means = Arrays.copyOf(means, 2 * number);
       fractions = Arrays.copyOf(fractions, 2 * number);
     }
     fractions[number] = fraction;
-    double light = 0;
     for (int i = from; i < to; i++) {
-      int record = order.record(i);
-      cells[record] = cell;
-      light += values.value(record) + records.number(record, GuideRecords.DIRECT);
+      cells[order.record(i)] = cell;
     }
     means[number] = (float) Math.min(Float.MAX_VALUE, light / (to - from));
     return Guide.leaf(cell);

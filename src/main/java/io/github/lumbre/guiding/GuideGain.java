@@ -13,7 +13,9 @@ final class GuideGain {
   private static final double MOST_PART = 10;
 
   private final GuideRecords records;
-  private final RecordValues values;
+
+  /** What each record's light counts, by the number of the record. */
+  private final float[] parts;
 
   /** The light of the first vertex of the current path; 0 if it is not known. */
   private double first;
@@ -21,42 +23,52 @@ final class GuideGain {
   /** Throughput from the first vertex. */
   private double throughput;
 
-  private double before;
-  private double after;
-
-  private GuideGain(GuideRecords records, RecordValues values) {
+  private GuideGain(GuideRecords records, int count) {
     this.records = records;
-    this.values = values;
+    parts = new float[count];
   }
 
   /**
    * Returns the ratio of the second moments, 1 if there is no light.
    *
-   * @param cells the cell of each record, or {@link Guide#NO_CELL}
+   * @param cells the cell of each record of a path, or {@link Guide#NO_CELL}
    * @param means mean light that each cell scatters, by the cell over the stride
    * @param fractions part of each cell's directions that follow the guide, by the same index
    */
   static double of(
-      GuideRecords records, RecordValues values, int[] cells, float[] means, float[] fractions) {
-    GuideGain gain = new GuideGain(records, values);
+      GuideRecords records,
+      RecordValues values,
+      Connections connections,
+      int[] cells,
+      float[] means,
+      float[] fractions) {
+    GuideGain gain = new GuideGain(records, cells.length);
     for (int record = 0; record < cells.length; record++) {
-      int cell = cells[record] / Guide.SQUARE_STRIDE;
       boolean isLearned = cells[record] != Guide.NO_CELL;
-      gain.add(record, isLearned ? means[cell] : 0, isLearned ? fractions[cell] : 0);
+      gain.follow(record, isLearned ? means[cells[record] / Guide.SQUARE_STRIDE] : 0);
     }
-    return gain.after > 0 ? gain.before / gain.after : 1;
+    double before = 0;
+    double after = 0;
+    for (int record = 0; record < records.size(); record++) {
+      int start = connections.start(record);
+      if (gain.parts[start] > 0) {
+        double value = gain.parts[start] * values.value(record);
+        double fraction = fractions[cells[start] / Guide.SQUARE_STRIDE];
+        before += value * value * CellFraction.weight(records, record, 0);
+        after += value * value * CellFraction.weight(records, record, fraction);
+      }
+    }
+    return after > 0 ? before / after : 1;
   }
 
-  private void add(int record, double mean, double fraction) {
+  private void follow(int record, double mean) {
     if (record == 0 || !records.continues(record - 1)) {
       first = mean;
       throughput = 1;
     }
     if (first > 0 && mean > 0) {
       double part = Math.min(MOST_PART, throughput * mean / first);
-      double value = part * values.value(record) / mean;
-      before += value * value * CellFraction.weight(records, record, 0);
-      after += value * value * CellFraction.weight(records, record, fraction);
+      parts[record] = (float) Math.min(Float.MAX_VALUE, part / mean);
     }
     throughput =
         Math.min(Double.MAX_VALUE, throughput * records.number(record, GuideRecords.WEIGHT));

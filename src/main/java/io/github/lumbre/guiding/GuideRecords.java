@@ -7,7 +7,7 @@ import java.util.Arrays;
  * one thread. It stores plain numbers, because there are hundreds of thousands.
  */
 public final class GuideRecords {
-  static final int STRIDE = 11;
+  static final int STRIDE = 16;
   static final int X = 0;
   static final int U = 3;
   static final int V = 4;
@@ -17,6 +17,11 @@ public final class GuideRecords {
   static final int WEIGHT = 8;
   static final int AXIS = 9;
   static final int BSDF_PDF = 10;
+  static final int NORMAL = 11;
+  static final int DIFFUSE = 14;
+
+  /** Mean density of the ways in which the directions of a cell were drawn. */
+  static final int ALL_PDF = 15;
 
   private float[] numbers = new float[STRIDE * 64];
   private boolean[] continues = new boolean[64];
@@ -52,9 +57,17 @@ public final class GuideRecords {
    * @param x position in world space, as are y and z
    * @param nx unit normal on the side of the viewer, as are ny and nz
    * @param direct the light that light sampling found here, as scattered to the viewer
+   * @param diffuse part of the light that the surface scatters, if it is diffuse; 0 otherwise
    */
   public void add(
-      double x, double y, double z, double nx, double ny, double nz, double direct) {
+      double x,
+      double y,
+      double z,
+      double nx,
+      double ny,
+      double nz,
+      double direct,
+      double diffuse) {
     if (continues.length == size) {
       numbers = Arrays.copyOf(numbers, 2 * numbers.length);
       continues = Arrays.copyOf(continues, 2 * size);
@@ -69,6 +82,11 @@ public final class GuideRecords {
     numbers[at + BSDF_PDF] = 0;
     numbers[at + FOUND] = 0;
     numbers[at + WEIGHT] = 0;
+    numbers[at + NORMAL] = (float) nx;
+    numbers[at + NORMAL + 1] = (float) ny;
+    numbers[at + NORMAL + 2] = (float) nz;
+    numbers[at + DIFFUSE] = (float) diffuse;
+    numbers[at + ALL_PDF] = 0;
     continues[size++] = false;
   }
 
@@ -97,6 +115,7 @@ public final class GuideRecords {
     numbers[at + V] = (float) Octahedron.v(dx, dy, dz);
     numbers[at + PDF] = (float) pdf;
     numbers[at + BSDF_PDF] = (float) bsdfPdf;
+    numbers[at + ALL_PDF] = (float) pdf;
     numbers[at + FOUND] = (float) found;
     numbers[at + WEIGHT] = (float) weight;
     continues[size - 1] = next;
@@ -106,18 +125,41 @@ public final class GuideRecords {
   public void addAll(GuideRecords other) {
     int needed = size + other.size;
     if (continues.length < needed) {
-      int length = Math.max(needed, 2 * continues.length);
-      numbers = Arrays.copyOf(numbers, STRIDE * length);
-      continues = Arrays.copyOf(continues, length);
+      reserve(Math.max(needed, 2 * continues.length));
     }
     System.arraycopy(other.numbers, 0, numbers, STRIDE * size, STRIDE * other.size);
     System.arraycopy(other.continues, 0, continues, size, other.size);
     size = needed;
   }
 
+  /** Makes room for a number of records. */
+  void reserve(int count) {
+    if (continues.length < count) {
+      numbers = Arrays.copyOf(numbers, STRIDE * count);
+      continues = Arrays.copyOf(continues, count);
+    }
+  }
+
   /** Returns the number of vertices. */
   public int size() {
     return size;
+  }
+
+  /**
+   * Adds a direction that no path took, and returns its number. It is no vertex.
+   *
+   * @param dx unit direction, as are dy and dz
+   * @param pdf density with which a path would have drawn it
+   */
+  int connect(double dx, double dy, double dz, double pdf, double bsdfPdf, double allPdf) {
+    add(0, 0, 0, 0, 0, 0, 0, 0);
+    leave(dx, dy, dz, pdf, bsdfPdf, 0, 0, false);
+    setAllPdf(size - 1, allPdf);
+    return size - 1;
+  }
+
+  void setAllPdf(int record, double allPdf) {
+    numbers[STRIDE * record + ALL_PDF] = (float) allPdf;
   }
 
   boolean continues(int record) {

@@ -28,6 +28,13 @@ final class RecordOrder {
     high = new int[size];
   }
 
+  /** Creates an order of given records. It owns the array. */
+  RecordOrder(GuideRecords records, int[] order) {
+    this.records = records;
+    this.order = order;
+    high = new int[order.length];
+  }
+
   /** Returns the number of records. */
   int size() {
     return order.length;
@@ -56,6 +63,29 @@ final class RecordOrder {
       }
     }
     return widest;
+  }
+
+  /** Returns the length of a range in one coordinate. */
+  double extent(int from, int to, int axis) {
+    float[] bounds = bounds(from, to, axis);
+    return (double) bounds[1] - bounds[0];
+  }
+
+  /** Returns the center of a range in one coordinate. */
+  float center(int from, int to, int axis) {
+    float[] bounds = bounds(from, to, axis);
+    return .5f * bounds[0] + .5f * bounds[1];
+  }
+
+  private float[] bounds(int from, int to, int axis) {
+    float low = Float.POSITIVE_INFINITY;
+    float high = Float.NEGATIVE_INFINITY;
+    for (int i = from; i < to; i++) {
+      float x = records.number(order[i], axis);
+      low = Math.min(low, x);
+      high = Math.max(high, x);
+    }
+    return new float[] {low, high};
   }
 
   /**

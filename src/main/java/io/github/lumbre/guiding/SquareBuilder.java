@@ -41,16 +41,16 @@ final class SquareBuilder {
   }
 
   /**
-   * Adds the quadtree of a range of records; returns the index of its root.
+   * Adds the quadtree of the records of a cell; returns the index of its root.
    *
    * @param fraction part of the cell's directions that follow the guide
    */
-  int add(RecordOrder order, int from, int to, float fraction) {
+  int add(RecordOrder order, float fraction) {
     double light = 0;
-    for (int i = from; i < to; i++) {
+    for (int i = 0; i < order.size(); i++) {
       light += values.value(order.record(i));
     }
-    square(order, from, to, 0, 0, 0, LEAST_SHARE * light);
+    square(order, 0, order.size(), 0, 0, 0, LEAST_SHARE * light);
     int root = added;
     squares[root + Guide.FRACTION] = Float.floatToRawIntBits(fraction);
     return root;
@@ -71,7 +71,7 @@ final class SquareBuilder {
     for (int i = from; i < to; i++) {
       double value = values.value(order.record(i));
       light += value;
-      moment += value * value * records.number(order.record(i), GuideRecords.PDF);
+      moment += value * value * records.number(order.record(i), GuideRecords.ALL_PDF);
     }
     if (divisions > 0 && (light < least || to - from < LEAST_RECORDS || isFull(divisions))) {
       added = -1;

@@ -5,6 +5,7 @@
  * <p>{@link io.github.lumbre.guiding.GuideRecords} holds what a pilot render found. {@link
  * io.github.lumbre.guiding.GuideBuilder} makes a {@link io.github.lumbre.guiding.Guide} of it: a
  * binary tree over positions, whose leaves are quadtrees over directions. {@link
+ * io.github.lumbre.guiding.Connections} adds directions to bright places. {@link
  * io.github.lumbre.guiding.CellFraction} chooses how many directions follow it in each cell. After
  * that, a guide never changes, and all threads share it. Positions and directions are in world
  * space. Densities are per solid angle.

@@ -17,6 +17,9 @@ import io.github.lumbre.path.PathVertex.Source;
  * thread. Paths must not be split.
  */
 public final class GuideRecorder implements PathListener {
+  /** Relative difference from the density of a diffuse surface that is due to rounding. */
+  private static final double TOLERANCE = 1e-6;
+
   private final GuideRecords records;
 
   /** The throughput of the last ray. */
@@ -33,6 +36,7 @@ public final class GuideRecorder implements PathListener {
   private double throughput;
   private double direct;
   private double directionX, directionY, directionZ;
+  private double diffuse;
   private double pdf;
   private double bsdfPdf;
   private double found;
@@ -87,6 +91,7 @@ public final class GuideRecorder implements PathListener {
     isAtVertex = true;
     throughput = here;
     direct = 0;
+    diffuse = 0;
     Vec3 p = surface.position();
     Vec3 n = surface.shadingNormal();
     double side = n.dot(surface.wo()) < 0 ? -1 : 1;
@@ -99,7 +104,7 @@ public final class GuideRecorder implements PathListener {
   }
 
   private void addVertex() {
-    records.add(x, y, z, normalX, normalY, normalZ, direct);
+    records.add(x, y, z, normalX, normalY, normalZ, direct, diffuse);
   }
 
   private void leave(double weight, boolean next) {
@@ -111,6 +116,7 @@ public final class GuideRecorder implements PathListener {
     if (!isAtVertex) {
       return;
     }
+    diffuse = diffuse(sample);
     addVertex();
     isAtVertex = false;
     hasLeft = survives;
@@ -120,6 +126,17 @@ public final class GuideRecorder implements PathListener {
     pdf = sample.isSpecular() ? 0 : sample.pdf();
     bsdfPdf = sample.isSpecular() ? 0 : sample.bsdfPdf();
     found = 0;
+  }
+
+  /** Returns what part of the light the surface scatters if it is diffuse, and 0 otherwise. */
+  private double diffuse(BsdfSample sample) {
+    double cosine = sample.x() * normalX + sample.y() * normalY + sample.z() * normalZ;
+    double even = cosine / Math.PI;
+    if (sample.isSpecular() || !(Math.abs(sample.bsdfPdf() - even) < TOLERANCE * even)) {
+      return 0;
+    }
+    double scattered = red * sample.r() + green * sample.g() + blue * sample.b();
+    return scattered / throughput * sample.pdf() / even;
   }
 
   @Override

@@ -5,6 +5,7 @@ import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.guiding.GuideBuilder;
 import io.github.lumbre.guiding.GuideRecords;
 import io.github.lumbre.integrator.GuideRecorder;
+import io.github.lumbre.integrator.GuideSight;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.render.GuideReport.Outcome;
@@ -40,14 +41,14 @@ final class GuidePilot {
   /** The gain below which {@code auto} then ends the pilot. */
   private static final double LEAST_EARLY_GAIN = 1.01;
 
-  /** The largest number of vertices that one pass keeps: 50 MB. */
+  /** The largest number of vertices that one pass keeps: 70 MB. */
   static final int MOST_RECORDS = 1 << 20;
 
   /**
-   * Bytes of a record of 45 bytes that is held twice and in an array with room for another, of 24
-   * bytes of indices, and of a guide's trees.
+   * Bytes of a record of 65 bytes in two arrays that each have room for another, of 60 bytes of
+   * indices and values, and of a guide's trees.
    */
-  private static final long BYTES_PER_RECORD = 256;
+  private static final long BYTES_PER_RECORD = 336;
 
   private static final long SEED = 0x6775696465206f6eL;
 
@@ -107,7 +108,12 @@ final class GuidePilot {
     for (int pass = 0; pass < PASSES; pass++) {
       long share = ((long) paths << pass) / ((1 << PASSES) - 1);
       GuideRecords records = records(built.guide(), (int) Math.max(1, share), pass);
-      built = pass == PASSES - 1 ? GuideBuilder.build(records) : GuideBuilder.train(records);
+      GuideSight sight = new GuideSight(scene);
+      built =
+          pass == PASSES - 1
+              ? GuideBuilder.build(records, built.guide(), sight)
+              : GuideBuilder.train(records, built.guide(), sight);
+      rays += sight.rays();
       if (pass >= CHECKED_PASS && built.guide().isEmpty()) {
         return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOTHING_LEARNED, 1, rays));
       }

@@ -9,6 +9,17 @@ import org.junit.jupiter.api.Test;
 
 /** Tests the distributions that guides learn: their densities, samples, sizes and bits. */
 class GuideTest {
+  /** Nothing sees anything. */
+  private static final Sight BLIND = (x, y, z, dx, dy, dz) -> false;
+
+  private static GuideBuilder.Built build(GuideRecords records) {
+    return GuideBuilder.build(records, Guide.NONE, BLIND);
+  }
+
+  private static GuideBuilder.Built train(GuideRecords records) {
+    return GuideBuilder.train(records, Guide.NONE, BLIND);
+  }
+
   /** Records of floors whose light comes from a small spot, and a little from everywhere. */
   private static GuideRecords records(int count, long seed) {
     Random random = new Random(seed);
@@ -20,7 +31,7 @@ class GuideTest {
       double x = r * Math.cos(phi);
       double y = r * Math.sin(phi);
       boolean isBright = x + y + z > 1.6;
-      records.add(random.nextDouble(), 3 * random.nextDouble(), 0, 0, 0, 1, 0);
+      records.add(random.nextDouble(), 3 * random.nextDouble(), 0, 0, 0, 1, 0, 0);
       double pdf = 1 / (4 * Math.PI);
       records.leave(x, y, z, pdf, pdf, isBright ? 20 : .1, 0, false);
     }
@@ -51,7 +62,7 @@ class GuideTest {
   /** The midpoint rule over the square, whose points have solid angles of 1 over the stretch. */
   @Test
   void theDensityIntegratesToOne() {
-    Guide guide = GuideBuilder.build(records(50_000, 2)).guide();
+    Guide guide = build(records(50_000, 2)).guide();
     int cell = cell(guide);
     GuideSample sample = new GuideSample();
     int side = 2048;
@@ -77,7 +88,7 @@ class GuideTest {
    */
   @Test
   void samplesFollowTheDensity() {
-    Guide guide = GuideBuilder.build(records(50_000, 3)).guide();
+    Guide guide = build(records(50_000, 3)).guide();
     int cell = cell(guide);
     Random random = new Random(4);
     GuideSample sample = new GuideSample();
@@ -119,7 +130,7 @@ class GuideTest {
   /** The spot is 1/26 of the sphere and holds 88 % of the light. */
   @Test
   void samplesGoWhereLightIs() {
-    Guide guide = GuideBuilder.build(records(50_000, 5)).guide();
+    Guide guide = build(records(50_000, 5)).guide();
     int cell = cell(guide);
     Random random = new Random(6);
     GuideSample sample = new GuideSample();
@@ -134,13 +145,13 @@ class GuideTest {
   /** Half of the points of a net lie in each half, so that each half receives a net. */
   @Test
   void theFractionOfTrainingIsOneHalf() {
-    Guide guide = GuideBuilder.train(records(5_000, 7)).guide();
+    Guide guide = train(records(5_000, 7)).guide();
     assertThat(guide.fraction(cell(guide))).isEqualTo(.5);
   }
 
   @Test
   void cellsWhereTheGuideWasNoBetterFollowTheBsdf() {
-    GuideBuilder.Built built = GuideBuilder.build(records(5_000, 7));
+    GuideBuilder.Built built = build(records(5_000, 7));
     assertThat(built.guide().fraction(cell(built.guide()))).isZero();
     assertThat(built.gain()).isEqualTo(1);
   }
@@ -149,7 +160,7 @@ class GuideTest {
   private static GuideRecords mixed(double guidePdf, double bsdfPdf) {
     GuideRecords records = new GuideRecords();
     for (int i = 0; i < 1000; i++) {
-      records.add(i, 0, 0, 0, 0, 1, 0);
+      records.add(i, 0, 0, 0, 0, 1, 0, 0);
       records.leave(0, 0, 1, .5 * guidePdf + .5 * bsdfPdf, bsdfPdf, 1, 0, false);
     }
     return records;
@@ -161,18 +172,18 @@ class GuideTest {
    */
   @Test
   void theFractionHasTheLeastSecondMoment() {
-    GuideBuilder.Built built = GuideBuilder.build(mixed(.9, .1));
+    GuideBuilder.Built built = build(mixed(.9, .1));
     assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
     assertThat(built.gain()).isCloseTo(8, within(1e-5));
-    assertThat(GuideBuilder.train(mixed(.9, .1)).gain()).isEqualTo(built.gain());
+    assertThat(train(mixed(.9, .1)).gain()).isEqualTo(built.gain());
   }
 
   /** A fraction of 7/8 would save 24 % here, less than a guided direction is worth. */
   @Test
   void smallGainsAreNotTaken() {
-    GuideBuilder.Built built = GuideBuilder.build(mixed(1.36, 1));
+    GuideBuilder.Built built = build(mixed(1.36, 1));
     assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isZero();
-    built = GuideBuilder.build(mixed(1.4, 1));
+    built = build(mixed(1.4, 1));
     assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
   }
 
@@ -184,12 +195,12 @@ class GuideTest {
   void verticesCountByTheirPartOfThePath() {
     GuideRecords records = new GuideRecords();
     for (int i = 0; i < 1000; i++) {
-      records.add(i, 0, 0, 0, 0, 1, 0);
+      records.add(i, 0, 0, 0, 0, 1, 0, 0);
       records.leave(0, 0, 1, .5, .1, 1, 0, true);
-      records.add(i, 0, 0, 1, 0, 0, 0);
+      records.add(i, 0, 0, 1, 0, 0, 0, 0);
       records.leave(0, 0, 1, 1.25, 1, 4, 0, false);
     }
-    assertThat(GuideBuilder.build(records).gain()).isCloseTo(8, within(1e-5));
+    assertThat(build(records).gain()).isCloseTo(8, within(1e-5));
   }
 
   /** Directions without any record could have light that the pilot missed. */
@@ -198,10 +209,10 @@ class GuideTest {
     GuideRecords records = new GuideRecords();
     Random random = new Random(12);
     for (int i = 0; i < 300; i++) {
-      records.add(random.nextDouble(), 0, 0, 0, 0, 1, 0);
+      records.add(random.nextDouble(), 0, 0, 0, 0, 1, 0, 0);
       records.leave(.1 * random.nextDouble(), .1 * random.nextDouble(), 1, .3, .3, 1, 0, false);
     }
-    Guide guide = GuideBuilder.build(records).guide();
+    Guide guide = build(records).guide();
     int cell = guide.cell(.5, 0, 0, 0, 0, 1);
     assertThat(guide.pdf(cell, 1, 0, 0)).isPositive();
     assertThat(guide.pdf(cell, -.6, .8, 0)).isPositive();
@@ -209,7 +220,7 @@ class GuideTest {
   }
 
   private static int hash(GuideRecords records) {
-    return GuideBuilder.build(records).guide().hash();
+    return build(records).guide().hash();
   }
 
   @Test
@@ -218,13 +229,13 @@ class GuideTest {
     GuideRecords parts = new GuideRecords();
     parts.addAll(records(20_000, 8));
     assertThat(hash(parts)).isEqualTo(hash(whole));
-    Guide other = GuideBuilder.build(records(20_000, 9)).guide();
+    Guide other = build(records(20_000, 9)).guide();
     assertThat(other.hash()).isNotEqualTo(hash(whole));
   }
 
   @Test
   void surfacesOfAnotherSideHaveNoCell() {
-    Guide guide = GuideBuilder.build(records(5_000, 10)).guide();
+    Guide guide = build(records(5_000, 10)).guide();
     assertThat(guide.cell(.5, 1.5, 0, 0, 0, -1)).isEqualTo(Guide.NO_CELL);
     assertThat(guide.cell(.5, 1.5, 0, 1, 0, 0)).isEqualTo(Guide.NO_CELL);
     assertThat(Guide.NONE.cell(0, 0, 0, 0, 0, 1)).isEqualTo(Guide.NO_CELL);
@@ -232,28 +243,24 @@ class GuideTest {
 
   @Test
   void nothingIsLearnedWithoutLight() {
-    assertThat(GuideBuilder.build(new GuideRecords()).guide().isEmpty()).isTrue();
+    assertThat(build(new GuideRecords()).guide().isEmpty()).isTrue();
     GuideRecords black = new GuideRecords();
     for (int i = 0; i < 1000; i++) {
-      black.add(i, 0, 0, 0, 0, 1, 0);
+      black.add(i, 0, 0, 0, 0, 1, 0, 0);
       black.leave(0, 0, 1, .3, .3, 0, .5, false);
     }
-    assertThat(GuideBuilder.build(black).guide().isEmpty()).isTrue();
+    assertThat(build(black).guide().isEmpty()).isTrue();
   }
 
   @Test
   void theLightOfTheNextVertexIsAMeanOfItsNeighborhood() {
     GuideRecords records = new GuideRecords();
     for (int i = 0; i < 8; i++) {
-      records.add(0, 0, 0, 0, 0, 1, 1);
+      records.add(0, 0, 0, 0, 0, 1, 1, 0);
       records.leave(1, 0, 0, .5, .5, .25, .5, true);
-      records.add(1, 0, 0, -1, 0, 0, i);
+      records.add(1, 0, 0, -1, 0, 0, i, 0);
     }
-    RecordOrder[] orders = new RecordOrder[Guide.AXES];
-    for (int axis = 0; axis < orders.length; axis++) {
-      orders[axis] = new RecordOrder(records, axis);
-    }
-    RecordValues values = new RecordValues(records, orders);
+    RecordValues values = ConnectionsTest.values(records);
     for (int i = 0; i < 16; i += 2) {
       assertThat(values.value(i)).isEqualTo((float) (.25 + .5 * 3.5));
       assertThat(values.value(i + 1)).isZero();
@@ -264,8 +271,8 @@ class GuideTest {
   @Test
   void aGuideBeyondItsLimitIsNotRefined() {
     GuideRecords records = records(50_000, 11);
-    Guide free = GuideBuilder.build(records).guide();
-    Guide full = GuideBuilder.build(records, 0, false).guide();
+    Guide free = build(records).guide();
+    Guide full = GuideBuilder.build(records, Guide.NONE, BLIND, 0, false).guide();
     assertThat(full.bytes()).isLessThan(free.bytes() / 4);
     assertThat(cell(full)).isNotNegative();
   }
@@ -273,9 +280,9 @@ class GuideTest {
   @Test
   void listsStopGrowing() {
     GuideRecords records = new GuideRecords(2);
-    records.add(0, 0, 0, 0, 0, 1, 0);
+    records.add(0, 0, 0, 0, 0, 1, 0, 0);
     assertThat(records.isFull()).isFalse();
-    records.add(0, 0, 0, 0, 0, 1, 0);
+    records.add(0, 0, 0, 0, 0, 1, 0, 0);
     assertThat(records.isFull()).isTrue();
     assertThatThrownBy(() -> new GuideRecords(0))
         .isInstanceOf(IllegalArgumentException.class)

@@ -165,15 +165,18 @@ class GuidePilotTest {
   }
 
   /**
-   * At 640x480, guiding the door has 3 times the efficiency, and in front of mirrors and around the
-   * knot it gains little or nothing; see docs/measurements/2026-11-hard-light.md.
+   * At 640x480, guiding has 4 times the efficiency behind the door and 7 times around the lamp
+   * shade; in front of mirrors and around the knot it gains nothing. See
+   * docs/measurements/2026-11-hard-light.md.
    */
   @Test
   void autoGuidesWhereItPays() throws Exception {
     GuideReport door = learn(scene("door-ajar", Guiding.AUTO, 640), 2).report();
     assertThat(door.outcome()).isEqualTo(Outcome.GUIDED);
-    assertThat(door.gain()).isBetween(1.2, 2.);
-    assertThat(door.text()).startsWith("paths are guided by ").contains("predicted gain 1.");
+    assertThat(door.gain()).isBetween(2., 4.);
+    assertThat(door.text()).startsWith("paths are guided by ").contains("predicted gain 2.");
+    GuideReport shade = learn(scene("lamp-shade", Guiding.AUTO, 640), 2).report();
+    assertThat(shade.gain()).isBetween(3., 7.);
     GuideReport mirror = learn(scene("glass-and-mirror", Guiding.AUTO, 640), 2).report();
     assertThat(mirror.outcome()).isEqualTo(Outcome.NOT_BETTER);
     GuideReport knot = learn(scene("torus-knot", Guiding.AUTO, 640), 2).report();

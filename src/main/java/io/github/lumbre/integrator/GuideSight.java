@@ -1,0 +1,36 @@
+package io.github.lumbre.integrator;
+
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.guiding.Sight;
+import io.github.lumbre.scene.Scene;
+import java.util.Objects;
+
+/**
+ * Tells whether points of surfaces see each other, to learn a guide. Glass and other surfaces that
+ * let light pass block the sight. Mutable and confined to one thread.
+ */
+public final class GuideSight implements Sight {
+  /** The part of the way that is left out at both ends: the points are rounded. */
+  private static final double MARGIN = 1e-4;
+
+  private final Scene scene;
+  private final NearestHit ray = new NearestHit();
+  private long rays;
+
+  /** Creates the sight of a scene. */
+  public GuideSight(Scene scene) {
+    this.scene = Objects.requireNonNull(scene, "scene");
+  }
+
+  @Override
+  public boolean isClear(double x, double y, double z, double dx, double dy, double dz) {
+    rays++;
+    ray.aim(x + MARGIN * dx, y + MARGIN * dy, z + MARGIN * dz, dx, dy, dz, 1 - 2 * MARGIN);
+    return !scene.isOccluded(ray);
+  }
+
+  /** Returns the number of rays traced. */
+  public long rays() {
+    return rays;
+  }
+}
