@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.math.Elementary;
 import java.util.Arrays;
 
 /**
@@ -7,7 +8,11 @@ import java.util.Arrays;
  * branches, a pixel's squared error is {@code shared + scattered / n}, and its rays grow by the
  * same number for each branch. Both are measured with 1 and with 4 branches.
  *
- * <p>The pilot has two independent halves. What one half chooses is judged by the other one, so
+ * <p>What branches gain is how many more rays unsplit paths need for the same error. As samples are
+ * evenly distributed, N times as many of them reduce the squared error by N to the power of a rate
+ * that is 1 or more. It is measured, too.
+ *
+ * <p>The pilot has two halves of other samples. What one half chooses is judged by the other one, so
  * that a choice that follows noise does not seem to gain. Immutable; all sums have a fixed order.
  */
 final class SplitChoice {
@@ -18,10 +23,13 @@ final class SplitChoice {
   static final int GROUPS = 16;
 
   /**
-   * The smallest gain over unsplit paths. A pilot does not see rare bright samples of the part that
-   * branches share, and overrates splitting by up to 1.5 times in the frog.
+   * The smallest gain over unsplit paths, in rays. The rays of branches take longer than those of
+   * the camera, up to 1.1 times in all.
    */
-  private static final double LEAST_GAIN = 1.2;
+  private static final double LEAST_GAIN = 1.1;
+
+  /** How many times as many samples of unsplit paths show the rate of their error. */
+  static final int LONGER = 4;
 
   /** How many standard errors a gain must be above 1. */
   private static final double CERTAINTY = 2;
@@ -32,12 +40,17 @@ final class SplitChoice {
   /** The fourth root of 2. */
   private static final double PRICE_RATIO = 1.189207115002721;
 
-  /** Indices of sums: squared error and rays with 1 and with 4 branches. */
+  /**
+   * Indices of sums: squared error and rays with 1 and with 4 branches, and the error with 1 branch
+   * and {@link #LONGER} times as many samples.
+   */
   static final int ERROR = 0;
 
   static final int SPLIT_ERROR = 1;
   static final int RAYS = 2;
   static final int SPLIT_RAYS = 3;
+  static final int LONG_ERROR = 4;
+  static final int KINDS = 5;
 
   /** Sums by half, group, cell and kind. */
   private final double[][][][] sums;
@@ -47,7 +60,7 @@ final class SplitChoice {
   /**
    * Creates a choice.
    *
-   * @param sums by half of the pilot (2), group ({@link #GROUPS}), cell and kind (4); not copied
+   * @param sums by half of the pilot (2), group ({@link #GROUPS}), cell and kind ({@link #KINDS}); not copied
    */
   SplitChoice(double[][][][] sums) {
     this.sums = sums;
@@ -58,7 +71,7 @@ final class SplitChoice {
    * What is chosen.
    *
    * @param exponents logarithm to the base 2 of the number of branches, by cell
-   * @param gain ratio of squared error times rays of unsplit paths to that of split ones
+   * @param gain rays of unsplit paths relative to those of split ones, for the same squared error
    * @param bound the gain less {@link #CERTAINTY} standard errors
    */
   record Chosen(int[] exponents, double gain, double bound) {}
@@ -124,14 +137,29 @@ final class SplitChoice {
   private double gain(Candidate candidate, Candidate other, int without) {
     double[][] first = total(sums[0], without);
     double[][] second = total(sums[1], without);
-    return product(other, first, second) / product(candidate, first, second);
+    double rate = rate(first, second);
+    return cost(other, first, second, rate) / cost(candidate, first, second, rate);
   }
 
-  /** Returns the squared error times the rays of a candidate. */
-  private static double product(Candidate candidate, double[][] first, double[][] second) {
+  /** Returns a number that is proportional to the rays of a candidate for a given error. */
+  private static double cost(
+      Candidate candidate, double[][] first, double[][] second, double rate) {
     double error = sum(first, candidate.inFirst, true) + sum(second, candidate.inSecond, true);
     double rays = sum(first, candidate.inFirst, false) + sum(second, candidate.inSecond, false);
-    return error * rays;
+    return Elementary.pow(error, 1 / rate) * rays;
+  }
+
+  /** Returns the power of the number of samples by which the squared error of unsplit paths falls. */
+  private static double rate(double[][]... totals) {
+    double error = 0;
+    double longError = 0;
+    for (double[][] total : totals) {
+      for (double[] cell : total) {
+        error += cell[ERROR];
+        longError += cell[LONG_ERROR];
+      }
+    }
+    return Math.max(1, Elementary.log(error / longError) / Elementary.log(LONGER));
   }
 
   private static double sum(double[][] totals, int[] exponents, boolean isError) {
@@ -164,10 +192,10 @@ final class SplitChoice {
   }
 
   private static double[][] total(double[][][] groups, int without) {
-    double[][] total = new double[groups[0].length][4];
+    double[][] total = new double[groups[0].length][KINDS];
     for (int group = 0; group < groups.length; group++) {
       for (int cell = 0; group != without && cell < total.length; cell++) {
-        for (int kind = 0; kind < 4; kind++) {
+        for (int kind = 0; kind < KINDS; kind++) {
           total[cell][kind] += groups[group][cell][kind];
         }
       }
@@ -176,12 +204,13 @@ final class SplitChoice {
   }
 
   /**
-   * Returns the numbers of branches with the least error times rays. For a given price of a ray,
-   * each cell has its own best number; the best of several prices is taken.
+   * Returns the numbers of branches that need the fewest rays for a given error. For a given price
+   * of a ray, each cell has its own best number; the best of several prices is taken.
    */
   private static int[] bestFor(double[][] totals) {
+    double power = 1 / rate(totals);
     int[] best = new int[totals.length];
-    double least = sum(totals, best, true) * sum(totals, best, false);
+    double least = Elementary.pow(sum(totals, best, true), power) * sum(totals, best, false);
     double usual = sum(totals, best, true) / sum(totals, best, false);
     double price = usual / 64;
     for (int step = 0; step < PRICES; step++, price *= PRICE_RATIO) {
@@ -189,9 +218,9 @@ final class SplitChoice {
       for (int cell = 0; cell < totals.length; cell++) {
         tried[cell] = bestFor(totals[cell], price);
       }
-      double product = sum(totals, tried, true) * sum(totals, tried, false);
-      if (product < least) {
-        least = product;
+      double cost = Elementary.pow(sum(totals, tried, true), power) * sum(totals, tried, false);
+      if (cost < least) {
+        least = cost;
         best = tried;
       }
     }

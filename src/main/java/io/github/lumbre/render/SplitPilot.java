@@ -20,8 +20,8 @@ import java.util.List;
 
 /**
  * The pilot render of {@code --split auto}. It renders pixels that are spread over the full frame
- * with 1 and with 4 branches. From their errors and rays, {@link SplitChoice} chooses a number of
- * branches for each of {@link SplitCells}.
+ * with 1 and with 4 branches, and with 1 branch and 4 times as many samples. From their errors and
+ * rays, {@link SplitChoice} chooses a number of branches for each of {@link SplitCells}.
  *
  * <p>Its work is fixed, and each row of pixels is one thread's. Sums are taken in a fixed order,
  * and cost is counted in rays. The plan is therefore a function of the scene, the settings that
@@ -29,16 +29,23 @@ import java.util.List;
  * samples. The random numbers are not those of the picture. Immutable and stateless.
  */
 final class SplitPilot {
-  /** Samples of a pixel in each of four independent sets; two sets are a half of the pilot. */
+  /** Samples of a pixel whose mean is compared with that of as many other ones. */
   static final int SAMPLES = 8;
 
-  private static final int SETS = 4;
+  /** Independent sequences of samples. The difference of two means is their error. */
+  private static final int SEQUENCES = 2;
+
+  /** Halves of the pilot: the first and the second samples of each sequence. */
+  private static final int HALVES = 2;
+
+  /** Means of unsplit samples in a sequence; all of them together are a longer render. */
+  private static final int BLOCKS = SplitChoice.LONGER;
 
   /** The number of branches that is compared with 1. */
   private static final int BRANCHES = 4;
 
   /** The most work for a pixel, in samples of unsplit paths. */
-  static final int WORK = SETS * SAMPLES * (1 + BRANCHES);
+  static final int WORK = SEQUENCES * SAMPLES * (BLOCKS + HALVES * BRANCHES);
 
   /** The largest share of a render's work. */
   static final double LARGEST_SHARE = .02;
@@ -50,8 +57,8 @@ final class SplitPilot {
   private static final double FLOOR = .01;
 
   /**
-   * The share of the pixels whose errors are limited to the largest error of the others, so that a
-   * few fireflies do not decide. Unsplit paths have more of them, which are therefore underrated.
+   * The share of the errors that are limited to the largest of the others, so that a few fireflies
+   * do not decide. Unsplit paths have more of them, which are therefore underrated.
    */
   private static final double LIMITED = .02;
 
@@ -116,11 +123,11 @@ final class SplitPilot {
         rays);
   }
 
-  /** The means of the sets of samples of a pixel, with 1 and with more branches, and their rays. */
+  /** The means of the samples of a pixel, by sequence and block, and their rays. */
   private static final class Pixel {
     final Place place;
-    final Rgb[] means = new Rgb[SETS];
-    final Rgb[] splitMeans = new Rgb[SETS];
+    final Rgb[][] means = new Rgb[SEQUENCES][BLOCKS];
+    final Rgb[][] splitMeans = new Rgb[SEQUENCES][HALVES];
     long rays;
     long splitRays;
 
@@ -141,30 +148,35 @@ final class SplitPilot {
 
   private Pixel pixel(int x, int y, RenderContext context) {
     Pixel pixel = new Pixel(place(x, y));
-    for (int set = 0; set < SETS; set++) {
-      Sampler sampler = sampler(set);
+    for (int sequence = 0; sequence < SEQUENCES; sequence++) {
+      Sampler sampler = sampler(sequence);
       long start = context.rays() + context.shadowRays();
       context.splitInto(1);
-      pixel.means[set] = mean(context, sampler, x, y);
+      for (int block = 0; block < BLOCKS; block++) {
+        pixel.means[sequence][block] = mean(context, sampler, x, y, block);
+      }
       long middle = context.rays() + context.shadowRays();
       context.splitInto(BRANCHES);
-      pixel.splitMeans[set] = mean(context, sampler, x, y);
+      for (int block = 0; block < HALVES; block++) {
+        pixel.splitMeans[sequence][block] = mean(context, sampler, x, y, block);
+      }
       pixel.rays += middle - start;
       pixel.splitRays += context.rays() + context.shadowRays() - middle;
     }
     return pixel;
   }
 
-  private Sampler sampler(int set) {
-    return new SobolSampler(Hash.of(settings.seed() ^ SEED, set));
+  private Sampler sampler(int sequence) {
+    return new SobolSampler(Hash.of(settings.seed() ^ SEED, sequence));
   }
 
-  private Rgb mean(RenderContext context, Sampler sampler, int x, int y) {
+  /** Returns the mean of {@link #SAMPLES} samples of a pixel: those of a block of a sequence. */
+  private Rgb mean(RenderContext context, Sampler sampler, int x, int y, int block) {
     CameraRay ray = new CameraRay();
     Rgb sum = Rgb.BLACK;
-    for (int number = 0; number < SAMPLES; number++) {
+    for (int i = 0; i < SAMPLES; i++) {
       context.startSample();
-      if (CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {
+      if (CameraSamples.start(scene, settings, sampler, x, y, block * SAMPLES + i, ray)) {
         Rgb radiance = integrator.radiance(ray, sampler, context);
         sum = SampleLimit.isRejected(radiance) ? sum : sum.plus(radiance);
       }
@@ -185,35 +197,63 @@ final class SplitPilot {
 
   private double[][][][] sums(List<Pixel> rendered, SplitCells cells) {
     double[] squares = squares(rendered);
-    double limit = limit(rendered, squares);
-    double[][][][] sums = new double[2][SplitChoice.GROUPS][cells.count()][4];
+    double[] errors = new double[HALVES * squares.length];
+    double[] longErrors = new double[squares.length];
+    for (int i = 0; i < squares.length; i++) {
+      Rgb[][] means = rendered.get(i).means;
+      for (int half = 0; half < HALVES; half++) {
+        errors[HALVES * i + half] = error(means, half, squares[i]);
+      }
+      longErrors[i] = error(mean(means[0]), mean(means[1]), squares[i]);
+    }
+    double limit = limit(errors);
+    double longLimit = limit(longErrors);
+    double[][][][] sums =
+        new double[HALVES][SplitChoice.GROUPS][cells.count()][SplitChoice.KINDS];
     for (int i = 0; i < squares.length; i++) {
       Pixel pixel = rendered.get(i);
+      Rgb[][] split = pixel.splitMeans;
       int cell = cells.cell(pixel.place);
-      for (int half = 0; half < 2; half++) {
+      for (int half = 0; half < HALVES; half++) {
         double[] sum = sums[half][i % SplitChoice.GROUPS][cell];
-        sum[SplitChoice.ERROR] += Math.min(limit, error(pixel.means, half, squares[i]));
-        sum[SplitChoice.SPLIT_ERROR] += Math.min(limit, error(pixel.splitMeans, half, squares[i]));
-        sum[SplitChoice.RAYS] += pixel.rays;
-        sum[SplitChoice.SPLIT_RAYS] += pixel.splitRays;
+        sum[SplitChoice.ERROR] += Math.min(limit, errors[HALVES * i + half]);
+        sum[SplitChoice.LONG_ERROR] += Math.min(longLimit, longErrors[i]);
+        sum[SplitChoice.SPLIT_ERROR] +=
+            Math.min(limit, error(split[0][half], split[1][half], squares[i]));
+        sum[SplitChoice.RAYS] += (double) pixel.rays / BLOCKS;
+        sum[SplitChoice.SPLIT_RAYS] += (double) pixel.splitRays / HALVES;
       }
     }
     return sums;
   }
 
-  private static double error(Rgb[] means, int half, double square) {
-    Rgb difference = means[2 * half].plus(means[2 * half + 1].times(-1));
-    return square(difference) / (square + FLOOR);
+  /** Returns the mean error of the blocks of unsplit samples in a half of the pilot. */
+  private static double error(Rgb[][] means, int half, double square) {
+    double sum = 0;
+    for (int block = half; block < BLOCKS; block += HALVES) {
+      sum += error(means[0][block], means[1][block], square);
+    }
+    return sum * HALVES / BLOCKS;
   }
 
-  /** Returns the largest error of unsplit paths that counts in full. */
-  private static double limit(List<Pixel> rendered, double[] squares) {
-    double[] errors = new double[2 * squares.length];
-    for (int i = 0; i < errors.length; i++) {
-      errors[i] = error(rendered.get(i / 2).means, i % 2, squares[i / 2]);
+  /** Returns the squared difference of two means, relative to the square of the radiance. */
+  private static double error(Rgb a, Rgb b, double square) {
+    return square(a.plus(b.times(-1))) / (square + FLOOR);
+  }
+
+  private static Rgb mean(Rgb[] blocks) {
+    Rgb sum = Rgb.BLACK;
+    for (Rgb block : blocks) {
+      sum = sum.plus(block);
     }
-    Arrays.sort(errors);
-    return errors[(int) ((1 - LIMITED) * (errors.length - 1))];
+    return sum.times(1. / blocks.length);
+  }
+
+  /** Returns the largest error that counts in full. */
+  private static double limit(double[] errors) {
+    double[] sorted = errors.clone();
+    Arrays.sort(sorted);
+    return sorted[(int) ((1 - LIMITED) * (sorted.length - 1))];
   }
 
   /**
@@ -232,8 +272,8 @@ final class SplitPilot {
             u <= Math.min(pixels.columns() - 1, column + 1);
             u++) {
           if (u != column || v != row) {
-            for (Rgb mean : rendered.get(v * pixels.columns() + u).means) {
-              sum = sum.plus(mean);
+            for (Rgb[] means : rendered.get(v * pixels.columns() + u).means) {
+              sum = sum.plus(mean(means));
               count++;
             }
           }

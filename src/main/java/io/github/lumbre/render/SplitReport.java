@@ -34,8 +34,8 @@ public final class SplitReport {
   private final long rays;
 
   /**
-   * @param gain ratio of squared error times rays of unsplit paths to that of split ones, as
-   *     measured by the pilot; 1 if paths are not split
+   * @param gain rays of unsplit paths relative to those of split ones, for the same squared error,
+   *     as measured by the pilot; 1 if paths are not split
    * @param bound the gain less two standard errors
    * @param rays rays of the pilot's samples
    */
@@ -66,7 +66,7 @@ public final class SplitReport {
   }
 
   /**
-   * Returns the number of pilot pixels for a render of a given length: a pilot traces about 160
+   * Returns the number of pilot pixels for a render of a given length: a pilot traces about 192
    * samples for each, and that is at most 2 % of the render's. It is 0 for short renders.
    *
    * @param pixels of the full frame
