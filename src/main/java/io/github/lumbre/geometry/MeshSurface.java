@@ -96,6 +96,7 @@ final class MeshSurface {
     return new Vec3(x, y, z);
   }
 
+  /** Returns what {@link TriangleMesh#mappedNormal} does, without allocating a vector. */
   private Vec3 normal(int triangle, int corner) {
     Vec3 local = mesh.normal(mesh.vertex(triangle, corner));
     double x = local.x();

@@ -1,13 +1,13 @@
 package io.github.lumbre.guiding;
 
-/** Tells whether points of a scene see each other. */
+/** A test of whether two points of a scene see each other. */
 @FunctionalInterface
 public interface Sight {
   /**
-   * Returns whether nothing lies between two points, in world space.
+   * Returns whether no surface lies between two points, in world space.
    *
-   * @param x first point, as are y and z
-   * @param dx the way to the second point, as are dy and dz
+   * @param x the first point, with y and z
+   * @param dx the vector from it to the second point, with dy and dz; of any length above 0
    */
   boolean isClear(double x, double y, double z, double dx, double dy, double dz);
 }

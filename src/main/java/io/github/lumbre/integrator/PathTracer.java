@@ -41,7 +41,7 @@ public final class PathTracer implements Integrator {
   private final int maxDepth;
   private final Light[] emitters;
 
-  /** Tells which points each emitter faces. */
+  /** The test for points that an emitter cannot light, by emitter. */
   private final Facing[] facings;
 
   private final EnvironmentLight[] environments;

@@ -29,16 +29,16 @@ import java.util.List;
  * samples. The random numbers are not those of the picture. Immutable and stateless.
  */
 final class SplitPilot {
-  /** Samples of a pixel whose mean is compared with that of as many other ones. */
+  /** Samples in a block: the mean of a block is compared with that of the other sequence. */
   static final int SAMPLES = 8;
 
   /** Independent sequences of samples. The difference of two means is their error. */
   private static final int SEQUENCES = 2;
 
-  /** Halves of the pilot: the first and the second samples of each sequence. */
+  /** Halves of the pilot: even and odd blocks of each sequence. */
   private static final int HALVES = 2;
 
-  /** Means of unsplit samples in a sequence; all of them together are a longer render. */
+  /** Blocks of {@link #SAMPLES} unsplit samples in a sequence; together, they are a longer render. */
   private static final int BLOCKS = SplitChoice.LONGER;
 
   /** The number of branches that is compared with 1. */
