@@ -6,8 +6,8 @@ import io.github.lumbre.scene.Scene;
 import java.util.Objects;
 
 /**
- * Tests by shadow rays whether points of surfaces see each other, for the training of a guide. Glass
- * and other surfaces that transmit light count as opaque. Mutable and confined to one thread.
+ * Tests by shadow rays whether points of surfaces see each other, for the training of a guide.
+ * Glass and other surfaces that transmit light count as opaque. Mutable and confined to one thread.
  */
 public final class GuideSight implements Sight {
   /** The part of the way that is left out at both ends: the points are rounded. */

@@ -38,7 +38,7 @@ final class SplitPilot {
   /** Halves of the pilot: even and odd blocks of each sequence. */
   private static final int HALVES = 2;
 
-  /** Blocks of {@link #SAMPLES} unsplit samples in a sequence; together, they are a longer render. */
+  /** Blocks of unsplit samples in a sequence; together, they are a longer render. */
   private static final int BLOCKS = SplitChoice.LONGER;
 
   /** The number of branches that is compared with 1. */
