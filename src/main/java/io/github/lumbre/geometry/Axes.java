@@ -17,9 +17,8 @@ final class Axes {
     long ax = size(x);
     long ay = size(y);
     long az = size(z);
-    int notX = 1 - isLess(ay, ax) | 1 - isLess(az, ax);
-    int z2 = 2 - isLess(az, ay);
-    return notX * (isLess(ay, ax) * 2 + (1 - isLess(ay, ax)) * z2);
+    int order = isLess(az, ay) << 2 | isLess(ay, ax) << 1 | isLess(az, ax);
+    return 0b00_10_01_01_00_10_10_10 >> 2 * order & 3;
   }
 
   /** Returns the largest absolute value of three numbers; NaN if any of them is NaN. */

@@ -43,14 +43,19 @@ class ShearedRay {
 
   /** Computes the permuted and sheared form of the ray. */
   final void shear() {
-    kz = Axes.longest(axes[3], axes[4], axes[5]);
-    kx = Axes.next(kz);
-    ky = Axes.next(kx);
-    ox = axes[kx];
-    oy = axes[ky];
-    oz = axes[kz];
-    sx = axes[3 + kx] / axes[3 + kz];
-    sy = axes[3 + ky] / axes[3 + kz];
-    sz = 1 / axes[3 + kz];
+    double[] a = axes;
+    int k2 = Axes.longest(a[3], a[4], a[5]);
+    int k0 = Axes.next(k2);
+    int k1 = Axes.next(k0);
+    double dz = a[3 + k2];
+    kx = k0;
+    ky = k1;
+    kz = k2;
+    ox = a[k0];
+    oy = a[k1];
+    oz = a[k2];
+    sx = a[3 + k0] / dz;
+    sy = a[3 + k1] / dz;
+    sz = 1 / dz;
   }
 }
