@@ -1,45 +1,85 @@
 package io.github.lumbre.geometry;
 
+import java.util.Arrays;
+
 /**
- * Numbers the items of a tree's leaves in the order of {@link #add}, separately for each kind.
- * Mutable.
+ * Numbers the items of a tree's leaves, separately for each kind: in the order of {@link #add}, or
+ * triangles so that no leaf is in two blocks. Mutable.
  */
 final class LeafOrder {
   private final int[] order;
-  private final int[] triangles;
+  private final int triangleItems;
   private final int[] shapes;
+  private int[] triangles;
   private int triangleCount;
   private int shapeCount;
 
+  /** The number of places in a block; 0 if there are no blocks. */
+  private final int block;
+
+  /** For a number of free places, the first of them in the latest block that has so many, or -1. */
+  private final int[] free;
+
   /**
-   * Creates an order without leaves.
+   * Creates an order without leaves and without blocks.
    *
    * @param order the builder's order of item numbers
    * @param triangles the number of triangles among the items
    */
   LeafOrder(int[] order, int triangles) {
+    this(order, triangles, 0);
+  }
+
+  /** Creates an order without leaves, with blocks of so many triangles. */
+  LeafOrder(int[] order, int triangles, int block) {
     this.order = order;
+    this.block = block;
+    triangleItems = triangles;
     this.triangles = new int[triangles];
     shapes = new int[order.length - triangles];
+    free = new int[block + 1];
+    Arrays.fill(free, -1);
   }
 
   /** Adds the items of a leaf; returns the {@link LeafRef} to their new position. */
   int add(BvhNode.Leaf leaf) {
     int count = leaf.end() - leaf.first();
-    boolean ofShapes = order[leaf.first()] >= triangles.length;
-    int first = ofShapes ? shapeCount : triangleCount;
+    boolean ofShapes = order[leaf.first()] >= triangleItems;
+    int first = ofShapes ? shapeCount : place(count);
     System.arraycopy(order, leaf.first(), ofShapes ? shapes : triangles, first, count);
     if (ofShapes) {
       shapeCount += count;
-    } else {
-      triangleCount += count;
     }
     return LeafRef.of(ofShapes, first, count);
   }
 
-  /** Returns the item numbers of the triangles in leaf order. */
+  /** Returns the first of so many places for triangles, in the fullest block that has them. */
+  private int place(int count) {
+    int room = count;
+    while (room < block && free[room] < 0) {
+      room++;
+    }
+    if (room < block) {
+      int first = free[room];
+      free[room] = -1;
+      free[room - count] = first + count;
+      return first;
+    }
+    int first = triangleCount;
+    if (first > BvhBuilder.MAX_ITEMS) {
+      throw new IllegalArgumentException("triangles: their places exceed 2^26 - 1");
+    }
+    triangleCount += Math.max(count, block);
+    free[Math.max(0, block - count)] = first + count;
+    if (triangleCount > triangles.length) {
+      triangles = Arrays.copyOf(triangles, triangleCount + triangleCount / 8);
+    }
+    return first;
+  }
+
+  /** Returns the item numbers of the triangles in leaf order; places that no leaf has are 0. */
   int[] triangles() {
-    return triangles;
+    return triangles.length == triangleCount ? triangles : Arrays.copyOf(triangles, triangleCount);
   }
 
   /** Returns the item numbers of the shapes in leaf order. */

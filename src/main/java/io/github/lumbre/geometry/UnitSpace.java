@@ -11,6 +11,9 @@ final class UnitSpace {
    */
   static final double INSIDE = 1 + 0x1p-4;
 
+  /** The distance of outside origins whose errors the boxes include. */
+  private static final double OUTSIDE = 0x1p23;
+
   /** Beyond this distance, floats have no useful precision. */
   static final double REACH = 0x1p40;
 
@@ -29,10 +32,16 @@ final class UnitSpace {
    */
   final double worldReach;
 
+  /**
+   * The largest world coordinate of an outside origin and of the center, in units of this space,
+   * whose errors the boxes include; 0 if floats are out of reach.
+   */
+  final double coveredReach;
+
   /** Whether {@link #worldReach} is at most {@link #REACH}. */
   private final boolean isInReach;
 
-  /** The margin of boxes for rays from inside; 0 if floats are out of reach. */
+  /** The margin of boxes; 0 if floats are out of reach. */
   private final double slack;
 
   /**
@@ -49,7 +58,8 @@ final class UnitSpace {
     centreReach = scale * Axes.largest(centreX, centreY, centreZ);
     worldReach = 2 * (centreReach + INSIDE);
     isInReach = worldReach <= REACH;
-    slack = isInReach ? slack(INSIDE, worldReach) : 0;
+    coveredReach = isInReach ? worldReach + OUTSIDE : 0;
+    slack = isInReach ? slack(INSIDE, coveredReach) : 0;
   }
 
   /** Returns whether a point of this space is inside, with floats in reach. */
@@ -77,14 +87,14 @@ final class UnitSpace {
     return (float) ((coordinate - centre(axis)) * scale);
   }
 
-  /** Returns a world coordinate in this space, lowered by the error bound of rays from inside. */
+  /** Returns a world coordinate in this space, lowered by the error bound. */
   float down(int axis, double coordinate) {
     double x = (coordinate - centre(axis)) * scale - slack;
     float rounded = (float) x;
     return rounded > x ? Math.nextDown(rounded) : rounded;
   }
 
-  /** Returns a world coordinate in this space, raised by the error bound of rays from inside. */
+  /** Returns a world coordinate in this space, raised by the error bound. */
   float up(int axis, double coordinate) {
     double x = (coordinate - centre(axis)) * scale + slack;
     float rounded = (float) x;

@@ -128,12 +128,9 @@ final class VectorTraversal implements Traversal {
     FloatVector ix = FloatVector.broadcast(FLOATS, ray.ix);
     FloatVector iy = FloatVector.broadcast(FLOATS, ray.iy);
     FloatVector iz = FloatVector.broadcast(FLOATS, ray.iz);
-    FloatVector lowX = FloatVector.broadcast(FLOATS, ray.lowX);
-    FloatVector lowY = FloatVector.broadcast(FLOATS, ray.lowY);
-    FloatVector lowZ = FloatVector.broadcast(FLOATS, ray.lowZ);
-    FloatVector highX = FloatVector.broadcast(FLOATS, ray.highX);
-    FloatVector highY = FloatVector.broadcast(FLOATS, ray.highY);
-    FloatVector highZ = FloatVector.broadcast(FLOATS, ray.highZ);
+    FloatVector shiftX = FloatVector.broadcast(FLOATS, ray.shiftX);
+    FloatVector shiftY = FloatVector.broadcast(FLOATS, ray.shiftY);
+    FloatVector shiftZ = FloatVector.broadcast(FLOATS, ray.shiftZ);
     int end = ray.last;
     long last = (long) end << 32 | LOW_HALF;
     int node = root;
@@ -144,12 +141,12 @@ final class VectorTraversal implements Traversal {
       IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
       IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
       IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
-      IntVector tMinX = minX.reinterpretAsFloats().fma(ix, lowX).reinterpretAsInts();
-      IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, highX).reinterpretAsInts();
-      IntVector tMinY = minY.reinterpretAsFloats().fma(iy, lowY).reinterpretAsInts();
-      IntVector tMaxY = maxY.reinterpretAsFloats().fma(iy, highY).reinterpretAsInts();
-      IntVector tMinZ = minZ.reinterpretAsFloats().fma(iz, lowZ).reinterpretAsInts();
-      IntVector tMaxZ = maxZ.reinterpretAsFloats().fma(iz, highZ).reinterpretAsInts();
+      IntVector tMinX = minX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
+      IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
+      IntVector tMinY = minY.reinterpretAsFloats().fma(iy, shiftY).reinterpretAsInts();
+      IntVector tMaxY = maxY.reinterpretAsFloats().fma(iy, shiftY).reinterpretAsInts();
+      IntVector tMinZ = minZ.reinterpretAsFloats().fma(iz, shiftZ).reinterpretAsInts();
+      IntVector tMaxZ = maxZ.reinterpretAsFloats().fma(iz, shiftZ).reinterpretAsInts();
       IntVector near = tMinX.min(tMaxX).max(tMinY.min(tMaxY)).max(tMinZ.min(tMaxZ).max(0));
       IntVector far = tMinX.max(tMaxX).min(tMinY.max(tMaxY)).min(tMinZ.max(tMaxZ).min(end));
       long hits =
@@ -215,12 +212,9 @@ final class VectorTraversal implements Traversal {
     FloatVector ix = FloatVector.broadcast(FLOATS, ray.ix);
     FloatVector iy = FloatVector.broadcast(FLOATS, ray.iy);
     FloatVector iz = FloatVector.broadcast(FLOATS, ray.iz);
-    FloatVector lowX = FloatVector.broadcast(FLOATS, ray.lowX);
-    FloatVector lowY = FloatVector.broadcast(FLOATS, ray.lowY);
-    FloatVector lowZ = FloatVector.broadcast(FLOATS, ray.lowZ);
-    FloatVector highX = FloatVector.broadcast(FLOATS, ray.highX);
-    FloatVector highY = FloatVector.broadcast(FLOATS, ray.highY);
-    FloatVector highZ = FloatVector.broadcast(FLOATS, ray.highZ);
+    FloatVector shiftX = FloatVector.broadcast(FLOATS, ray.shiftX);
+    FloatVector shiftY = FloatVector.broadcast(FLOATS, ray.shiftY);
+    FloatVector shiftZ = FloatVector.broadcast(FLOATS, ray.shiftZ);
     int last = ray.last;
     int node = root;
     while (node >= 0) {
@@ -230,12 +224,12 @@ final class VectorTraversal implements Traversal {
       IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
       IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
       IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
-      IntVector tMinX = minX.reinterpretAsFloats().fma(ix, lowX).reinterpretAsInts();
-      IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, highX).reinterpretAsInts();
-      IntVector tMinY = minY.reinterpretAsFloats().fma(iy, lowY).reinterpretAsInts();
-      IntVector tMaxY = maxY.reinterpretAsFloats().fma(iy, highY).reinterpretAsInts();
-      IntVector tMinZ = minZ.reinterpretAsFloats().fma(iz, lowZ).reinterpretAsInts();
-      IntVector tMaxZ = maxZ.reinterpretAsFloats().fma(iz, highZ).reinterpretAsInts();
+      IntVector tMinX = minX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
+      IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
+      IntVector tMinY = minY.reinterpretAsFloats().fma(iy, shiftY).reinterpretAsInts();
+      IntVector tMaxY = maxY.reinterpretAsFloats().fma(iy, shiftY).reinterpretAsInts();
+      IntVector tMinZ = minZ.reinterpretAsFloats().fma(iz, shiftZ).reinterpretAsInts();
+      IntVector tMaxZ = maxZ.reinterpretAsFloats().fma(iz, shiftZ).reinterpretAsInts();
       IntVector near = tMinX.min(tMaxX).max(tMinY.min(tMaxY)).max(tMinZ.min(tMaxZ).max(0));
       IntVector far = tMinX.max(tMaxX).min(tMinY.max(tMaxY)).min(tMinZ.max(tMaxZ).min(last));
       long hits =
@@ -275,41 +269,42 @@ final class VectorTraversal implements Traversal {
       return false;
     }
     ray.shear();
+    int start = first & -WIDTH;
+    int block = WideTree.blockAt(first);
     boolean found = false;
     while (candidates != 0) {
       int lane = Long.numberOfTrailingZeros(candidates) >>> LANE_SHIFT;
       candidates &= candidates - 1;
-      int at = WideTree.cornersAt(first, count, lane);
-      int a = WideTree.corner(leaves[at]);
-      int b = WideTree.corner(leaves[at + count]);
-      int c = WideTree.corner(leaves[at + 2 * count]);
-      found |= triangles.intersectOne(first + lane, a, b, c, ray, nearest);
+      int a = Float.floatToRawIntBits(leaves[block + WideTree.CORNERS + lane]);
+      int b = Float.floatToRawIntBits(leaves[block + WideTree.CORNERS + WIDTH + lane]);
+      int c = Float.floatToRawIntBits(leaves[block + WideTree.CORNERS + 2 * WIDTH + lane]);
+      found |= triangles.intersectOne(start + lane, a, b, c, ray, nearest);
     }
     return found;
   }
 
   /**
-   * Returns, for each triangle of a leaf, whether the ray may hit it before its end, in the
-   * encoding of {@link #MASKS}. The test is that of Möller &amp; Trumbore 1997, "Fast, Minimum
+   * Returns, for each triangle of a leaf's block, whether it belongs to the leaf and the ray may
+   * hit it before its end, in the encoding of {@link #MASKS}. The test is that of Möller &amp; Trumbore 1997, "Fast, Minimum
    * Storage Ray/Triangle Intersection", without the division. Its error bounds are derived in
    * docs/design.md.
    */
   private long candidates(int first, int count, WideRay ray) {
     float[] p = leaves;
-    int at = first * WideTree.TRIANGLE_SIZE;
+    int at = WideTree.blockAt(first);
     FloatVector dx = FloatVector.broadcast(FLOATS, ray.dx);
     FloatVector dy = FloatVector.broadcast(FLOATS, ray.dy);
     FloatVector dz = FloatVector.broadcast(FLOATS, ray.dz);
     FloatVector ax = FloatVector.fromArray(FLOATS, p, at).sub(ray.x);
-    FloatVector ay = FloatVector.fromArray(FLOATS, p, at + count).sub(ray.y);
-    FloatVector az = FloatVector.fromArray(FLOATS, p, at + 2 * count).sub(ray.z);
-    FloatVector bx = FloatVector.fromArray(FLOATS, p, at + 3 * count);
-    FloatVector by = FloatVector.fromArray(FLOATS, p, at + 4 * count);
-    FloatVector bz = FloatVector.fromArray(FLOATS, p, at + 5 * count);
-    FloatVector cx = FloatVector.fromArray(FLOATS, p, at + 6 * count);
-    FloatVector cy = FloatVector.fromArray(FLOATS, p, at + 7 * count);
-    FloatVector cz = FloatVector.fromArray(FLOATS, p, at + 8 * count);
-    FloatVector spread = FloatVector.fromArray(FLOATS, p, at + 9 * count);
+    FloatVector ay = FloatVector.fromArray(FLOATS, p, at + WIDTH).sub(ray.y);
+    FloatVector az = FloatVector.fromArray(FLOATS, p, at + 2 * WIDTH).sub(ray.z);
+    FloatVector bx = FloatVector.fromArray(FLOATS, p, at + 3 * WIDTH);
+    FloatVector by = FloatVector.fromArray(FLOATS, p, at + 4 * WIDTH);
+    FloatVector bz = FloatVector.fromArray(FLOATS, p, at + 5 * WIDTH);
+    FloatVector cx = FloatVector.fromArray(FLOATS, p, at + 6 * WIDTH);
+    FloatVector cy = FloatVector.fromArray(FLOATS, p, at + 7 * WIDTH);
+    FloatVector cz = FloatVector.fromArray(FLOATS, p, at + 8 * WIDTH);
+    FloatVector spread = FloatVector.fromArray(FLOATS, p, at + 9 * WIDTH);
     FloatVector nx = by.mul(cz).sub(bz.mul(cy));
     FloatVector ny = bz.mul(cx).sub(bx.mul(cz));
     FloatVector nz = bx.mul(cy).sub(by.mul(cx));
@@ -359,6 +354,7 @@ final class VectorTraversal implements Traversal {
                             .convertShape(VectorOperators.I2B, BYTES, 0))
                     .reinterpretAsLongs()
                     .lane(0);
-    return hits & -1L >>> Long.SIZE - (count << LANE_SHIFT);
+    long lanes = -1L >>> Long.SIZE - (count << LANE_SHIFT);
+    return hits & lanes << ((first & WIDTH - 1) << LANE_SHIFT);
   }
 }

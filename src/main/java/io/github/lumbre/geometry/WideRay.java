@@ -13,9 +13,6 @@ final class WideRay extends ShearedRay {
   /** The smallest absolute value of a direction component; smaller ones are raised to it. */
   private static final double LEAST = 0x1p-60;
 
-  /** Origins farther away are moved nearer along the ray. */
-  private static final double NEAR = 4;
-
   /** A t beyond all hits; its product with the determinant of a triangle is finite. */
   private static final float FAR = 0x1p100f;
 
@@ -33,17 +30,11 @@ final class WideRay extends ShearedRay {
   float iy;
   float iz;
 
-  /** The summand of t for the lower sides of boxes. */
-  float lowX;
+  /** The summand of a box coordinate's t. */
+  float shiftX;
 
-  float lowY;
-  float lowZ;
-
-  /** The summand of t for the upper sides of boxes. */
-  float highX;
-
-  float highY;
-  float highZ;
+  float shiftY;
+  float shiftZ;
 
   /** The origin and the direction in the tree's space, for triangle tests. */
   float x;
@@ -68,9 +59,6 @@ final class WideRay extends ShearedRay {
   float end;
 
   int last;
-
-  /** The error bound of box coordinates and of the origin. */
-  private float slack;
 
   /** Error bounds of the edge functions for a direction of length 1. */
   private float edgeErrorOfUnit;
@@ -127,8 +115,8 @@ final class WideRay extends ShearedRay {
     double worldReach = Axes.largest(ox, oy, oz) * space.scale + space.centreReach;
     double start = 0;
     boolean isOfLength = unit <= MAX_UNIT && perUnit <= MAX_UNIT;
-    if (reach > NEAR && isOfLength) {
-      double room = 2 + 0x1p-46 * worldReach;
+    if (reach > UnitSpace.INSIDE && isOfLength) {
+      double room = 1 + 0x1p-5 + 0x1p-46 * worldReach;
       start = entry(px, py, pz, atLeast(ux), atLeast(uy), atLeast(uz), room);
       if (start < 0) {
         return false;
@@ -141,18 +129,12 @@ final class WideRay extends ShearedRay {
     // A product, because the JIT would keep one copy of a number made from bits for each use.
     tScale = perUnit * space.scale * GROWTH;
     tOffset = start * (0x1p-48 - GROWTH);
-    setErrors(reach, worldReach);
-    if (!(worldReach <= UnitSpace.REACH && isOfLength)) {
+    if (reach <= UnitSpace.INSIDE && worldReach <= space.coveredReach && isOfLength) {
+      setErrors(reach, worldReach);
+      setFloats(px, py, pz, ux, uy, uz);
+    } else {
       lookAtAll();
-      px = 0;
-      py = 0;
-      pz = 0;
-      ux = 1;
-      uy = 1;
-      uz = 1;
     }
-    setFloats(px, py, pz, ux, uy, uz);
-    widenSlabs();
     return true;
   }
 
@@ -167,7 +149,6 @@ final class WideRay extends ShearedRay {
   private void setErrors(double reach, double worldReach) {
     double size = 1 + reach + 0x1p-24 * worldReach;
     double ofDoubles = 0x1p-48 * (1 + reach + worldReach);
-    slack = (float) UnitSpace.slack(reach, worldReach);
     edgeErrorOfUnit = (float) (28 * 0x1p-24 * size);
     edgeFloorOfUnit = (float) (ofDoubles * ofDoubles);
     depthError = (float) (104 * 0x1p-24 * size);
@@ -175,8 +156,8 @@ final class WideRay extends ShearedRay {
   }
 
   /**
-   * Handles a ray that is out of the reach of floats: with unlimited errors, all items are
-   * candidates.
+   * Handles a ray that is out of the reach of floats: all boxes have the same t, and with unlimited
+   * errors, all items are candidates.
    */
   private void lookAtAll() {
     tScale = Double.POSITIVE_INFINITY;
@@ -185,10 +166,17 @@ final class WideRay extends ShearedRay {
     edgeFloorOfUnit = Float.POSITIVE_INFINITY;
     depthError = 0;
     depthFloor = Float.POSITIVE_INFINITY;
-    slack = 0x1p60f;
+    setFloats(0, 0, 0, 1, 1, 1);
+    // Boxes round to t = 4, and what is no box is beyond FAR.
+    ix = 0x1p-25f;
+    iy = 0x1p-25f;
+    iz = 0x1p-25f;
+    shiftX = 4;
+    shiftY = 4;
+    shiftZ = 4;
   }
 
-  /** Sets the floats for triangles, and for boxes that already include the error margin. */
+  /** Sets the floats for triangles, and for boxes, which include the error margin. */
   private void setFloats(double px, double py, double pz, double ux, double uy, double uz) {
     x = (float) px;
     y = (float) py;
@@ -202,22 +190,9 @@ final class WideRay extends ShearedRay {
     ix = 1 / (float) atLeast(ux);
     iy = 1 / (float) atLeast(uy);
     iz = 1 / (float) atLeast(uz);
-    lowX = -ix * x;
-    lowY = -iy * y;
-    lowZ = -iz * z;
-    highX = lowX;
-    highY = lowY;
-    highZ = lowZ;
-  }
-
-  /** Widens all boxes by {@link #slack}. */
-  private void widenSlabs() {
-    lowX -= slack * ix;
-    lowY -= slack * iy;
-    lowZ -= slack * iz;
-    highX += slack * ix;
-    highY += slack * iy;
-    highZ += slack * iz;
+    shiftX = -ix * x;
+    shiftY = -iy * y;
+    shiftZ = -iz * z;
   }
 
   /** Sets the end of the ray to t, with a margin that covers rounding errors. */

@@ -20,18 +20,12 @@ final class WideTree {
 
   /**
    * Floats per triangle: its first vertex, the edges from it to the second and third vertices, its
-   * {@linkplain #spread spread}, and the bits of its {@linkplain #corner corners}.
+   * {@linkplain #spread spread}, and the bits of its corners for {@link Triangles#intersectOne}.
    */
-  static final int TRIANGLE_SIZE = 13;
+  private static final int TRIANGLE_SIZE = 13;
 
-  /** The number of floats before the corners. */
-  private static final int CORNERS = 10;
-
-  /**
-   * Flipped in the bits of corners, so that these are floats of usual size. Vectors read some of
-   * them beside other numbers, and arithmetic with subnormal numbers is slow.
-   */
-  private static final int FLIPPED = 0x40000000;
+  /** The offset of the first corners in a block of triangles. */
+  static final int CORNERS = 10 * WIDTH;
 
   /** A coordinate beyond the end of any ray. */
   private static final float FAR_AWAY = 0x1p126f;
@@ -50,15 +44,16 @@ final class WideTree {
 
   WideTree(BvhNode tree, int[] order, BvhItems items) {
     space = new UnitSpace(tree.box());
-    LeafOrder leafOrder = new LeafOrder(order, items.triangleCount());
-    leaves = new float[items.triangleCount() * TRIANGLE_SIZE + WIDTH];
+    LeafOrder leafOrder = new LeafOrder(order, items.triangleCount(), WIDTH);
     store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder);
     nodes = Arrays.copyOf(nodes, size);
-    Triangles all = items.triangles(leafOrder.triangles());
+    int[] places = leafOrder.triangles();
+    leaves = new float[Math.multiplyExact(places.length, TRIANGLE_SIZE)];
+    Triangles all = items.triangles(places);
     ParallelRange.run(
         size / NODE_SIZE,
         MAX_PART,
-        (first, end) -> storeLeaves(first, end, leafOrder.triangles(), all.corners(), items));
+        (first, end) -> storeLeaves(first, end, places, all.corners(), items));
     triangles = all.withoutCorners();
     shapes = items.shapes(leafOrder.shapes());
   }
@@ -78,9 +73,8 @@ final class WideTree {
   }
 
   /**
-   * Returns {@link #TRIANGLE_SIZE} floats per triangle. Each leaf stores the first coordinate of
-   * all its triangles, then the second, and so on. Padding follows the last triangle, because
-   * vectors may read beyond it.
+   * Returns the triangles in blocks of {@link #WIDTH}: the first coordinate of all triangles of a
+   * block, then the second, and so on. A leaf is a part of a block; some places are not used.
    */
   float[] leaves() {
     return leaves;
@@ -91,20 +85,11 @@ final class WideTree {
   }
 
   /**
-   * Returns the position in {@link #leaves} of the first corner of a triangle; the second and third
-   * follow at distances of {@code count}.
-   *
-   * @param first the position of the leaf's first triangle in leaf order
-   * @param count the number of triangles of the leaf
-   * @param i the number of the triangle in the leaf
+   * Returns the position in {@link #leaves} of the block of a triangle, given its position in leaf
+   * order.
    */
-  static int cornersAt(int first, int count, int i) {
-    return first * TRIANGLE_SIZE + CORNERS * count + i;
-  }
-
-  /** Returns a corner for {@link Triangles#intersectOne}. */
-  static int corner(float stored) {
-    return Float.floatToRawIntBits(stored) ^ FLIPPED;
+  static int blockAt(int triangle) {
+    return (triangle & -WIDTH) * TRIANGLE_SIZE;
   }
 
   LeafShapes shapes() {
@@ -187,15 +172,16 @@ final class WideTree {
           int count = LeafRef.count(child);
           for (int i = 0; i < count; i++) {
             items.copyVertices(order[place + i], vertices);
-            storeTriangle(place * TRIANGLE_SIZE + i, count, vertices);
-            storeCorners(cornersAt(place, count, i), count, corners, 3 * (place + i));
+            int at = blockAt(place) + place % WIDTH + i;
+            storeTriangle(at, vertices);
+            storeCorners(at + CORNERS, corners, 3 * (place + i));
           }
         }
       }
     }
   }
 
-  private void storeTriangle(int at, int stride, double[] v) {
+  private void storeTriangle(int at, double[] v) {
     double scale = space.scale;
     double bx = (v[3] - v[0]) * scale;
     double by = (v[4] - v[1]) * scale;
@@ -204,20 +190,20 @@ final class WideTree {
     double cy = (v[7] - v[1]) * scale;
     double cz = (v[8] - v[2]) * scale;
     leaves[at] = space.nearest(0, v[0]);
-    leaves[at + stride] = space.nearest(1, v[1]);
-    leaves[at + 2 * stride] = space.nearest(2, v[2]);
-    leaves[at + 3 * stride] = (float) bx;
-    leaves[at + 4 * stride] = (float) by;
-    leaves[at + 5 * stride] = (float) bz;
-    leaves[at + 6 * stride] = (float) cx;
-    leaves[at + 7 * stride] = (float) cy;
-    leaves[at + 8 * stride] = (float) cz;
-    leaves[at + 9 * stride] = Math.nextUp((float) spread(v));
+    leaves[at + WIDTH] = space.nearest(1, v[1]);
+    leaves[at + 2 * WIDTH] = space.nearest(2, v[2]);
+    leaves[at + 3 * WIDTH] = (float) bx;
+    leaves[at + 4 * WIDTH] = (float) by;
+    leaves[at + 5 * WIDTH] = (float) bz;
+    leaves[at + 6 * WIDTH] = (float) cx;
+    leaves[at + 7 * WIDTH] = (float) cy;
+    leaves[at + 8 * WIDTH] = (float) cz;
+    leaves[at + 9 * WIDTH] = Math.nextUp((float) spread(v));
   }
 
-  private void storeCorners(int at, int stride, int[] corners, int first) {
+  private void storeCorners(int at, int[] corners, int first) {
     for (int i = 0; i < 3; i++) {
-      leaves[at + i * stride] = Float.intBitsToFloat(corners[first + i] ^ FLIPPED);
+      leaves[at + i * WIDTH] = Float.intBitsToFloat(corners[first + i]);
     }
   }
 

@@ -63,4 +63,17 @@ class LeafTest {
     assertThat(triangles).isEqualTo(LeafRef.of(false, 0, 2));
     assertThat(triangle).isEqualTo(LeafRef.of(false, 2, 1));
   }
+
+  /** A leaf takes the fullest block that has room for it. */
+  @Test
+  void noLeafIsInTwoBlocks() {
+    double[] box = new double[6];
+    LeafOrder leaves = new LeafOrder(new int[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0}, 11, 4);
+    assertThat(leaves.add(new BvhNode.Leaf(box, 0, 3))).isEqualTo(LeafRef.of(false, 0, 3));
+    assertThat(leaves.add(new BvhNode.Leaf(box, 3, 5))).isEqualTo(LeafRef.of(false, 4, 2));
+    assertThat(leaves.add(new BvhNode.Leaf(box, 5, 8))).isEqualTo(LeafRef.of(false, 8, 3));
+    assertThat(leaves.add(new BvhNode.Leaf(box, 8, 9))).isEqualTo(LeafRef.of(false, 11, 1));
+    assertThat(leaves.add(new BvhNode.Leaf(box, 9, 11))).isEqualTo(LeafRef.of(false, 6, 2));
+    assertThat(leaves.triangles()).containsExactly(1, 2, 3, 0, 4, 5, 10, 0, 6, 7, 8, 9);
+  }
 }

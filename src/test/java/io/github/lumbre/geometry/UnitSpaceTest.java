@@ -57,7 +57,7 @@ class UnitSpaceTest {
   void boundsAreWidenedOutwardByAtLeastTheSlack() {
     SplittableRandom random = new SplittableRandom(1);
     UnitSpace space = around(5, -6, 7, 4);
-    double slack = UnitSpace.slack(UnitSpace.INSIDE, space.worldReach);
+    double slack = UnitSpace.slack(UnitSpace.INSIDE, space.coveredReach);
     double ulp = Math.ulp(1f);
     double[] centres = {5, -6, 7};
     for (int i = 0; i < 3000; i++) {
