@@ -27,6 +27,9 @@ public final class LightChoice {
   private int emitter;
   private double probability;
 
+  /** Computes the probability when it is first needed; null if it is known. */
+  private LightSampler pending;
+
   /** Creates an instance at the origin, without a selected emitter. */
   public LightChoice() {}
 
@@ -44,6 +47,7 @@ public final class LightChoice {
     normalY = normal.y();
     normalZ = normal.z();
     weighedBy = null;
+    pending = null;
   }
 
   /** Returns the x coordinate of {@link #point}. */
@@ -74,6 +78,16 @@ public final class LightChoice {
   void set(int newEmitter, double newProbability) {
     emitter = newEmitter;
     probability = newProbability;
+    pending = null;
+  }
+
+  /**
+   * Selects an emitter without computing its probability. Many samples turn out not to need it,
+   * because something blocks them.
+   */
+  void setLazily(int newEmitter, LightSampler sampler) {
+    emitter = newEmitter;
+    pending = sampler;
   }
 
   /** Selects emitter 0, the only one of the scene, with probability 1. */
@@ -91,6 +105,10 @@ public final class LightChoice {
    * LightSampler#probability}, without computing it again.
    */
   public double probability() {
+    if (pending != null) {
+      probability = pending.probability(this, emitter);
+      pending = null;
+    }
     return probability;
   }
 }

@@ -68,6 +68,9 @@ public final class LightSampler {
   /** The number of emitters that are ever selected. */
   private final int selectable;
 
+  /** One of them; -1 if there is none. */
+  private final int only;
+
   /** The sum over the far group, in units of the near group's mean intensity. */
   private final double farIrradiance;
 
@@ -79,6 +82,7 @@ public final class LightSampler {
     near = Optional.empty();
     farIrradiance = 0;
     selectable = alone.length;
+    only = selectable == 0 ? -1 : alone[0];
   }
 
   /**
@@ -99,6 +103,7 @@ public final class LightSampler {
     near = Optional.of(near(comparable(items, unit), emitters.size()));
     farIrradiance = Arrays.stream(weights).sum() / unit;
     selectable = items.size() + far.length;
+    only = items.get(0).emitter();
   }
 
   /** Returns the place in {@code far} of each of {@code count} emitters, {@link #NEVER} if none. */
@@ -217,6 +222,10 @@ public final class LightSampler {
    * @param choice holds the point and receives the result
    */
   public void choose(double u, LightChoice choice) {
+    if (selectable == 1) {
+      choice.setLazily(only, this);
+      return;
+    }
     if (alone.length == 0) {
       near.get().choose(u, choice);
       return;
