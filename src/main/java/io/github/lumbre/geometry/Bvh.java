@@ -58,6 +58,17 @@ public final class Bvh {
   }
 
   /**
+   * Builds a hierarchy over some of the shapes of this one, for the same kernel. It may change to
+   * the vector kernel exactly if this one may; see {@link KernelChange}.
+   */
+  public Bvh part(List<? extends Shape> some) {
+    List<Shape> shapes = List.copyOf(some);
+    BvhItems items = new BvhItems(shapes);
+    Kernel kernel = bounded instanceof BinaryTraversal ? Kernel.SCALAR : Kernel.VECTOR;
+    return new Bvh(kernel.over(items), items.unbounded(), isChangeable() ? shapes : List.of());
+  }
+
+  /**
    * Builds a slow hierarchy that finds the same hits and counts the nodes that {@link
    * Kernel#SCALAR} visits. It does not count nodes inside a {@link MeshInstance}.
    *
@@ -167,10 +178,15 @@ public final class Bvh {
         .reduce(Bounds3.EMPTY, Bounds3::union);
   }
 
-  /** Returns the approximate number of items that it may search with the vector kernel. */
-  long changeableItems() {
-    return changeable.stream()
+  /** Returns the approximate number of items of a hierarchy over shapes. */
+  public static long items(List<? extends Shape> shapes) {
+    return shapes.stream()
         .mapToLong(s -> s instanceof Mesh mesh ? mesh.triangles().triangleCount() : 1)
         .sum();
+  }
+
+  /** Returns the approximate number of items that it may search with the vector kernel. */
+  long changeableItems() {
+    return items(changeable);
   }
 }

@@ -36,8 +36,12 @@ public final class KernelChange {
 
   /** Returns the change of a hierarchy and of those of its {@link MeshInstance}s. */
   public static KernelChange of(Bvh bvh, List<? extends Shape> shapes) {
-    Set<Bvh> all = new LinkedHashSet<>();
-    all.add(bvh);
+    return of(List.of(bvh), shapes);
+  }
+
+  /** Returns the change of hierarchies over shapes and of those of their {@link MeshInstance}s. */
+  public static KernelChange of(List<Bvh> hierarchies, List<? extends Shape> shapes) {
+    Set<Bvh> all = new LinkedHashSet<>(hierarchies);
     for (Shape shape : shapes) {
       if (shape instanceof MeshInstance instance) {
         all.add(instance.shared().bvh());

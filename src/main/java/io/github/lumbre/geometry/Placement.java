@@ -9,6 +9,9 @@ final class Placement {
   /** Larger sizes overflow when squared. */
   private static final double LARGEST = 1e150;
 
+  /** A distance far above that of rounding errors, relative to the coordinates. */
+  private static final double CLEARANCE = 1e-6;
+
   private Placement() {}
 
   /**
@@ -79,6 +82,22 @@ final class Placement {
             toWorld.pointError(farthest, Vec3.Y),
             toWorld.pointError(farthest, Vec3.Z));
     return new Bounds3(world.min().minus(margin), world.max().plus(margin));
+  }
+
+  /**
+   * Returns whether a box lies wholly on the side of the local xz plane that +y points to, not
+   * nearer than {@link #CLEARANCE}. False for infinite boxes.
+   */
+  static boolean isInFront(Bounds3 box, Transform toWorld) {
+    Vec3 normal = toWorld.normal(Vec3.Y);
+    Vec3 origin = toWorld.point(Vec3.ZERO);
+    double margin = CLEARANCE * (farthest(box).maxAbs() + origin.maxAbs());
+    for (int corner = 0; corner < 8; corner++) {
+      if (!(box.corner(corner).minus(origin).dot(normal) > margin)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static Vec3 farthest(Bounds3 box) {

@@ -89,6 +89,11 @@ public final class Plane implements Shape {
   }
 
   @Override
+  public boolean isBehind(Bounds3 box) {
+    return !twoSided && Placement.isInFront(box, toWorld);
+  }
+
+  @Override
   public boolean isClosed() {
     return false;
   }

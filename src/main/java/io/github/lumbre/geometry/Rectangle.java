@@ -192,6 +192,11 @@ public final class Rectangle implements Shape {
   }
 
   @Override
+  public boolean isBehind(Bounds3 box) {
+    return !twoSided && Placement.isInFront(box, toWorld);
+  }
+
+  @Override
   public boolean isClosed() {
     return false;
   }

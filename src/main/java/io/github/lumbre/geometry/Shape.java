@@ -57,6 +57,15 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
   }
 
   /**
+   * Returns whether the shape is flat, rays from behind pass through it, and a box lies wholly in
+   * front of its plane, not nearer than rounding errors. Then the shape blocks no ray from anywhere
+   * to a point in the box.
+   */
+  default boolean isBehind(Bounds3 box) {
+    return false;
+  }
+
+  /**
    * Samples a point of the surface for the lighting of a reference point. The result has pdf 0 if
    * no point is visible. Each shape chooses its own distribution; the pdf accounts for it. Plain
    * numbers and a reused result avoid allocation on this hot path. {@link #sample(Vec3, Point2)} is

@@ -116,7 +116,9 @@ public final class RenderContext {
   boolean isOccluded(Scene scene, SurfaceHit surface) {
     shadowRays++;
     light.aimShadowRay(surface, shadow);
-    return scene.hasTransparency() ? isBlocked(scene) : scene.isOccluded(shadow);
+    return scene.hasTransparency()
+        ? isBlocked(scene)
+        : scene.isLightOccluded(shadow, light.target() != LightSample.Target.INFINITY);
   }
 
   /** Returns whether anything blocks the light that was sampled last from a point in space. */

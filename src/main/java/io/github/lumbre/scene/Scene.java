@@ -20,7 +20,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A complete scene in world space. All threads share it; nothing that it finds ever changes. {@link
@@ -54,7 +56,11 @@ public final class Scene {
   /** The same primitives, simplified for the inner loop. */
   private final Primitive[] primitiveOfShape;
 
+  private final Hierarchies hierarchies;
+
+  /** The first of {@link #hierarchies}. */
   private final Bvh bvh;
+
   private final KernelChange kernelChange;
   private final List<Light> lights;
   private final List<Light> emitters;
@@ -95,7 +101,9 @@ public final class Scene {
             .radius();
     Optional<Scene> same = from.flatMap(Built::origin).filter(this::hasShapesOf);
     bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), kernel));
-    kernelChange = same.map(s -> s.kernelChange).orElseGet(() -> KernelChange.of(bvh, shapes()));
+    hierarchies = Hierarchies.of(bvh, shapes(), allLights(), bvh::part);
+    kernelChange =
+        same.map(s -> s.kernelChange).orElseGet(() -> hierarchies.kernelChange(shapes()));
     lightGroups = new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, primitives);
     names = SurfaceNames.of(built.objectNames, built.materialNames);
     environments =
@@ -127,22 +135,22 @@ public final class Scene {
     return true;
   }
 
-  private Scene(Scene other, Bvh bvh, Set<Specialization> shortcuts) {
-    this(other, bvh, shortcuts, other.camera, other.viewpoint);
+  private Scene(Scene other, Hierarchies hierarchies, Set<Specialization> shortcuts) {
+    this(other, hierarchies, shortcuts, other.camera, other.viewpoint);
   }
 
   private Scene(
       Scene other,
-      Bvh bvh,
+      Hierarchies hierarchies,
       Set<Specialization> shortcuts,
       Camera camera,
       Optional<Viewpoint> viewpoint) {
-    this(other, bvh, shortcuts, camera, viewpoint, other.names);
+    this(other, hierarchies, shortcuts, camera, viewpoint, other.names);
   }
 
   private Scene(
       Scene other,
-      Bvh bvh,
+      Hierarchies hierarchies,
       Set<Specialization> shortcuts,
       Camera camera,
       Optional<Viewpoint> viewpoint,
@@ -153,8 +161,10 @@ public final class Scene {
     built = other.built;
     kernel = other.kernel;
     primitives = other.primitives;
-    this.bvh = bvh;
-    kernelChange = bvh == other.bvh ? other.kernelChange : KernelChange.of(bvh, shapes());
+    this.hierarchies = hierarchies;
+    bvh = hierarchies.all();
+    kernelChange =
+        bvh == other.bvh ? other.kernelChange : hierarchies.kernelChange(shapes());
     lights = other.lights;
     emitters = other.emitters;
     environments = other.environments;
@@ -215,7 +225,7 @@ public final class Scene {
   public Scene without(Specialization shortcut) {
     return new Scene(
         this,
-        bvh,
+        hierarchies,
         shortcuts.stream()
             .filter(taken -> taken != shortcut)
             .collect(Collectors.toUnmodifiableSet()));
@@ -223,7 +233,7 @@ public final class Scene {
 
   /** Returns the same scene, seen by another camera. Both share all surfaces and lights. */
   public Scene with(Camera other) {
-    return new Scene(this, bvh, shortcuts, other, Optional.empty());
+    return new Scene(this, hierarchies, shortcuts, other, Optional.empty());
   }
 
   /**
@@ -232,7 +242,8 @@ public final class Scene {
    * @throws IllegalStateException if the kernel is not available
    */
   public Scene searchedBy(Kernel kernel) {
-    return new Scene(this, Bvh.over(shapes(), kernel), shortcuts);
+    Bvh all = Bvh.over(shapes(), kernel);
+    return over(all, all::part);
   }
 
   /**
@@ -240,7 +251,7 @@ public final class Scene {
    * Bvh#counting}.
    */
   public Scene counting(LongAdder visits) {
-    return new Scene(this, Bvh.counting(shapes(), visits), shortcuts);
+    return over(Bvh.counting(shapes(), visits), some -> Bvh.counting(some, visits));
   }
 
   /** Returns whether {@link #changeKernel} has something to do, if vectors are available. */
@@ -258,6 +269,16 @@ public final class Scene {
    */
   public void changeKernel(BooleanSupplier isWanted) throws InterruptedException {
     kernelChange.run(isWanted);
+  }
+
+  /** Returns the same scene with other hierarchies. */
+  private Scene over(Bvh all, Function<List<Shape>, Bvh> build) {
+    return new Scene(this, Hierarchies.of(all, shapes(), allLights(), build), shortcuts);
+  }
+
+  /** Returns all lights that any integrator samples; some of them twice. */
+  private List<Light> allLights() {
+    return Stream.concat(lights.stream(), emitters.stream()).toList();
   }
 
   private List<Shape> shapes() {
@@ -292,12 +313,12 @@ public final class Scene {
 
   /** Returns this scene, which shares everything, seen by another camera. */
   public Scene seenBy(Camera newCamera) {
-    return new Scene(this, bvh, shortcuts, newCamera, Optional.empty());
+    return new Scene(this, hierarchies, shortcuts, newCamera, Optional.empty());
   }
 
   /** Returns this scene, which shares everything, seen from elsewhere. */
   public Scene seenFrom(Viewpoint viewpoint) {
-    return new Scene(this, bvh, shortcuts, viewpoint.camera(1), Optional.of(viewpoint));
+    return new Scene(this, hierarchies, shortcuts, viewpoint.camera(1), Optional.of(viewpoint));
   }
 
   /**
@@ -308,7 +329,7 @@ public final class Scene {
    */
   public Scene framed(double aspect) {
     return viewpoint
-        .map(from -> new Scene(this, bvh, shortcuts, from.camera(aspect), viewpoint))
+        .map(from -> new Scene(this, hierarchies, shortcuts, from.camera(aspect), viewpoint))
         .orElse(this);
   }
 
@@ -326,7 +347,7 @@ public final class Scene {
     }
     return new Scene(
         this,
-        bvh,
+        hierarchies,
         shortcuts,
         camera,
         viewpoint,
@@ -479,6 +500,17 @@ public final class Scene {
   /** Returns whether any shape blocks the ray that {@code scratch} was last aimed along. */
   public boolean isOccluded(NearestHit scratch) {
     return bvh.isOccluded(scratch);
+  }
+
+  /**
+   * Returns whether any shape blocks the ray that {@code scratch} was last aimed along, which ends
+   * at a light.
+   *
+   * @param isNear whether the ray ends at a light at a finite distance, so that fewer shapes may
+   *     block it
+   */
+  public boolean isLightOccluded(NearestHit scratch, boolean isNear) {
+    return (isNear ? hierarchies.blockers() : bvh).isOccluded(scratch);
   }
 
   /** Returns the radiance of all environment lights in a unit direction, in world space. */
