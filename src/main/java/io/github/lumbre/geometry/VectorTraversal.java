@@ -139,8 +139,8 @@ final class VectorTraversal implements Traversal {
       IntVector maxX = IntVector.fromArray(INTS, tree, node + WIDTH);
       IntVector minY = IntVector.fromArray(INTS, tree, node + 2 * WIDTH);
       IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
-      IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
-      IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
+      IntVector minZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
+      IntVector maxZ = IntVector.fromArray(INTS, tree, node + 6 * WIDTH);
       IntVector tMinX = minX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
       IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
       IntVector tMinY = minY.reinterpretAsFloats().fma(iy, shiftY).reinterpretAsInts();
@@ -222,8 +222,8 @@ final class VectorTraversal implements Traversal {
       IntVector maxX = IntVector.fromArray(INTS, tree, node + WIDTH);
       IntVector minY = IntVector.fromArray(INTS, tree, node + 2 * WIDTH);
       IntVector maxY = IntVector.fromArray(INTS, tree, node + 3 * WIDTH);
-      IntVector minZ = IntVector.fromArray(INTS, tree, node + 4 * WIDTH);
-      IntVector maxZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
+      IntVector minZ = IntVector.fromArray(INTS, tree, node + 5 * WIDTH);
+      IntVector maxZ = IntVector.fromArray(INTS, tree, node + 6 * WIDTH);
       IntVector tMinX = minX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
       IntVector tMaxX = maxX.reinterpretAsFloats().fma(ix, shiftX).reinterpretAsInts();
       IntVector tMinY = minY.reinterpretAsFloats().fma(iy, shiftY).reinterpretAsInts();
