@@ -225,7 +225,7 @@ public final class Film {
       }
       counts[to] = Math.addExact(counts[to], other.counts[from]);
       for (int i = 0; i < 3; i++) {
-        add(3 * to + i, other.whole[3 * from + i], other.fraction[3 * from + i]);
+        addTo(3 * to + i, other.whole[3 * from + i], other.fraction[3 * from + i]);
       }
       if (hasAlpha()) {
         covered[to] += other.covered[from];
@@ -418,29 +418,37 @@ public final class Film {
 
   /** Adds the next sample of a pixel without storing the mean for {@link #halves}. */
   void addSilently(int pixel, Rgb value, boolean covers) {
-    add(3 * pixel, value.r());
-    add(3 * pixel + 1, value.g());
-    add(3 * pixel + 2, value.b());
+    addTo(3 * pixel, value.r());
+    addTo(3 * pixel + 1, value.g());
+    addTo(3 * pixel + 2, value.b());
     counts[pixel]++;
     if (covers && covered.length != 0) {
       covered[pixel]++;
     }
   }
 
-  private void add(int i, double value) {
+  private void addTo(int i, double value) {
     assert value >= 0 && value < Double.POSITIVE_INFINITY : value;
     double cut = Math.min(value, LARGEST);
     long units = (long) cut;
     // The fraction times 2^64; only fractions below 2^-12 are rounded, so the result is below 2^64.
     double rest = Math.rint((cut - units) * 0x1p64);
     long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
-    add(i, units, bits);
+    addTo(i, units, bits);
   }
 
-  private void add(int i, long units, long bits) {
+  private void addTo(int i, long units, long bits) {
     long sum = fraction[i] + bits;
-    whole[i] += units + (Long.compareUnsigned(sum, bits) < 0 ? 1 : 0);
+    whole[i] += units + carry(fraction[i], bits, sum);
     fraction[i] = sum;
+  }
+
+  /**
+   * Returns the carry of the sum of two unsigned numbers, 0 or 1 (Warren 2012, sec. 2-16). Without
+   * a branch: its first carry, after a while, would discard the code compiled until then.
+   */
+  static long carry(long a, long b, long sum) {
+    return (a & b | (a | b) & ~sum) >>> Long.SIZE - 1;
   }
 
   /**

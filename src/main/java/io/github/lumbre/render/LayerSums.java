@@ -142,7 +142,7 @@ final class LayerSums {
 
   private void addWide(int i, long units, long bits) {
     long sum = fraction[i] + bits;
-    whole[i] += units + (Long.compareUnsigned(sum, bits) < 0 ? 1 : 0);
+    whole[i] += units + Film.carry(fraction[i], bits, sum);
     fraction[i] = sum;
   }
 
