@@ -14,23 +14,31 @@ import java.util.function.DoubleUnaryOperator;
  */
 public enum PixelFilter {
   /** The square of the pixel itself, with radius 0.5. */
-  BOX(.5, null),
+  BOX(.5),
 
   /** A tent of radius 1. */
-  TENT(1, null),
+  TENT(1),
 
   /** A Gaussian with standard deviation 0.5, lowered to reach 0 at radius 1.5. */
-  GAUSSIAN(1.5, PixelFilter::gaussian),
+  GAUSSIAN(1.5),
 
   /** The Blackman-Harris window (Harris 1978) with radius 1.5. */
-  BLACKMAN_HARRIS(1.5, PixelFilter::blackmanHarris);
+  BLACKMAN_HARRIS(1.5);
 
   private final double radius;
-  private final Distribution1d table;
 
-  PixelFilter(double radius, DoubleUnaryOperator density) {
+  PixelFilter(double radius) {
     this.radius = radius;
-    table = density == null ? null : tabulated(density);
+  }
+
+  /** The density of {@link #GAUSSIAN}, made when a render needs it. */
+  private static final class Gaussian {
+    static final Distribution1d TABLE = tabulated(PixelFilter::gaussian);
+  }
+
+  /** The density of {@link #BLACKMAN_HARRIS}, made when a render needs it. */
+  private static final class BlackmanHarris {
+    static final Distribution1d TABLE = tabulated(PixelFilter::blackmanHarris);
   }
 
   /**
@@ -83,11 +91,13 @@ public enum PixelFilter {
     return switch (this) {
       case BOX -> u;
       case TENT -> u < .5 ? Math.sqrt(2 * u) - .5 : 1.5 - Math.sqrt(2 * (1 - u));
-      case GAUSSIAN, BLACKMAN_HARRIS -> .5 + radius * tabulated(u);
+      case GAUSSIAN -> .5 + radius * sample(Gaussian.TABLE, u);
+      case BLACKMAN_HARRIS -> .5 + radius * sample(BlackmanHarris.TABLE, u);
     };
   }
 
-  private double tabulated(double u) {
+  /** Returns a number in [-1,1] that follows a density. */
+  private static double sample(Distribution1d table, double u) {
     int cell = table.choose(u);
     return 2 * (cell + table.remainder(cell, u)) / table.size() - 1;
   }

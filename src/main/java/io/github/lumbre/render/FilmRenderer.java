@@ -279,7 +279,8 @@ public final class FilmRenderer implements PassRenderer {
               + film.window()
               + (film.hasAlpha() ? " with" : " without"));
     }
-    if (!film.layers().equals(layers)) {
+    // Mostly the same object; Java makes the code that compares others at run time.
+    if (!Objects.equals(film.layers(), layers)) {
       throw new IllegalArgumentException("film: expected " + layers + ", found " + film.layers());
     }
   }

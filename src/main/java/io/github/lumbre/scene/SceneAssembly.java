@@ -103,7 +103,7 @@ public final class SceneAssembly {
    */
   public SceneAssembly addAreaLight(Shape shape, Emission emission) {
     AreaLight light = new AreaLight(shape, emission);
-    addEmissive(shape, emission);
+    add(light, Unlit.INSTANCE);
     if (!light.isBlack()) {
       lights.add(light);
     }
@@ -123,11 +123,15 @@ public final class SceneAssembly {
    * {@link #addEmissive}.
    */
   public SceneAssembly add(Shape shape, Material material, Emission emission) {
-    if (!emission.isBlack() && Double.isFinite(shape.area())) {
+    return add(new AreaLight(shape, emission), material);
+  }
+
+  private SceneAssembly add(AreaLight light, Material material) {
+    if (!light.emission().isBlack() && Double.isFinite(light.shape().area())) {
       emitterOfPrimitive.put(primitives.size(), emitters.size());
-      addEmitter(new AreaLight(shape, emission));
+      addEmitter(light);
     }
-    add(new Primitive(shape, material, Optional.of(emission)));
+    add(new Primitive(light.shape(), material, Optional.of(light.emission())));
     return this;
   }
 
