@@ -12,13 +12,16 @@ import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.Source;
 
 /**
- * Records the non-specular vertices of paths. Light that a ray hits has its weight of multiple
- * importance sampling: what light sampling finds needs no guide. Mutable and confined to one
- * thread. Paths must not be split.
+ * Records the non-specular vertices of paths. Light that a ray hits has the weight of multiple
+ * importance sampling that it would have without a guide: what light sampling finds needs none.
+ * With the weight of the guided ray, a guide towards a lamp would make itself seem needed. Mutable
+ * and confined to one thread. Paths must not be split.
  */
 public final class GuideRecorder implements PathListener {
   /** Relative difference from the density of a diffuse surface that is due to rounding. */
   private static final double TOLERANCE = 1e-6;
+
+  private static final MisHeuristic HEURISTIC = MisHeuristic.BOTH;
 
   private final GuideRecords records;
 
@@ -141,15 +144,7 @@ public final class GuideRecorder implements PathListener {
 
   @Override
   public void lightAdded(double r, double g, double b) {
-    if (!isAtVertex && !hasLeft) {
-      return;
-    }
-    double light = (red * r + green * g + blue * b) / throughput;
-    if (isAtVertex) {
-      direct += light;
-    } else {
-      found += light;
-    }
+    // It has been recorded where it was sampled or found.
   }
 
   @Override
@@ -161,7 +156,16 @@ public final class GuideRecorder implements PathListener {
       double lightPdf,
       double misWeight,
       boolean blocked) {
-    // The light follows as lightAdded.
+    if (isAtVertex && !blocked) {
+      double weight =
+          light.isDelta() ? misWeight : HEURISTIC.lightWeight(lightPdf, value.bsdfPdf());
+      double part = weight / lightPdf;
+      direct +=
+          scattered(
+              part * value.r() * light.r(),
+              part * value.g() * light.g(),
+              part * value.b() * light.b());
+    }
   }
 
   @Override
@@ -172,9 +176,22 @@ public final class GuideRecorder implements PathListener {
       double g,
       double b,
       double lightPdf,
-      double bsdfPdf,
+      double rayPdf,
       double misWeight) {
-    // The light follows as lightAdded.
+    if (isAtVertex) {
+      direct += scattered(r, g, b);
+    } else if (hasLeft) {
+      double weight =
+          lightPdf > 0 && pdf > 0 && rayPdf < Double.POSITIVE_INFINITY
+              ? HEURISTIC.bsdfWeight(rayPdf * bsdfPdf / pdf, lightPdf)
+              : misWeight;
+      found += weight * scattered(r, g, b);
+    }
+  }
+
+  /** Returns what part of some light reaches the viewer of the last vertex. */
+  private double scattered(double r, double g, double b) {
+    return (red * r + green * g + blue * b) / throughput;
   }
 
   @Override

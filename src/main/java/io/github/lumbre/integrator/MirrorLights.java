@@ -158,7 +158,7 @@ final class MirrorLights {
             && (context.isOccluded(scene, vertex.surface(), reflection.point)
                 || context.isOccluded(scene, reflection.above));
     if (vertex.isGuided()) {
-      value.setPdf(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
+      value.mix(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
     }
     double misWeight = heuristic.lightWeight(light.pdf(), value.pdf());
     if (context.isRecorded) {

@@ -420,7 +420,7 @@ public final class PathTracer implements Integrator {
     if (!light.isDelta()) {
       lightPdf *= light.pdf();
       if (vertex.isGuided()) {
-        value.setPdf(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
+        value.mix(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
       }
       misWeight = heuristic.lightWeight(lightPdf, value.pdf());
     }

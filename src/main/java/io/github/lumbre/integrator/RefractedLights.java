@@ -133,11 +133,10 @@ final class RefractedLights {
     double b = value.b() * light.b();
     boolean isBlack = r == 0 && g == 0 && b == 0;
     boolean isBlocked = !isBlack && context.isOccluded(scene, found.lastSurface());
-    double bsdfPdf = value.pdf();
     if (vertex.isGuided()) {
-      bsdfPdf = Guiding.pdf(guide, vertex.cell(), light.wi(), bsdfPdf);
+      value.mix(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
     }
-    value.setPdf(bsdfPdf * found.passProbability());
+    value.scalePdf(found.passProbability());
     double misWeight = heuristic.lightWeight(refractedPdf, value.pdf());
     if (context.isRecorded) {
       context.listener.lightSampled(

@@ -10,6 +10,9 @@ public final class BsdfValue {
   private double r, g, b;
   private double pdf;
 
+  /** The density of BSDF sampling alone. */
+  private double bsdfPdf;
+
   /** Creates a value of 0: no light scatters. */
   public BsdfValue() {}
 
@@ -34,11 +37,18 @@ public final class BsdfValue {
     g = newG;
     b = newB;
     pdf = newPdf;
+    bsdfPdf = newPdf;
   }
 
-  /** Sets the density alone, such as that of a mixture with other sampling techniques. */
-  public void setPdf(double newPdf) {
+  /** Sets the density to that of a mixture of BSDF sampling and another technique. */
+  public void mix(double newPdf) {
     pdf = newPdf;
+  }
+
+  /** Multiplies the densities by the probability of what follows. */
+  public void scalePdf(double factor) {
+    pdf *= factor;
+    bsdfPdf *= factor;
   }
 
   /** Returns the red component of {@link #f}. */
@@ -64,5 +74,10 @@ public final class BsdfValue {
   /** Returns the density per solid angle with which wi would be sampled. */
   public double pdf() {
     return pdf;
+  }
+
+  /** Returns the density with which BSDF sampling alone draws the direction; see {@link #mix}. */
+  public double bsdfPdf() {
+    return bsdfPdf;
   }
 }

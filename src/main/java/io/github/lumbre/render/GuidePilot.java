@@ -32,14 +32,14 @@ final class GuidePilot {
 
   private static final int PASSES = 5;
 
-  /** The gain from which on {@code auto} guides paths; see {@link GuideBuilder.Built#gain}. */
-  private static final double LEAST_GAIN = 1.1;
+  /** The predicted gain from which on {@code auto} tries it; see {@link GuideBuilder.Built#gain}. */
+  private static final double LEAST_GAIN = 1.15;
 
   /** The pass after which the pilot ends if it has learned nothing; it has then done 7/31. */
   private static final int CHECKED_PASS = 2;
 
-  /** The gain below which {@code auto} then ends the pilot. */
-  private static final double LEAST_EARLY_GAIN = 1.01;
+  /** The predicted gain below which {@code auto} then ends the pilot. */
+  private static final double LEAST_EARLY_GAIN = 1.04;
 
   /** The largest number of vertices that one pass keeps: 70 MB. */
   static final int MOST_RECORDS = 1 << 20;
@@ -121,9 +121,21 @@ final class GuidePilot {
         return notBetter(built.gain());
       }
     }
-    return isAuto && built.gain() < LEAST_GAIN
-        ? notBetter(built.gain())
-        : new Learned(built.guide(), GuideReport.used(built.guide(), built.gain(), rays));
+    if (!isAuto) {
+      return used(built.guide(), built.gain(), false);
+    }
+    if (built.gain() < LEAST_GAIN) {
+      return notBetter(built.gain());
+    }
+    GuideTrial.Outcome trial = GuideTrial.of(settings, scene, built.guide(), paths, crew);
+    rays += trial.rays();
+    return trial.isBetter()
+        ? used(built.guide(), trial.gain(), true)
+        : new Learned(Guide.NONE, GuideReport.tried(trial.gain(), rays));
+  }
+
+  private Learned used(Guide guide, double gain, boolean isMeasured) {
+    return new Learned(guide, GuideReport.used(guide, gain, isMeasured, rays));
   }
 
   private Learned notBetter(double gain) {

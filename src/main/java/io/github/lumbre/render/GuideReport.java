@@ -11,13 +11,16 @@ import java.util.Map;
  * What the pilot render of {@code --guide} did, and why.
  *
  * @param outcome whether the paths are guided, or why not
- * @param gain the second moment of what scattered rays find, with unguided paths, divided by that
- *     with guided ones, as predicted from the pilot's last pass; 1 if nothing was learned
+ * @param gain if it was measured, squared error times rays of unguided paths, over that of guided
+ *     ones. Otherwise it is predicted from the pilot's records: the second moment of what scattered
+ *     rays find, over that with guided paths; 1 if nothing was learned
+ * @param isMeasured whether both kinds of paths were tried; {@code on} does not try them
  * @param rays rays of the pilot; 0 if there was nothing to learn
  * @param bytes size of the guide
  * @param hash hash of the guide, by which two processes can compare theirs; 0 without a guide
  */
-public record GuideReport(Outcome outcome, double gain, long rays, long bytes, int hash) {
+public record GuideReport(
+    Outcome outcome, double gain, boolean isMeasured, long rays, long bytes, int hash) {
   /** Whether paths are guided, or why not. */
   public enum Outcome {
     /** Paths are guided. */
@@ -30,12 +33,18 @@ public record GuideReport(Outcome outcome, double gain, long rays, long bytes, i
     NOTHING_LEARNED
   }
 
-  static GuideReport used(Guide guide, double gain, long rays) {
-    return new GuideReport(Outcome.GUIDED, gain, rays, guide.bytes(), guide.hash());
+  static GuideReport used(Guide guide, double gain, boolean isMeasured, long rays) {
+    return new GuideReport(Outcome.GUIDED, gain, isMeasured, rays, guide.bytes(), guide.hash());
   }
 
+  /** Returns a report without a guide, for a predicted gain. */
   static GuideReport unused(Outcome outcome, double gain, long rays) {
-    return new GuideReport(outcome, gain, rays, 0, 0);
+    return new GuideReport(outcome, gain, false, rays, 0, 0);
+  }
+
+  /** Returns the report on a guide that was tried and is not used. */
+  static GuideReport tried(double gain, long rays) {
+    return new GuideReport(Outcome.NOT_BETTER, gain, true, rays, 0, 0);
   }
 
   /**
@@ -67,6 +76,7 @@ public record GuideReport(Outcome outcome, double gain, long rays, long bytes, i
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("outcome", outcome.name().toLowerCase(Locale.ROOT).replace('_', '-'));
     values.put("gain", gain);
+    values.put("measured", isMeasured);
     values.put("pilot_rays", rays);
     values.put("bytes", bytes);
     values.put("hash", hashText());
@@ -80,11 +90,15 @@ public record GuideReport(Outcome outcome, double gain, long rays, long bytes, i
       case NO_LIGHT -> "paths are not guided: no light can reach a surface";
       case NOTHING_LEARNED -> "paths are not guided: nothing was learned" + pilot;
       case NOT_BETTER ->
-          "paths are not guided: predicted gain %s%s".formatted(decimal(gain), pilot);
+          "paths are not guided: %s gain %s%s".formatted(kind(), decimal(gain), pilot);
       case GUIDED ->
-          "paths are guided by %d kB: predicted gain %s%s"
-              .formatted((bytes + 999) / 1000, decimal(gain), pilot);
+          "paths are guided by %d kB: %s gain %s%s"
+              .formatted((bytes + 999) / 1000, kind(), decimal(gain), pilot);
     };
+  }
+
+  private String kind() {
+    return isMeasured ? "measured" : "predicted";
   }
 
   private static String decimal(double value) {

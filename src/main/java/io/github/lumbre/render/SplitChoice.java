@@ -89,9 +89,9 @@ final class SplitChoice {
     int[] all = bestFor(total(both()));
     Candidate own = new Candidate(all, bestFor(total(sums[1])), bestFor(total(sums[0])));
     best = better(best, own);
-    return best == whole || gain(best, whole, -1) < LEAST_GAIN
+    return best == whole || gain(best, whole, Jackknife.NONE) < LEAST_GAIN
         ? new Chosen(whole.chosen, 1, 1)
-        : new Chosen(best.chosen, gain(best, whole, -1), bound(best, whole));
+        : new Chosen(best.chosen, gain(best, whole, Jackknife.NONE), bound(best, whole));
   }
 
   /**
@@ -117,20 +117,7 @@ final class SplitChoice {
    * there is nothing to compare.
    */
   private double bound(Candidate candidate, Candidate other) {
-    // The standard error by the jackknife: the gain without each group of pixels.
-    double[] gains = new double[GROUPS];
-    double mean = 0;
-    for (int group = 0; group < GROUPS; group++) {
-      gains[group] = gain(candidate, other, group);
-      mean += gains[group] / GROUPS;
-    }
-    double squares = 0;
-    for (double gain : gains) {
-      squares += (gain - mean) * (gain - mean);
-    }
-    double error = Math.sqrt(squares * (GROUPS - 1) / GROUPS);
-    double bound = gain(candidate, other, -1) - CERTAINTY * error;
-    return Double.isFinite(bound) ? bound : 0;
+    return Jackknife.bound(GROUPS, CERTAINTY, group -> gain(candidate, other, group));
   }
 
   /** Returns the gain of a candidate over another one, without the pixels of a group. */
@@ -188,7 +175,7 @@ final class SplitChoice {
   }
 
   private static double[][] total(double[][][] groups) {
-    return total(groups, -1);
+    return total(groups, Jackknife.NONE);
   }
 
   private static double[][] total(double[][][] groups, int without) {

@@ -15,7 +15,6 @@ import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -53,20 +52,11 @@ final class SplitPilot {
   /** Cells of the plan's grid for each pixel of the pilot, if the frame has as many pixels. */
   private static final int GRID = 16;
 
-  /** Part of the denominator of relative errors, as in {@code relmse}. */
-  private static final double FLOOR = .01;
-
-  /**
-   * The share of the errors that are limited to the largest of the others, so that a few fireflies
-   * do not decide. Unsplit paths have more of them, which are therefore underrated.
-   */
-  private static final double LIMITED = .02;
-
   private static final long SEED = 0x73706c6974206f6eL;
 
   private final RenderSettings settings;
   private final Scene scene;
-  private final Integrator integrator;
+  private final PilotSamples samples;
   private final PilotRows crew;
   private final PilotGrid pixels;
 
@@ -74,7 +64,9 @@ final class SplitPilot {
     this.settings = settings;
     this.scene = scene;
     this.crew = crew;
-    integrator = new PathTracer(scene, PathOptions.of(settings).splitInto(PathOptions.PLANNED));
+    Integrator planned =
+        new PathTracer(scene, PathOptions.of(settings).splitInto(PathOptions.PLANNED));
+    samples = new PilotSamples(settings, scene, planned);
     pixels = PilotGrid.of(settings, settings.splitPilot());
   }
 
@@ -172,16 +164,7 @@ final class SplitPilot {
 
   /** Returns the mean of {@link #SAMPLES} samples of a pixel: those of a block of a sequence. */
   private Rgb mean(RenderContext context, Sampler sampler, int x, int y, int block) {
-    CameraRay ray = new CameraRay();
-    Rgb sum = Rgb.BLACK;
-    for (int i = 0; i < SAMPLES; i++) {
-      context.startSample();
-      if (CameraSamples.start(scene, settings, sampler, x, y, block * SAMPLES + i, ray)) {
-        Rgb radiance = integrator.radiance(ray, sampler, context);
-        sum = SampleLimit.isRejected(radiance) ? sum : sum.plus(radiance);
-      }
-    }
-    return sum.times(1. / SAMPLES);
+    return samples.mean(x, y, block * SAMPLES, SAMPLES, sampler, context);
   }
 
   /** Returns a pixel with the surface that its first sample of the pilot sees first. */
@@ -196,7 +179,7 @@ final class SplitPilot {
   }
 
   private double[][][][] sums(List<Pixel> rendered, SplitCells cells) {
-    double[] squares = squares(rendered);
+    double[] squares = PilotErrors.squares(pixels, rendered.stream().map(SplitPilot::all).toList());
     double[] errors = new double[HALVES * squares.length];
     double[] longErrors = new double[squares.length];
     for (int i = 0; i < squares.length; i++) {
@@ -204,10 +187,10 @@ final class SplitPilot {
       for (int half = 0; half < HALVES; half++) {
         errors[HALVES * i + half] = error(means, half, squares[i]);
       }
-      longErrors[i] = error(mean(means[0]), mean(means[1]), squares[i]);
+      longErrors[i] = PilotErrors.of(mean(means[0]), mean(means[1]), squares[i]);
     }
-    double limit = limit(errors);
-    double longLimit = limit(longErrors);
+    double limit = PilotErrors.limit(errors);
+    double longLimit = PilotErrors.limit(longErrors);
     double[][][][] sums =
         new double[HALVES][SplitChoice.GROUPS][cells.count()][SplitChoice.KINDS];
     for (int i = 0; i < squares.length; i++) {
@@ -219,7 +202,7 @@ final class SplitPilot {
         sum[SplitChoice.ERROR] += Math.min(limit, errors[HALVES * i + half]);
         sum[SplitChoice.LONG_ERROR] += Math.min(longLimit, longErrors[i]);
         sum[SplitChoice.SPLIT_ERROR] +=
-            Math.min(limit, error(split[0][half], split[1][half], squares[i]));
+            Math.min(limit, PilotErrors.of(split[0][half], split[1][half], squares[i]));
         sum[SplitChoice.RAYS] += (double) pixel.rays / BLOCKS;
         sum[SplitChoice.SPLIT_RAYS] += (double) pixel.splitRays / HALVES;
       }
@@ -231,14 +214,14 @@ final class SplitPilot {
   private static double error(Rgb[][] means, int half, double square) {
     double sum = 0;
     for (int block = half; block < BLOCKS; block += HALVES) {
-      sum += error(means[0][block], means[1][block], square);
+      sum += PilotErrors.of(means[0][block], means[1][block], square);
     }
     return sum * HALVES / BLOCKS;
   }
 
-  /** Returns the squared difference of two means, relative to the square of the radiance. */
-  private static double error(Rgb a, Rgb b, double square) {
-    return square(a.plus(b.times(-1))) / (square + FLOOR);
+  /** Returns the means of both sequences of unsplit samples. */
+  private static Rgb[] all(Pixel pixel) {
+    return new Rgb[] {mean(pixel.means[0]), mean(pixel.means[1])};
   }
 
   private static Rgb mean(Rgb[] blocks) {
@@ -247,45 +230,6 @@ final class SplitPilot {
       sum = sum.plus(block);
     }
     return sum.times(1. / blocks.length);
-  }
-
-  /** Returns the largest error that counts in full. */
-  private static double limit(double[] errors) {
-    double[] sorted = errors.clone();
-    Arrays.sort(sorted);
-    return sorted[(int) ((1 - LIMITED) * (sorted.length - 1))];
-  }
-
-  /**
-   * Returns the square of the radiance around each pixel. A pixel does not count itself: if it did,
-   * a low mean would make its own error large.
-   */
-  private double[] squares(List<Pixel> rendered) {
-    double[] squares = new double[rendered.size()];
-    for (int i = 0; i < squares.length; i++) {
-      int column = i % pixels.columns();
-      int row = i / pixels.columns();
-      Rgb sum = Rgb.BLACK;
-      int count = 0;
-      for (int v = Math.max(0, row - 1); v <= Math.min(pixels.rows() - 1, row + 1); v++) {
-        for (int u = Math.max(0, column - 1);
-            u <= Math.min(pixels.columns() - 1, column + 1);
-            u++) {
-          if (u != column || v != row) {
-            for (Rgb[] means : rendered.get(v * pixels.columns() + u).means) {
-              sum = sum.plus(mean(means));
-              count++;
-            }
-          }
-        }
-      }
-      squares[i] = count == 0 ? 0 : square(sum) / ((double) count * count);
-    }
-    return squares;
-  }
-
-  private static double square(Rgb c) {
-    return (c.r() * c.r() + c.g() * c.g() + c.b() * c.b()) / 3;
   }
 
   /** Returns the plan for the whole frame. */

@@ -121,7 +121,7 @@ public final class Setting<T> {
               RenderSettings.Guiding.OFF,
               "Path mode: off, on or auto. Learn in a pilot render where light comes from, and"
                   + " guide paths there. Less noise where little light is found by chance, such as"
-                  + " behind a door; auto guides them if the pilot predicts less noise.")
+                  + " behind a door; auto guides them if that has less noise in a trial.")
           .withFlag("--guide", "MODE")
           .changingSamples();
 
