@@ -12,7 +12,8 @@ import java.util.Arrays;
  * Radiosity"). Only diffuse surfaces are connected, because only their BSDF is known here. Both
  * kinds of directions are weighted by the balance heuristic, so that each counts as if it were
  * drawn with the mean of both densities, {@link GuideRecords#ALL_PDF}. An error of the values
- * changes the noise of guided paths and not their mean. Mutable; used by one {@link GuideBuilder}.
+ * changes the noise of guided paths and not their mean. Mutable; several threads may connect the
+ * records of different cells at once.
  */
 final class Connections {
   /** Successive multiples of it, without their integers, are spread evenly over [0,1). */
@@ -24,9 +25,11 @@ final class Connections {
   private final GuideRecords records;
   private final RecordValues values;
   private final Guide drawnBy;
-  private final Sight sight;
 
-  /** Number of the records of paths; connections follow them. */
+  /**
+   * Number of the records of paths. The connection of each is so many places beyond it, if there is
+   * one.
+   */
   private final int count;
 
   /** Sum of the powers of a record and those before it. */
@@ -34,55 +37,92 @@ final class Connections {
 
   private final double power;
 
-  /** The record from which each connection starts. */
-  private final int[] starts;
+  /**
+   * The first record whose power is not below each part of the whole: it spares most of a search.
+   */
+  private final int[] firsts;
 
   /**
    * Prepares the connections of some records.
    *
    * @param drawnBy the guide that drew their directions
    */
-  Connections(GuideRecords records, RecordValues values, Guide drawnBy, Sight sight) {
+  Connections(GuideRecords records, RecordValues values, Guide drawnBy) {
     this.records = records;
     this.values = values;
     this.drawnBy = drawnBy;
-    this.sight = sight;
     count = records.size();
     records.reserve(2 * count);
     powers = new double[count];
-    starts = new int[count];
     double sum = 0;
     for (int i = 0; i < count; i++) {
       sum += values.mean(i) * values.area(i);
       powers[i] = sum;
     }
     power = sum;
+    firsts = new int[count + 1];
+    int record = 0;
+    for (int part = 0; part <= count; part++) {
+      while (record < count - 1 && powers[record] < power * ((double) part / count)) {
+        record++;
+      }
+      firsts[part] = record;
+    }
   }
 
   /** Returns the record of a path from which a connection starts; a path's record itself. */
   int start(int record) {
-    return record < count ? record : starts[record - count];
+    return record < count ? record : record - count;
   }
 
-  /** Weights the records of a range, and returns them and their connections. */
-  RecordOrder connected(RecordOrder order, int from, int to) {
-    int[] all = new int[2 * (to - from)];
+  /** Records and their connections, and the rays that these took. */
+  record Connected(RecordOrder order, long rays) {}
+
+  /**
+   * Weights the records of a range, and returns them and their connections.
+   *
+   * @param sight of the calling thread
+   */
+  Connected connected(RecordRange range, Sight sight) {
+    int[] all = new int[2 * range.size()];
     int size = 0;
-    for (int i = from; i < to; i++) {
-      int record = order.record(i);
+    for (int i = 0; i < range.size(); i++) {
+      int record = range.record(i);
       double pdf = records.number(record, GuideRecords.PDF);
       double allPdf = .5 * pdf + .5 * pdf(record);
       records.setAllPdf(record, allPdf);
       values.scale(record, allPdf > 0 ? pdf / allPdf : 2);
       all[size++] = record;
     }
-    for (int i = from; i < to; i++) {
-      double chosen = (i - from) * GOLDEN_RATIO;
-      if (connect(order.record(i), (chosen - Math.floor(chosen)) * power)) {
-        all[size++] = records.size() - 1;
+    CountedSight counted = new CountedSight(sight);
+    for (int i = 0; i < range.size(); i++) {
+      double chosen = i * GOLDEN_RATIO;
+      if (connect(range.record(i), chosen - Math.floor(chosen), counted)) {
+        all[size++] = range.record(i) + count;
       }
     }
-    return new RecordOrder(records, Arrays.copyOf(all, size));
+    return new Connected(new RecordOrder(records, Arrays.copyOf(all, size)), counted.rays);
+  }
+
+  /** A sight that counts its rays. */
+  private static final class CountedSight {
+    private final Sight sight;
+    private long rays;
+
+    CountedSight(Sight sight) {
+      this.sight = sight;
+    }
+
+    boolean isClear(Way way) {
+      rays++;
+      return sight.isClear(
+          way.fromX,
+          way.fromY,
+          way.fromZ,
+          way.length * way.x,
+          way.length * way.y,
+          way.length * way.z);
+    }
   }
 
   /** Returns the density per solid angle of connecting a record to the next vertex of its path. */
@@ -103,26 +143,37 @@ final class Connections {
     return values.area(to) > 0 && pdf < Double.POSITIVE_INFINITY ? pdf : 0;
   }
 
-  /** Adds a connection from a record, if it sees the chosen place; returns whether it does. */
-  private boolean connect(int from, double chosen) {
+  /**
+   * Adds a connection from a record, if it sees the chosen place; returns whether it does.
+   *
+   * @param chosen part of the power, in [0,1), up to the chosen record
+   */
+  private boolean connect(int from, double chosen, CountedSight sight) {
     double albedo = records.number(from, GuideRecords.DIFFUSE);
     if (albedo == 0) {
       return false;
     }
-    int found = Arrays.binarySearch(powers, chosen);
-    int to = Math.min(count - 1, found < 0 ? -1 - found : found + 1);
+    int to = record(chosen);
     Way way = new Way(records, from, to);
     double pdf = pdf(way, to);
-    if (!way.isFacing() || !(pdf > 0) || !way.isClear(sight)) {
+    if (!way.isFacing() || !(pdf > 0) || !sight.isClear(way)) {
       return false;
     }
     double bsdfPdf = way.cosineHere / Math.PI;
     double pathPdf = pathPdf(from, way, bsdfPdf);
     double allPdf = .5 * pathPdf + .5 * pdf;
-    int added = records.connect(way.x, way.y, way.z, pathPdf, bsdfPdf, allPdf);
-    values.add(albedo * bsdfPdf * values.mean(to) / allPdf);
-    starts[added - count] = from;
-    return true;
+    records.connect(from + count, way.x, way.y, way.z, pathPdf, bsdfPdf, allPdf);
+    values.set(from + count, albedo * bsdfPdf * values.mean(to) / allPdf);
+    return records.isConnected(from + count);
+  }
+
+  /** Returns the first record up to which the power exceeds a part of the whole. */
+  private int record(double part) {
+    int record = firsts[(int) (part * count)];
+    while (record < count - 1 && powers[record] <= part * power) {
+      record++;
+    }
+    return record;
   }
 
   /** Returns the density with which the path of a record would have drawn a direction. */
@@ -189,10 +240,6 @@ final class Connections {
     /** Returns whether both sides face each other; false if the way has no length. */
     boolean isFacing() {
       return cosineHere > 0 && cosineThere > 0;
-    }
-
-    boolean isClear(Sight sight) {
-      return sight.isClear(fromX, fromY, fromZ, length * x, length * y, length * z);
     }
   }
 }

@@ -6,13 +6,21 @@ package io.github.lumbre.guiding;
  *
  * <p>A vertex counts by the light that the path is expected to find beyond it, divided by that of
  * the path's first vertex, because this is its part in the pixel. Noise of light sampling, of
- * emission and of the pixel itself is not counted; guiding does not change it.
+ * emission and of the pixel itself is not counted; guiding does not change it. Mutable; used once.
  */
 final class GuideGain {
   /** The largest part of a vertex, so that few paths do not decide. */
   private static final double MOST_PART = 10;
 
   private final GuideRecords records;
+  private final RecordValues values;
+  private final Connections connections;
+
+  /** Mean light that the cell of each record scatters; 0 without a cell. */
+  private final float[] means;
+
+  /** Part of the directions of the cell of each record that follow the guide. */
+  private final float[] fractions;
 
   /** What each record's light counts, by the number of the record. */
   private final float[] parts;
@@ -23,39 +31,42 @@ final class GuideGain {
   /** Throughput from the first vertex. */
   private double throughput;
 
-  private GuideGain(GuideRecords records, int count) {
+  GuideGain(GuideRecords records, RecordValues values, Connections connections) {
     this.records = records;
-    parts = new float[count];
+    this.values = values;
+    this.connections = connections;
+    means = new float[records.size()];
+    fractions = new float[records.size()];
+    parts = new float[records.size()];
   }
 
   /**
-   * Returns the ratio of the second moments, 1 if there is no light.
+   * Adds a cell.
    *
-   * @param cells the cell of each record of a path, or {@link Guide#NO_CELL}
-   * @param means mean light that each cell scatters, by the cell over the stride
-   * @param fractions part of each cell's directions that follow the guide, by the same index
+   * @param mean light that it scatters
+   * @param fraction part of its directions that follow the guide
    */
-  static double of(
-      GuideRecords records,
-      RecordValues values,
-      Connections connections,
-      int[] cells,
-      float[] means,
-      float[] fractions) {
-    GuideGain gain = new GuideGain(records, cells.length);
-    for (int record = 0; record < cells.length; record++) {
-      boolean isLearned = cells[record] != Guide.NO_CELL;
-      gain.follow(record, isLearned ? means[cells[record] / Guide.SQUARE_STRIDE] : 0);
+  void add(RecordRange cell, float mean, float fraction) {
+    for (int i = 0; i < cell.size(); i++) {
+      means[cell.record(i)] = mean;
+      fractions[cell.record(i)] = fraction;
+    }
+  }
+
+  /** Returns the ratio of the second moments of all cells, 1 if there is no light. */
+  double get() {
+    int count = records.size();
+    for (int record = 0; record < count; record++) {
+      follow(record, means[record]);
     }
     double before = 0;
     double after = 0;
-    for (int record = 0; record < records.size(); record++) {
+    for (int record = 0; record < 2 * count; record++) {
       int start = connections.start(record);
-      if (gain.parts[start] > 0) {
-        double value = gain.parts[start] * values.value(record);
-        double fraction = fractions[cells[start] / Guide.SQUARE_STRIDE];
+      if (parts[start] > 0 && (record < count || records.isConnected(record))) {
+        double value = parts[start] * values.value(record);
         before += value * value * CellFraction.weight(records, record, 0);
-        after += value * value * CellFraction.weight(records, record, fraction);
+        after += value * value * CellFraction.weight(records, record, fractions[start]);
       }
     }
     return after > 0 ? before / after : 1;

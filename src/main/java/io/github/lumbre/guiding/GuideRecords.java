@@ -111,14 +111,20 @@ public final class GuideRecords {
       double weight,
       boolean next) {
     int at = STRIDE * (size - 1);
-    numbers[at + U] = (float) Octahedron.u(dx, dy, dz);
-    numbers[at + V] = (float) Octahedron.v(dx, dy, dz);
-    numbers[at + PDF] = (float) pdf;
-    numbers[at + BSDF_PDF] = (float) bsdfPdf;
+    setDirection(size - 1, dx, dy, dz, pdf, bsdfPdf);
     numbers[at + ALL_PDF] = (float) pdf;
     numbers[at + FOUND] = (float) found;
     numbers[at + WEIGHT] = (float) weight;
     continues[size - 1] = next;
+  }
+
+  private void setDirection(
+      int record, double dx, double dy, double dz, double pdf, double bsdfPdf) {
+    int at = STRIDE * record;
+    numbers[at + U] = (float) Octahedron.u(dx, dy, dz);
+    numbers[at + V] = (float) Octahedron.v(dx, dy, dz);
+    numbers[at + PDF] = (float) pdf;
+    numbers[at + BSDF_PDF] = (float) bsdfPdf;
   }
 
   /** Adds all records of another list, in their order. */
@@ -146,16 +152,22 @@ public final class GuideRecords {
   }
 
   /**
-   * Adds a direction that no path took, and returns its number. It is no vertex.
+   * Sets a direction that no path took. It is no vertex; its number is beyond those of the vertices,
+   * in reserved room.
    *
    * @param dx unit direction, as are dy and dz
    * @param pdf density with which a path would have drawn it
+   * @param allPdf above 0
    */
-  int connect(double dx, double dy, double dz, double pdf, double bsdfPdf, double allPdf) {
-    add(0, 0, 0, 0, 0, 0, 0, 0);
-    leave(dx, dy, dz, pdf, bsdfPdf, 0, 0, false);
-    setAllPdf(size - 1, allPdf);
-    return size - 1;
+  void connect(
+      int record, double dx, double dy, double dz, double pdf, double bsdfPdf, double allPdf) {
+    setDirection(record, dx, dy, dz, pdf, bsdfPdf);
+    setAllPdf(record, allPdf);
+  }
+
+  /** Returns whether a record beyond those of the vertices was set. */
+  boolean isConnected(int record) {
+    return number(record, ALL_PDF) > 0;
   }
 
   void setAllPdf(int record, double allPdf) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.guiding;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * An order of {@link GuideRecords} that is divided into ever smaller ranges. Each division keeps
@@ -14,8 +15,15 @@ final class RecordOrder {
   private final int[] order;
   private final int[] high;
 
-  /** Creates the order of the records whose surfaces face an axis. */
-  RecordOrder(GuideRecords records, int axis) {
+  /** Returns the orders of the records by the axis that their surfaces face. */
+  static RecordOrder[] ofAxes(GuideRecords records) {
+    return IntStream.range(0, Guide.AXES)
+        .parallel()
+        .mapToObj(axis -> new RecordOrder(records, axis))
+        .toArray(RecordOrder[]::new);
+  }
+
+  private RecordOrder(GuideRecords records, int axis) {
     this.records = records;
     int[] all = new int[records.size()];
     int size = 0;
@@ -45,47 +53,48 @@ final class RecordOrder {
     return order[place];
   }
 
-  /** Returns the coordinate, of three, in which the records of a range extend most. */
-  int widest(int from, int to) {
-    float[] low = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY};
-    float[] high = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
-    for (int i = from; i < to; i++) {
-      for (int axis = 0; axis < 3; axis++) {
-        float x = records.number(order[i], axis);
-        low[axis] = Math.min(low[axis], x);
-        high[axis] = Math.max(high[axis], x);
+  /** The smallest and largest coordinates of a range of records. */
+  record Extent(float[] low, float[] high) {
+    /** Returns the coordinate, of three, in which the records extend most. */
+    int widest() {
+      int widest = 0;
+      for (int axis = 1; axis < 3; axis++) {
+        if (length(axis) > length(widest)) {
+          widest = axis;
+        }
       }
+      return widest;
     }
-    int widest = 0;
-    for (int axis = 1; axis < 3; axis++) {
-      if ((double) high[axis] - low[axis] > (double) high[widest] - low[widest]) {
-        widest = axis;
-      }
+
+    double length(int axis) {
+      return (double) high[axis] - low[axis];
     }
-    return widest;
+
+    float center(int axis) {
+      return .5f * low[axis] + .5f * high[axis];
+    }
   }
 
-  /** Returns the length of a range in one coordinate. */
-  double extent(int from, int to, int axis) {
-    float[] bounds = bounds(from, to, axis);
-    return (double) bounds[1] - bounds[0];
-  }
-
-  /** Returns the center of a range in one coordinate. */
-  float center(int from, int to, int axis) {
-    float[] bounds = bounds(from, to, axis);
-    return .5f * bounds[0] + .5f * bounds[1];
-  }
-
-  private float[] bounds(int from, int to, int axis) {
-    float low = Float.POSITIVE_INFINITY;
-    float high = Float.NEGATIVE_INFINITY;
+  /** Returns where the records of a range lie. */
+  Extent extent(int from, int to) {
+    float lowX = Float.POSITIVE_INFINITY;
+    float lowY = Float.POSITIVE_INFINITY;
+    float lowZ = Float.POSITIVE_INFINITY;
+    float highX = Float.NEGATIVE_INFINITY;
+    float highY = Float.NEGATIVE_INFINITY;
+    float highZ = Float.NEGATIVE_INFINITY;
     for (int i = from; i < to; i++) {
-      float x = records.number(order[i], axis);
-      low = Math.min(low, x);
-      high = Math.max(high, x);
+      float x = records.number(order[i], GuideRecords.X);
+      float y = records.number(order[i], GuideRecords.X + 1);
+      float z = records.number(order[i], GuideRecords.X + 2);
+      lowX = Math.min(lowX, x);
+      lowY = Math.min(lowY, y);
+      lowZ = Math.min(lowZ, z);
+      highX = Math.max(highX, x);
+      highY = Math.max(highY, y);
+      highZ = Math.max(highZ, z);
     }
-    return new float[] {low, high};
+    return new Extent(new float[] {lowX, lowY, lowZ}, new float[] {highX, highY, highZ});
   }
 
   /**

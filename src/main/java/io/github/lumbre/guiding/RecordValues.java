@@ -1,6 +1,10 @@
 package io.github.lumbre.guiding;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 
 /**
  * The light that each direction of {@link GuideRecords} gives, with little noise.
@@ -17,32 +21,69 @@ final class RecordValues {
 
   private static final int ROUNDS = 8;
 
+  /** Neighborhoods that one thread updates at a time. */
+  private static final int GRAIN = 256;
+
   private final GuideRecords records;
+
+  /** All records, by neighborhood. */
+  private final int[] members;
+
+  /** The first member of each neighborhood, and the end of the last one. */
+  private final int[] starts;
 
   /** The neighborhood of each record. */
   private final int[] neighborhoods;
 
-  private int count;
-  private float[] values;
-  private int size;
-  private double[] areas = new double[64];
+  /** Area per record, by neighborhood. */
+  private final double[] areas;
+
+  private final float[] values;
   private double[] means;
 
+  /**
+   * Computes the values.
+   *
+   * @param orders the records by axis; they are sorted
+   */
   RecordValues(GuideRecords records, RecordOrder[] orders) {
     this.records = records;
+    List<List<RecordRange>> divided =
+        Arrays.stream(orders).parallel().map(RecordValues::neighborhoods).toList();
+    List<RecordRange> ranges = divided.stream().flatMap(List::stream).toList();
+    members = new int[records.size()];
     neighborhoods = new int[records.size()];
-    for (RecordOrder order : orders) {
-      divide(order, 0, order.size());
+    values = new float[2 * records.size()];
+    areas = new double[ranges.size()];
+    means = new double[ranges.size()];
+    starts = new int[ranges.size() + 1];
+    for (int i = 0; i < ranges.size(); i++) {
+      starts[i + 1] = starts[i] + ranges.get(i).size();
     }
-    size = records.size();
-    values = new float[size];
-    means = new double[count];
+    forEachNeighborhood(i -> enter(i, ranges.get(i)));
     for (int round = 0; round <= ROUNDS; round++) {
-      update();
+      double[] next = new double[means.length];
+      forEachNeighborhood(i -> next[i] = update(i));
+      means = next;
     }
   }
 
-  /** Returns what a record's direction gave: light that is scattered, divided by its density. */
+  private void forEachNeighborhood(IntConsumer action) {
+    IntStream.rangeClosed(0, (means.length - 1) / GRAIN)
+        .parallel()
+        .forEach(
+            part -> {
+              int end = Math.min(means.length, (part + 1) * GRAIN);
+              for (int i = part * GRAIN; i < end; i++) {
+                action.accept(i);
+              }
+            });
+  }
+
+  /**
+   * Returns what a record's direction gave: light that is scattered, divided by its density. 0 of a
+   * connection that was not added.
+   */
   float value(int record) {
     return values[record];
   }
@@ -52,12 +93,9 @@ final class RecordValues {
     values[record] = (float) Math.min(Float.MAX_VALUE, factor * values[record]);
   }
 
-  /** Adds the value of a record that was added. */
-  void add(double value) {
-    if (values.length == size) {
-      values = Arrays.copyOf(values, 2 * size);
-    }
-    values[size++] = (float) Math.min(Float.MAX_VALUE, value);
+  /** Sets the value of a connection. */
+  void set(int record, double value) {
+    values[record] = (float) Math.min(Float.MAX_VALUE, value);
   }
 
   /** Returns the mean light around a record. */
@@ -79,64 +117,75 @@ final class RecordValues {
     return isFirst ? 1 : records.number(record - 1, GuideRecords.WEIGHT);
   }
 
-  private void divide(RecordOrder order, int from, int to) {
+  private static List<RecordRange> neighborhoods(RecordOrder order) {
+    List<RecordRange> result = new ArrayList<>();
+    if (order.size() > 0) {
+      divide(order, 0, order.size(), result);
+    }
+    return result;
+  }
+
+  private static void divide(RecordOrder order, int from, int to, List<RecordRange> result) {
     if (to - from > NEIGHBORS) {
-      int axis = order.widest(from, to);
+      RecordOrder.Extent extent = order.extent(from, to);
+      int axis = extent.widest();
       // Halves of the extent, not of the records: few vertices of a small bright surface must not
       // share their mean with many of a large dark one.
-      int middle = order.divide(from, to, axis, order.center(from, to, axis));
+      int middle = order.divide(from, to, axis, extent.center(axis));
       if (middle > from && middle < to) {
-        divide(order, from, middle);
-        divide(order, middle, to);
+        divide(order, from, middle, result);
+        divide(order, middle, to, result);
         return;
       }
     }
-    for (int i = from; i < to; i++) {
-      neighborhoods[order.record(i)] = count;
+    result.add(new RecordRange(order, from, to));
+  }
+
+  private void enter(int neighborhood, RecordRange range) {
+    for (int i = 0; i < range.size(); i++) {
+      members[starts[neighborhood] + i] = range.record(i);
+      neighborhoods[range.record(i)] = neighborhood;
     }
-    if (areas.length == count) {
-      areas = Arrays.copyOf(areas, 2 * count);
-    }
-    areas[count++] = area(order, from, to) / (to - from);
+    areas[neighborhood] = area(range) / range.size();
   }
 
   /**
    * Returns the area of the surface in the box around a range. A box around n random points of an
    * interval has (n - 1) / (n + 1) of its length on average.
    */
-  private double area(RecordOrder order, int from, int to) {
-    if (to - from < 2) {
+  private double area(RecordRange range) {
+    if (range.size() < 2) {
       return 0;
     }
-    double part = (to - from - 1.) / (to - from + 1);
-    int facing = (int) records.number(order.record(from), GuideRecords.AXIS) / 2;
+    double part = (range.size() - 1.) / (range.size() + 1);
+    int facing = (int) records.number(range.record(0), GuideRecords.AXIS) / 2;
     double cosine = 0;
-    for (int i = from; i < to; i++) {
-      cosine += Math.abs(records.number(order.record(i), GuideRecords.NORMAL + facing));
+    for (int i = 0; i < range.size(); i++) {
+      cosine += Math.abs(records.number(range.record(i), GuideRecords.NORMAL + facing));
     }
-    double area = (to - from) / cosine;
+    double area = range.size() / cosine;
+    RecordOrder.Extent extent = range.order().extent(range.from(), range.to());
     for (int axis = 0; axis < 3; axis++) {
-      area *= axis == facing ? 1 : order.extent(from, to, axis) / part;
+      area *= axis == facing ? 1 : extent.length(axis) / part;
     }
     return area < Double.POSITIVE_INFINITY ? area : 0;
   }
 
-  /** Computes the values with the means, and the means of the new values. */
-  private void update() {
-    double[] sums = new double[count];
-    double[] weights = new double[count];
-    for (int i = 0; i < values.length; i++) {
-      double value = records.number(i, GuideRecords.FOUND);
-      if (records.continues(i)) {
-        value += records.number(i, GuideRecords.WEIGHT) * means[neighborhoods[i + 1]];
+  /** Computes the values of a neighborhood with the means, and returns the mean of the new values. */
+  private double update(int neighborhood) {
+    double sum = 0;
+    double weights = 0;
+    for (int i = starts[neighborhood]; i < starts[neighborhood + 1]; i++) {
+      int record = members[i];
+      double value = records.number(record, GuideRecords.FOUND);
+      if (records.continues(record)) {
+        value += records.number(record, GuideRecords.WEIGHT) * means[neighborhoods[record + 1]];
       }
-      values[i] = (float) Math.min(Float.MAX_VALUE, value);
-      double weight = arrival(i);
-      sums[neighborhoods[i]] += weight * (records.number(i, GuideRecords.DIRECT) + values[i]);
-      weights[neighborhoods[i]] += weight;
+      values[record] = (float) Math.min(Float.MAX_VALUE, value);
+      double weight = arrival(record);
+      sum += weight * (records.number(record, GuideRecords.DIRECT) + values[record]);
+      weights += weight;
     }
-    for (int i = 0; i < count; i++) {
-      means[i] = weights[i] > 0 ? sums[i] / weights[i] : 0;
-    }
+    return weights > 0 ? sum / weights : 0;
   }
 }

@@ -2,7 +2,7 @@ package io.github.lumbre.guiding;
 
 import java.util.Arrays;
 
-/** Builds the quadtrees of a {@link Guide}. Mutable; used by one {@link GuideBuilder}. */
+/** Builds the quadtree of a cell of a {@link Guide}. Mutable; used once. */
 final class SquareBuilder {
   /** A square with a smaller part of its cell's light is not divided. */
   private static final double LEAST_SHARE = .02;
@@ -18,12 +18,12 @@ final class SquareBuilder {
    */
   private static final double EVEN_RECORDS = 4;
 
-  /** Beyond this number of ints, squares are not divided. */
+  /** Beyond this number of ints, squares are not divided, but for the first one. */
   private final int limit;
 
   private final GuideRecords records;
   private final RecordValues values;
-  private int[] squares = new int[1024];
+  private int[] squares = new int[256];
   private int size;
 
   /** Node of the square that was added last, or -1 if it was not divided. */
@@ -35,25 +35,32 @@ final class SquareBuilder {
     this.limit = limit;
   }
 
-  /** Returns the nodes of all quadtrees. */
-  int[] squares() {
-    return Arrays.copyOf(squares, size);
-  }
-
   /**
-   * Adds the quadtree of the records of a cell; returns the index of its root.
+   * Returns the nodes of the quadtree of a cell; the first one is its root.
    *
+   * @param order the records of the cell
    * @param fraction part of the cell's directions that follow the guide
    */
-  int add(RecordOrder order, float fraction) {
+  int[] build(RecordOrder order, float fraction) {
     double light = 0;
     for (int i = 0; i < order.size(); i++) {
       light += values.value(order.record(i));
     }
     square(order, 0, order.size(), 0, 0, 0, LEAST_SHARE * light);
-    int root = added;
-    squares[root + Guide.FRACTION] = Float.floatToRawIntBits(fraction);
-    return root;
+    squares[Guide.FRACTION] = Float.floatToRawIntBits(fraction);
+    return Arrays.copyOf(squares, size);
+  }
+
+  /** Copies the nodes of a quadtree to where they are used. */
+  static void copy(int[] squares, int[] target, int to) {
+    System.arraycopy(squares, 0, target, to, squares.length);
+    for (int node = to; node < to + squares.length; node += Guide.SQUARE_STRIDE) {
+      for (int child = node + Guide.CHILDREN; child < node + Guide.CHILDREN + 4; child++) {
+        if (target[child] >= 0) {
+          target[child] += to;
+        }
+      }
+    }
   }
 
   /**

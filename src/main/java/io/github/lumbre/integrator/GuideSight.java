@@ -15,7 +15,6 @@ public final class GuideSight implements Sight {
 
   private final Scene scene;
   private final NearestHit ray = new NearestHit();
-  private long rays;
 
   /** Creates the sight of a scene. */
   public GuideSight(Scene scene) {
@@ -24,13 +23,7 @@ public final class GuideSight implements Sight {
 
   @Override
   public boolean isClear(double x, double y, double z, double dx, double dy, double dz) {
-    rays++;
     ray.aim(x + MARGIN * dx, y + MARGIN * dy, z + MARGIN * dz, dx, dy, dz, 1 - 2 * MARGIN);
     return !scene.isOccluded(ray);
-  }
-
-  /** Returns the number of rays traced. */
-  public long rays() {
-    return rays;
   }
 }

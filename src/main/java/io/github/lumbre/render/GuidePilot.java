@@ -104,16 +104,15 @@ final class GuidePilot {
   private Learned learn() throws InterruptedException, PilotRows.Stopped {
     int paths = paths(settings);
     boolean isAuto = settings.guiding() == Guiding.AUTO;
-    GuideBuilder.Built built = new GuideBuilder.Built(Guide.NONE, 1);
+    GuideBuilder.Built built = GuideBuilder.Built.NONE;
     for (int pass = 0; pass < PASSES; pass++) {
       long share = ((long) paths << pass) / ((1 << PASSES) - 1);
       GuideRecords records = records(built.guide(), (int) Math.max(1, share), pass);
-      GuideSight sight = new GuideSight(scene);
       built =
           pass == PASSES - 1
-              ? GuideBuilder.build(records, built.guide(), sight)
-              : GuideBuilder.train(records, built.guide(), sight);
-      rays += sight.rays();
+              ? GuideBuilder.build(records, built.guide(), () -> new GuideSight(scene))
+              : GuideBuilder.train(records, built.guide(), () -> new GuideSight(scene));
+      rays += built.rays();
       if (pass >= CHECKED_PASS && built.guide().isEmpty()) {
         return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOTHING_LEARNED, 1, rays));
       }

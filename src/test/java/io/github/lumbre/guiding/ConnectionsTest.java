@@ -13,16 +13,8 @@ class ConnectionsTest {
   private static final double SIDE = .2;
   private static final double LIGHT = 10;
 
-  private static RecordOrder[] orders(GuideRecords records) {
-    RecordOrder[] orders = new RecordOrder[Guide.AXES];
-    for (int axis = 0; axis < orders.length; axis++) {
-      orders[axis] = new RecordOrder(records, axis);
-    }
-    return orders;
-  }
-
   static RecordValues values(GuideRecords records) {
-    return new RecordValues(records, orders(records));
+    return new RecordValues(records, RecordOrder.ofAxes(records));
   }
 
   /**
@@ -55,12 +47,15 @@ class ConnectionsTest {
 
   /** Returns the mean value of the floor's records and connections. */
   private static double meanOfFloor(GuideRecords records, Sight sight) {
-    RecordOrder[] orders = orders(records);
+    RecordOrder[] orders = RecordOrder.ofAxes(records);
     RecordValues values = new RecordValues(records, orders);
-    Connections connections = new Connections(records, values, Guide.NONE, sight);
+    Connections connections = new Connections(records, values, Guide.NONE);
     RecordOrder floor = orders[Guide.axis(0, 0, 1)];
     int count = floor.size();
-    RecordOrder all = connections.connected(floor, 0, count);
+    Connections.Connected connected =
+        connections.connected(new RecordRange(floor, 0, count), sight);
+    assertThat(connected.rays()).isEqualTo(count);
+    RecordOrder all = connected.order();
     double sum = 0;
     for (int i = 0; i < all.size(); i++) {
       sum += values.value(all.record(i));
@@ -88,14 +83,16 @@ class ConnectionsTest {
   @Test
   void hiddenPlacesAreNotConnected() {
     GuideRecords records = underCeiling(2000);
-    int count = records.size();
-    RecordOrder[] orders = orders(records);
+    RecordOrder[] orders = RecordOrder.ofAxes(records);
     RecordValues values = new RecordValues(records, orders);
-    Connections connections =
-        new Connections(records, values, Guide.NONE, (x, y, z, dx, dy, dz) -> false);
+    Connections connections = new Connections(records, values, Guide.NONE);
     RecordOrder floor = orders[Guide.axis(0, 0, 1)];
-    assertThat(connections.connected(floor, 0, floor.size()).size()).isEqualTo(floor.size());
-    assertThat(records.size()).isEqualTo(count);
+    RecordRange range = new RecordRange(floor, 0, floor.size());
+    RecordOrder all = connections.connected(range, (x, y, z, dx, dy, dz) -> false).order();
+    assertThat(all.size()).isEqualTo(floor.size());
+    for (int i = 0; i < range.size(); i++) {
+      assertThat(records.isConnected(records.size() + range.record(i))).isFalse();
+    }
   }
 
   /** Records of a floor below a small bright place that none of the paths met. */
@@ -119,7 +116,7 @@ class ConnectionsTest {
     GuideSample sample = new GuideSample();
     double[] densities = new double[2];
     for (int kind = 0; kind < 2; kind++) {
-      Guide guide = GuideBuilder.build(unmet(kind * ALBEDO), Guide.NONE, CLEAR).guide();
+      Guide guide = GuideBuilder.build(unmet(kind * ALBEDO), Guide.NONE, () -> CLEAR).guide();
       int cell = guide.cell(.5, .5, 0, 0, 0, 1);
       Octahedron.direction(Octahedron.u(2.55, 3.55, 2), Octahedron.v(2.55, 3.55, 2), sample);
       densities[kind] = guide.pdf(cell, sample.x(), sample.y(), sample.z());

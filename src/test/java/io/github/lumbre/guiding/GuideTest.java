@@ -13,11 +13,11 @@ class GuideTest {
   private static final Sight BLIND = (x, y, z, dx, dy, dz) -> false;
 
   private static GuideBuilder.Built build(GuideRecords records) {
-    return GuideBuilder.build(records, Guide.NONE, BLIND);
+    return GuideBuilder.build(records, Guide.NONE, () -> BLIND);
   }
 
   private static GuideBuilder.Built train(GuideRecords records) {
-    return GuideBuilder.train(records, Guide.NONE, BLIND);
+    return GuideBuilder.train(records, Guide.NONE, () -> BLIND);
   }
 
   /** Records of floors whose light comes from a small spot, and a little from everywhere. */
@@ -272,7 +272,7 @@ class GuideTest {
   void aGuideBeyondItsLimitIsNotRefined() {
     GuideRecords records = records(50_000, 11);
     Guide free = build(records).guide();
-    Guide full = GuideBuilder.build(records, Guide.NONE, BLIND, 0, false).guide();
+    Guide full = GuideBuilder.build(records, Guide.NONE, () -> BLIND, 0, false).guide();
     assertThat(full.bytes()).isLessThan(free.bytes() / 4);
     assertThat(cell(full)).isNotNegative();
   }

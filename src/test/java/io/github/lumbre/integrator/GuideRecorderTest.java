@@ -33,7 +33,7 @@ class GuideRecorderTest {
     List<Double> gains = new ArrayList<>();
     for (int pass = 0; pass < 4; pass++) {
       GuideRecords records = record(scene, guide, pass);
-      GuideBuilder.Built built = GuideBuilder.train(records, guide, new GuideSight(scene));
+      GuideBuilder.Built built = GuideBuilder.train(records, guide, () -> new GuideSight(scene));
       guide = built.guide();
       gains.add(built.gain());
     }
