@@ -28,10 +28,10 @@ final class GuideTrial {
   private static final int SEQUENCES = 2;
 
   /** The largest number of pixels. */
-  private static final int MOST_PIXELS = 1024;
+  private static final int MOST_PIXELS = 2048;
 
   /** Paths of the pilot for each pixel. A pixel takes 64 paths of the trial. */
-  private static final int PATHS_PER_PIXEL = 256;
+  private static final int PATHS_PER_PIXEL = 128;
 
   private static final int LEAST_PIXELS = 256;
 
@@ -41,8 +41,8 @@ final class GuideTrial {
   /** How many standard errors the gain must be above 1. */
   private static final double CERTAINTY = 2;
 
-  /** The smallest gain in rays that counts. Guided rays take up to 1.25 times as long as others. */
-  private static final double LEAST_GAIN = 1.25;
+  /** The smallest gain in rays that counts. Guided rays take up to 1.3 times as long as others. */
+  private static final double LEAST_GAIN = 1.3;
 
   private static final long SEED = 0x677569646520747aL;
 
