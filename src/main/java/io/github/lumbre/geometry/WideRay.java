@@ -208,12 +208,15 @@ final class WideRay extends ShearedRay {
    */
   private static double entry(
       double x, double y, double z, double dx, double dy, double dz, double room) {
-    double nearX = (-Math.copySign(room, dx) - x) / dx;
-    double nearY = (-Math.copySign(room, dy) - y) / dy;
-    double nearZ = (-Math.copySign(room, dz) - z) / dz;
-    double farX = (Math.copySign(room, dx) - x) / dx;
-    double farY = (Math.copySign(room, dy) - y) / dy;
-    double farZ = (Math.copySign(room, dz) - z) / dz;
+    double perX = 1 / dx;
+    double perY = 1 / dy;
+    double perZ = 1 / dz;
+    double nearX = (-Math.copySign(room, dx) - x) * perX;
+    double nearY = (-Math.copySign(room, dy) - y) * perY;
+    double nearZ = (-Math.copySign(room, dz) - z) * perZ;
+    double farX = (Math.copySign(room, dx) - x) * perX;
+    double farY = (Math.copySign(room, dy) - y) * perY;
+    double farZ = (Math.copySign(room, dz) - z) * perZ;
     double near = Math.max(Math.max(nearX, nearY), Math.max(nearZ, 0));
     return near <= Math.min(farX, Math.min(farY, farZ)) ? near : -1;
   }
