@@ -293,6 +293,7 @@ class LightTransportTest {
             .add(floor(), matte(ALBEDO))
             .add(ceilingLamp(50, 50, 3), matte(0))
             .add(new Rectangle(at(0, -1, 0), 50, 50, true), matte(0))
+            .add(new Rectangle(at(0, 4, 0), 50, 50, true), matte(0))
             .add(point(new Vec3(0, 2, 0), 4 * Math.PI))
             .build();
 
