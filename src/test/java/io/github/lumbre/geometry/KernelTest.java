@@ -274,6 +274,25 @@ class KernelTest {
   }
 
   /** The counting traversal finds the hits of plain Java with a plausible number of node visits. */
+  /** One ray object meets two hierarchies in turn, whose scales differ by a factor of 2^20. */
+  @Test
+  void hitsInHierarchiesInTurnAreTheSame() {
+    Random random = new Random(21);
+    TriangleMesh ball = Shapes.closedBall(40, 60, .2, true);
+    Transform small = Transform.scale(new Vec3(0x1p-20, 0x1p-20, 0x1p-20));
+    Pair large = Pair.over(List.of(Mesh.baked(ball, Transform.IDENTITY)));
+    Pair tiny = Pair.over(List.of(Mesh.baked(ball, small)));
+    int hits = 0;
+    for (int i = 0; i < 4000; i++) {
+      Pair pair = i % 2 == 0 ? large : tiny;
+      Vec3 center = pair.shapes.get(0).bounds().centre();
+      Vec3 extent = pair.shapes.get(0).bounds().max().minus(center);
+      Vec3 from = center.plus(Shapes.direction(random).times(.5 * extent.maxAbs()));
+      hits += assertSame(pair, new Ray(from, Shapes.direction(random))) ? 1 : 0;
+    }
+    assertThat(hits).isGreaterThan(200);
+  }
+
   @Test
   void countingFindsTheSameHitsAndFewNodes() {
     Random random = new Random(7);
