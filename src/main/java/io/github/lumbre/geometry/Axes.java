@@ -18,6 +18,8 @@ final class Axes {
     long ay = size(y);
     long az = size(z);
     int order = isLess(az, ay) << 2 | isLess(ay, ax) << 1 | isLess(az, ax);
+    // Two bits of the result for each order, from 7 to 0. Orders that contradict themselves do not
+    // occur.
     return 0b00_10_01_01_00_10_10_10 >> 2 * order & 3;
   }
 

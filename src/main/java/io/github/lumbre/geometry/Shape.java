@@ -57,9 +57,9 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
   }
 
   /**
-   * Returns whether the shape is flat, rays from behind pass through it, and a box lies wholly in
-   * front of its plane, not nearer than rounding errors. Then the shape blocks no ray from anywhere
-   * to a point in the box.
+   * Returns whether the shape is flat, rays from behind pass through it, and a box in world space
+   * lies wholly in front of its plane, with a distance far above rounding errors. The shape then
+   * blocks no ray that ends in the box, wherever the ray starts.
    */
   default boolean isBehind(Bounds3 box) {
     return false;

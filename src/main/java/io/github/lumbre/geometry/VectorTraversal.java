@@ -285,9 +285,9 @@ final class VectorTraversal implements Traversal {
 
   /**
    * Returns, for each triangle of a leaf's block, whether it belongs to the leaf and the ray may
-   * hit it before its end, in the encoding of {@link #MASKS}. The test is that of Möller &amp; Trumbore 1997, "Fast, Minimum
-   * Storage Ray/Triangle Intersection", without the division. Its error bounds are derived in
-   * docs/design.md.
+   * hit it before its end, in the encoding of {@link #MASKS}. The test is that of Möller &amp;
+   * Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection", without the division. Its
+   * error bounds are derived in docs/design.md.
    */
   private long candidates(int first, int count, WideRay ray) {
     float[] p = leaves;

@@ -26,10 +26,7 @@ final class Connections {
   private final RecordValues values;
   private final Guide drawnBy;
 
-  /**
-   * Number of the records of paths. The connection of each is so many places beyond it, if there is
-   * one.
-   */
+  /** Number of the records of paths. The connection that starts at record i has number i + count. */
   private final int count;
 
   /** Sum of the powers of a record and those before it. */
@@ -38,7 +35,8 @@ final class Connections {
   private final double power;
 
   /**
-   * The first record whose power is not below each part of the whole: it spares most of a search.
+   * For each of {@link #count} equal steps of the power, the first record whose sum reaches it.
+   * Searches start there.
    */
   private final int[] firsts;
 

@@ -6,9 +6,9 @@ import java.util.Objects;
 import java.util.function.Supplier;
 
 /**
- * Builds a {@link Guide} from {@link GuideRecords}, on the threads of the common pool. Each sum is
- * taken by one thread in a fixed order, so that the same records give the same bits. Mutable; used
- * once.
+ * Builds a {@link Guide} from {@link GuideRecords}, in the fork-join pool of the calling thread, or
+ * else in the common pool. Each sum is taken by one thread in a fixed order, so that the same
+ * records give the same bits. Mutable; used once.
  */
 public final class GuideBuilder {
   private final GuideRecords records;

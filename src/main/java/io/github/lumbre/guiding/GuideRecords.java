@@ -152,8 +152,8 @@ public final class GuideRecords {
   }
 
   /**
-   * Sets a direction that no path took. It is no vertex; its number is beyond those of the vertices,
-   * in reserved room.
+   * Sets a direction that no path took. It is no vertex; its number is beyond those of the
+   * vertices, in reserved room.
    *
    * @param dx unit direction, as are dy and dz
    * @param pdf density with which a path would have drawn it

@@ -171,7 +171,7 @@ final class RecordValues {
     return area < Double.POSITIVE_INFINITY ? area : 0;
   }
 
-  /** Computes the values of a neighborhood with the means, and returns the mean of the new values. */
+  /** Computes the values of a neighborhood from the means; returns the mean of the new values. */
   private double update(int neighborhood) {
     double sum = 0;
     double weights = 0;

@@ -427,6 +427,7 @@ public final class Film {
     }
   }
 
+  // Not named "add", because the JVM's options name all methods called Film.add.
   private void addTo(int i, double value) {
     assert value >= 0 && value < Double.POSITIVE_INFINITY : value;
     double cut = Math.min(value, LARGEST);

@@ -279,7 +279,8 @@ public final class FilmRenderer implements PassRenderer {
               + film.window()
               + (film.hasAlpha() ? " with" : " without"));
     }
-    // Mostly the same object; Java makes the code that compares others at run time.
+    // Compares references first: the methods that compare records are made at run time, which
+    // takes milliseconds at the start of a command.
     if (!Objects.equals(film.layers(), layers)) {
       throw new IllegalArgumentException("film: expected " + layers + ", found " + film.layers());
     }

@@ -32,7 +32,10 @@ final class GuidePilot {
 
   private static final int PASSES = 5;
 
-  /** The predicted gain from which on {@code auto} tries it; see {@link GuideBuilder.Built#gain}. */
+  /**
+   * The predicted gain from which on {@code auto} tries the guide; see {@link
+   * GuideBuilder.Built#gain}.
+   */
   private static final double LEAST_GAIN = 1.15;
 
   /** The pass after which the pilot ends if it has learned nothing; it has then done 7/31. */

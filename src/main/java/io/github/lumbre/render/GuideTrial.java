@@ -14,12 +14,13 @@ import java.util.List;
 
 /**
  * A trial of {@code --guide auto}: pixels that are spread over the full frame are rendered with
- * unguided and with guided paths, and their errors and rays are compared. What the pilot's records
- * predict is not enough: it leaves out the noise that guiding does not change, and that evenly
- * distributed samples of a smooth integrand have less noise than those of a guide with its steps.
+ * unguided and with guided paths, and their errors and rays are compared. The gain that the pilot's
+ * records predict is not enough, for two reasons. Some noise does not come from scattered
+ * directions, so that guiding does not lower it. And the steps in a guide's density spoil the even
+ * distribution of Sobol points, which makes the noise of smooth light much lower than records tell.
  *
- * <p>Its work is fixed, sums are taken in the order of the pixels, and cost is counted in rays, as in
- * {@link GuidePilot}.
+ * <p>Its work is fixed, sums are taken in the order of the pixels, and cost is counted in rays, as
+ * in {@link GuidePilot}.
  */
 final class GuideTrial {
   /** Samples of each of two independent means. Their difference shows their error. */
@@ -63,7 +64,8 @@ final class GuideTrial {
   /**
    * The outcome.
    *
-   * @param gain squared error times rays of unguided paths, over that of guided ones
+   * @param gain squared error times rays of unguided paths, over that of guided ones; 1 if neither
+   *     has an error
    * @param isBetter whether guided paths are certainly better, and by enough
    * @param rays of the trial
    */
@@ -91,9 +93,19 @@ final class GuideTrial {
     double[] squares = PilotErrors.squares(pixels, means);
     double[] before = errors(unguided, squares);
     double[] after = errors(guided, squares);
+    return judge(before, after, unguided.rays, guided.rays);
+  }
+
+  /**
+   * Compares the errors and rays of unguided paths with those of guided ones.
+   *
+   * @param before error of each pixel with unguided paths, at least 0
+   * @param after error of each pixel with guided paths
+   */
+  static Outcome judge(double[] before, double[] after, long raysBefore, long raysAfter) {
     // One limit for both: that of the side with more noise.
     double limit = Math.max(PilotErrors.limit(before), PilotErrors.limit(after));
-    double price = (double) unguided.rays / guided.rays;
+    double price = (double) raysBefore / raysAfter;
     double gain = price * ratio(before, after, limit, Jackknife.NONE);
     double bound =
         Jackknife.bound(
@@ -101,7 +113,7 @@ final class GuideTrial {
     return new Outcome(
         gain > 0 && gain < Double.POSITIVE_INFINITY ? gain : 1,
         gain >= LEAST_GAIN && bound > 1,
-        unguided.rays + guided.rays);
+        raysBefore + raysAfter);
   }
 
   /** Two means of each pixel, row by row, and the rays of all. */

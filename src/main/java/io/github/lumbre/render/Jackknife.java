@@ -10,9 +10,9 @@ final class Jackknife {
   private Jackknife() {}
 
   /**
-   * Returns a number less some standard errors; 0 if it is not finite. The standard error comes from
-   * what the number is without each group (Efron and Stein 1981, "The Jackknife Estimate of
-   * Variance").
+   * Returns a number less some standard errors; 0 if it is not finite. The standard error is
+   * computed from the values of the number without each group (Efron and Stein 1981, "The Jackknife
+   * Estimate of Variance").
    *
    * @param groups number of groups, at least 2
    * @param certainty number of standard errors

@@ -101,7 +101,9 @@ public final class Scene {
             .radius();
     Optional<Scene> same = from.flatMap(Built::origin).filter(this::hasShapesOf);
     bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), kernel));
-    hierarchies = Hierarchies.of(bvh, shapes(), allLights(), bvh::part);
+    hierarchies =
+        same.map(scene -> scene.hierarchiesFor(allLights()))
+            .orElseGet(() -> Hierarchies.of(bvh, shapes(), allLights(), bvh::part));
     kernelChange =
         same.map(s -> s.kernelChange).orElseGet(() -> hierarchies.kernelChange(shapes()));
     lightGroups = new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, primitives);
@@ -274,6 +276,14 @@ public final class Scene {
   /** Returns the same scene with other hierarchies. */
   private Scene over(Bvh all, Function<List<Shape>, Bvh> build) {
     return new Scene(this, Hierarchies.of(all, shapes(), allLights(), build), shortcuts);
+  }
+
+  /**
+   * Returns the hierarchies for another scene with the same shapes. Both change kernels together,
+   * so that with other lights there is no second hierarchy.
+   */
+  private Hierarchies hierarchiesFor(List<Light> others) {
+    return allLights().equals(others) ? hierarchies : new Hierarchies(bvh, bvh);
   }
 
   /** Returns all lights that any integrator samples; some of them twice. */

@@ -16,8 +16,10 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.PointLight;
+import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -91,6 +93,28 @@ class HierarchiesTest {
     Bvh all = Bvh.over(ROOM);
     Light sky = EnvironmentLight.uniform(Rgb.WHITE);
     assertThat(Hierarchies.of(all, ROOM, List.of(sky), all::part).blockers()).isSameAs(all);
+  }
+
+  /** A scene of an animation shares hierarchies, but another lamp may lie behind a wall. */
+  @Test
+  void anotherLampIsHiddenByTheWallsOfASharedHierarchy() {
+    Rectangle wall = Rectangle.facing(new Vec3(-2, 0, 0), Vec3.X, 4, 4);
+    Scene first =
+        Scene.builder()
+            .lookingAt(new Vec3(0, 0, 3), Vec3.ZERO, 60)
+            .add(wall, new Matte(Texture.constant(Rgb.grey(.5))))
+            .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
+            .build();
+    Scene second =
+        first
+            .toBuilder()
+            .add(new PointLight(new Vec3(-3, 0, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE))
+            .build();
+    NearestHit ray = new NearestHit();
+    ray.aim(1, 0, 0, -4, 0, 0, 1);
+    assertThat(first.isLightOccluded(ray, true)).isFalse();
+    ray.aim(1, 0, 0, -4, 0, 0, 1);
+    assertThat(second.isLightOccluded(ray, true)).isTrue();
   }
 
   /** Returns the second hierarchy, and stores its shapes. */
