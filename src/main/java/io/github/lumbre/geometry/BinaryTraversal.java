@@ -1,7 +1,5 @@
 package io.github.lumbre.geometry;
 
-import java.util.Arrays;
-
 /**
  * The traversal in plain Java: it visits one node at a time and tests the boxes of its two children
  * in double precision.
@@ -18,18 +16,18 @@ final class BinaryTraversal implements Traversal {
   private final Triangles triangles;
   private final LeafShapes shapes;
   private final boolean hasTriangles;
-  private double[] nodes = new double[NODE_SIZE];
+  private final double[] nodes;
 
   /** Two children per node: the number of a node, or a {@link LeafRef}. */
-  private int[] children = new int[2];
+  private final int[] children;
 
   private int nodeCount;
 
   BinaryTraversal(BvhNode tree, int[] order, BvhItems items) {
+    nodes = new double[Math.multiplyExact(tree.innerNodes(), NODE_SIZE)];
+    children = new int[2 * tree.innerNodes()];
     LeafOrder leaves = new LeafOrder(order, items.triangleCount());
     root = store(tree, leaves);
-    nodes = Arrays.copyOf(nodes, nodeCount * NODE_SIZE);
-    children = Arrays.copyOf(children, nodeCount * 2);
     triangles = items.triangles(leaves.triangles());
     shapes = items.shapes(leaves.shapes());
     hasTriangles = leaves.triangles().length > 0;
@@ -41,10 +39,6 @@ final class BinaryTraversal implements Traversal {
     }
     BvhNode.Inner inner = (BvhNode.Inner) node;
     int number = nodeCount++;
-    if (nodeCount * 2 > children.length) {
-      nodes = Arrays.copyOf(nodes, nodes.length * 2);
-      children = Arrays.copyOf(children, children.length * 2);
-    }
     System.arraycopy(inner.left().box(), 0, nodes, number * NODE_SIZE, 6);
     System.arraycopy(inner.right().box(), 0, nodes, number * NODE_SIZE + 6, 6);
     int left = store(inner.left(), leaves);

@@ -9,13 +9,13 @@ package io.github.lumbre.geometry;
  */
 final class BuildItems {
   /**
-   * Integers per item: minimum and maximum on x, y, z, from 0 to {@link #REACH}; its number; and
-   * its weight.
+   * Integers per item: minimum and maximum on x, y, z, from 0 to {@link #REACH}; its weight; its
+   * number.
    */
   static final int SIZE = 8;
 
-  static final int NUMBER = 6;
-  static final int WEIGHT = 7;
+  static final int WEIGHT = 6;
+  static final int NUMBER = 7;
 
   /** The largest coordinate; twice as much is still an integer. */
   static final int REACH = (1 << 30) - 1;
@@ -34,7 +34,7 @@ final class BuildItems {
       array[SIZE * i + NUMBER] = i;
       array[SIZE * i + WEIGHT] = costs.weight(i < source.triangleCount());
     }
-    quantize(0, source.count());
+    quantize(0, source.count(), source.box());
   }
 
   /** Returns {@link #SIZE} integers per item. */
@@ -58,9 +58,10 @@ final class BuildItems {
 
   /** Returns the exact box of a range. */
   double[] box(int first, int end) {
-    double[] all = BvhNode.EMPTY.clone();
+    double[] all = new double[6];
+    source.copyBox(array[SIZE * first + NUMBER], all);
     double[] box = new double[6];
-    for (int i = first; i < end; i++) {
+    for (int i = first + 1; i < end; i++) {
       source.copyBox(array[SIZE * i + NUMBER], box);
       BvhNode.grow(all, box);
     }
@@ -69,20 +70,45 @@ final class BuildItems {
 
   /** Sets the coordinates of a range again, so that they resolve its own extent. */
   void quantize(int first, int end) {
-    double[] all = box(first, end);
+    quantize(first, end, box(first, end));
+  }
+
+  private void quantize(int first, int end, double[] all) {
     // Halves, whose differences are finite.
     double x = .5 * all[0];
     double y = .5 * all[2];
     double z = .5 * all[4];
     double extent = Math.max(.5 * all[1] - x, Math.max(.5 * all[3] - y, .5 * all[5] - z));
     double scale = REACH / extent;
-    ParallelRange.run(
-        end - first, MAX_PART, (from, to) -> quantize(first + from, first + to, x, y, z, scale));
+    new Quantizing(first, x, y, z, scale).runAll(end - first, MAX_PART);
   }
 
-  private void quantize(int first, int end, double x, double y, double z, double scale) {
-    double[] box = new double[6];
-    for (int at = SIZE * first; at < SIZE * end; at += SIZE) {
+  /** Sets the coordinates of items, whose numbers count from the first one of a range. */
+  private final class Quantizing implements RangeWork {
+    private final int first;
+    private final double x;
+    private final double y;
+    private final double z;
+    private final double scale;
+
+    Quantizing(int first, double x, double y, double z, double scale) {
+      this.first = first;
+      this.x = x;
+      this.y = y;
+      this.z = z;
+      this.scale = scale;
+    }
+
+    @Override
+    public void run(int from, int to) {
+      double[] box = new double[6];
+      for (int i = first + from; i < first + to; i++) {
+        set(SIZE * i, box);
+      }
+    }
+
+    /** Sets one item, in a method of its own, which Java compiles before the loop around it. */
+    private void set(int at, double[] box) {
       source.copyBox(array[at + NUMBER], box);
       array[at] = quantized((.5 * box[0] - x) * scale);
       array[at + 1] = quantized((.5 * box[1] - x) * scale);

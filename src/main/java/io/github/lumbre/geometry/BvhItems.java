@@ -31,6 +31,9 @@ final class BvhItems {
   /** The boxes of the bounded shapes, six doubles each. */
   private final double[] shapeBoxes;
 
+  /** The box of all items; null before it is asked for. */
+  private double[] whole;
+
   BvhItems(List<Shape> all) {
     this.all = all;
     meshes = new TriangleMesh[all.size()];
@@ -127,7 +130,7 @@ final class BvhItems {
     double least = MIN_SIZE * extent();
     double[] box = new double[6];
     int large = 0;
-    for (int item = 0; item < count(); item++) {
+    for (int item = 0; item < count() && large <= count() / 2; item++) {
       copyBox(item, box);
       if (longest(box) >= least) {
         large++;
@@ -137,13 +140,20 @@ final class BvhItems {
   }
 
   private double extent() {
-    double[] all = BvhNode.EMPTY.clone();
-    double[] box = new double[6];
-    for (int item = 0; item < count(); item++) {
-      copyBox(item, box);
-      BvhNode.grow(all, box);
+    return Math.max(0, longest(box()));
+  }
+
+  /** Returns the box of all items; callers must not modify it. */
+  double[] box() {
+    if (whole == null) {
+      whole = BvhNode.EMPTY.clone();
+      double[] box = new double[6];
+      for (int item = 0; item < count(); item++) {
+        copyBox(item, box);
+        BvhNode.grow(whole, box);
+      }
     }
-    return Math.max(0, longest(all));
+    return whole;
   }
 
   private static double longest(double[] box) {

@@ -8,16 +8,44 @@ sealed interface BvhNode {
   /** Returns the minimum and maximum on x, y, z of all items below; callers must not modify it. */
   double[] box();
 
-  /** The builder's items in [first, end) of its order: only triangles or only shapes. */
-  record Leaf(double[] box, int first, int end) implements BvhNode {}
+  /** Returns the number of inner nodes of the subtree. */
+  int innerNodes();
 
-  /** An inner node with two children. */
-  record Inner(double[] box, BvhNode left, BvhNode right) implements BvhNode {
+  /** The builder's items in [first, end) of its order: only triangles or only shapes. */
+  record Leaf(double[] box, int first, int end) implements BvhNode {
+    @Override
+    public int innerNodes() {
+      return 0;
+    }
+  }
+
+  /**
+   * An inner node with two children.
+   *
+   * @param innerNodes the number of inner nodes of its subtree, with itself
+   */
+  record Inner(double[] box, BvhNode left, BvhNode right, int innerNodes) implements BvhNode {
     /** Creates a node with the smallest box around its children. */
     Inner(BvhNode left, BvhNode right) {
-      this(left.box().clone(), left, right);
-      grow(box, right.box());
+      this(union(left.box(), right.box()), left, right);
     }
+
+    /** Creates a node with the given box. */
+    Inner(double[] box, BvhNode left, BvhNode right) {
+      this(box, left, right, 1 + left.innerNodes() + right.innerNodes());
+    }
+  }
+
+  /** Returns the smallest box around two boxes. */
+  static double[] union(double[] a, double[] b) {
+    return new double[] {
+      Math.min(a[0], b[0]),
+      Math.max(a[1], b[1]),
+      Math.min(a[2], b[2]),
+      Math.max(a[3], b[3]),
+      Math.min(a[4], b[4]),
+      Math.max(a[5], b[5])
+    };
   }
 
   /** Grows a box so that it contains another one. */

@@ -45,8 +45,7 @@ final class Triangles {
     corners = new int[Math.multiplyExact(3, shape.length)];
     this.shape = shape;
     this.element = element;
-    ParallelRange.run(
-        shape.length, MAX_PART, (first, last) -> setCorners(first, last, meshes, start));
+    new Corners(meshes, start).runAll(shape.length, MAX_PART);
   }
 
   private Triangles(double[] positions, int[] corners, int[] shape, int[] element) {
@@ -66,8 +65,24 @@ final class Triangles {
     return new Triangles(positions, new int[0], shape, element);
   }
 
-  private void setCorners(int first, int last, TriangleMesh[] meshes, int[] start) {
-    for (int i = first; i < last; i++) {
+  /** Sets the corners of triangles. */
+  private final class Corners implements RangeWork {
+    private final TriangleMesh[] meshes;
+    private final int[] start;
+
+    Corners(TriangleMesh[] meshes, int[] start) {
+      this.meshes = meshes;
+      this.start = start;
+    }
+
+    @Override
+    public void run(int first, int end) {
+      for (int i = first; i < end; i++) {
+        set(i);
+      }
+    }
+
+    private void set(int i) {
       TriangleMesh mesh = meshes[shape[i]];
       for (int corner = 0; corner < 3; corner++) {
         corners[3 * i + corner] = start[shape[i]] + 3 * mesh.vertex(element[i], corner);

@@ -51,10 +51,8 @@ final class WideTree {
     int[] places = leafOrder.triangles();
     leaves = new float[Math.multiplyExact(places.length, TRIANGLE_SIZE)];
     Triangles all = items.triangles(places);
-    ParallelRange.run(
-        size / NODE_SIZE,
-        MAX_PART,
-        (first, end) -> storeLeaves(first, end, places, all.corners(), items));
+    RangeWork work = (first, end) -> storeLeaves(first, end, places, all.corners(), items);
+    work.runAll(size / NODE_SIZE, MAX_PART);
     triangles = all.withoutCorners();
     shapes = items.shapes(leafOrder.shapes());
   }
