@@ -55,14 +55,14 @@ final class AuditCommand implements Callable<Integer> {
   private static final Gson GSON =
       new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create();
 
-  @Mixin private SceneOptions options;
+  @Mixin SceneOptions options;
 
-  @Mixin private RenderFlags flags;
+  @Mixin RenderFlags flags;
 
   @Option(names = "--json", description = "Print the findings as JSON.")
-  private boolean json;
+  boolean json;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -82,16 +82,16 @@ final class BenchmarkCommand implements Callable<Integer> {
       paramLabel = "N",
       split = ",",
       description = "Render these rows of the table, such as 1,5,14 (all).")
-  private List<Integer> rows = List.of();
+  List<Integer> rows = List.of();
 
-  @ArgGroup private Amount amount = new Amount();
+  @ArgGroup Amount amount = new Amount();
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       defaultValue = "0",
       description = "Number of threads; 0: one per processor (${DEFAULT-VALUE}).")
-  private int threads;
+  int threads;
 
   @Option(
       names = "--warmup",
@@ -100,20 +100,20 @@ final class BenchmarkCommand implements Callable<Integer> {
       description =
           "Render each row N times with 1 sample per pixel before the timed renders"
               + " (${DEFAULT-VALUE}).")
-  private int warmup;
+  int warmup;
 
   @Option(
       names = "--repeat",
       paramLabel = "N",
       defaultValue = "1",
       description = "Render each row N times and report the median time (${DEFAULT-VALUE}).")
-  private int repeat;
+  int repeat;
 
   @Option(
       names = "--csv",
       paramLabel = "FILE",
       description = "Also write the table as comma-separated values.")
-  private Optional<Path> csv;
+  Optional<Path> csv;
 
   @Option(
       names = "--scenes",
@@ -122,18 +122,18 @@ final class BenchmarkCommand implements Callable<Integer> {
         "Folder of the scenes, " + ReportTable.FILE + " and " + TableHashes.FILE + ".",
         "Default: scenes, beside the launcher."
       })
-  private Optional<Path> scenes;
+  Optional<Path> scenes;
 
-  @Mixin private KernelFlag kernel;
+  @Mixin KernelFlag kernel;
 
-  @ArgGroup private Hashes hashes = new Hashes();
+  @ArgGroup Hashes hashes = new Hashes();
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   /** The share of the samples to render; at most one of the two flags. */
   static final class Amount {
@@ -141,10 +141,10 @@ final class BenchmarkCommand implements Callable<Integer> {
         names = "--scale",
         paramLabel = "SHARE",
         description = "Render this share of each row's samples, rounded up (0.01).")
-    private BigDecimal scale = new BigDecimal("0.01");
+    BigDecimal scale = new BigDecimal("0.01");
 
     @Option(names = "--full", description = "Render all samples; this takes days.")
-    private boolean full;
+    boolean full;
   }
 
   /** The use of the pictures' hashes; at most one of the two flags. */
@@ -152,10 +152,10 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
         names = "--check",
         description = "Compare the pictures' hashes with those in the folder of scenes.")
-    private boolean check;
+    boolean check;
 
     @Option(names = "--store", description = "Store the pictures' hashes in the folder of scenes.")
-    private boolean store;
+    boolean store;
   }
 
   @Override

@@ -39,17 +39,17 @@ import picocli.CommandLine.Spec;
       "7:Internal error"
     })
 final class CheckCommand implements Callable<Integer> {
-  @Mixin private SceneOptions options;
+  @Mixin SceneOptions options;
 
   @Option(names = "--json", description = "Print the contents as one line of JSON.")
-  private boolean json;
+  boolean json;
 
   @Option(
       names = "--plan",
       description = "Also print which rendering steps this scene does not need and skips.")
-  private boolean plan;
+  boolean plan;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

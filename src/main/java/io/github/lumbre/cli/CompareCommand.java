@@ -77,13 +77,13 @@ final class CompareCommand implements Callable<Integer> {
       List.copyOf(new PictureError(0, 0, 0, 0, 0, 0, 0).byName().keySet());
 
   @Parameters(index = "0", paramLabel = "PICTURE", description = "Picture to compare.")
-  private Path picture;
+  Path picture;
 
   @Parameters(
       index = "1",
       paramLabel = "REFERENCE",
       description = "Reference picture of the same size.")
-  private Path reference;
+  Path reference;
 
   @Option(
       names = "--tolerance",
@@ -93,14 +93,14 @@ final class CompareCommand implements Callable<Integer> {
         "Exit with code 1 if a metric is above its limit",
         "(ssim: below; bias: in absolute value)."
       })
-  private Map<String, Double> tolerance = new LinkedHashMap<>();
+  Map<String, Double> tolerance = new LinkedHashMap<>();
 
   @Option(
       names = "--layer",
       paramLabel = "NAME",
       description =
           "Compare this layer of two OpenEXR or checkpoint files, such as depth or lights.key.")
-  private Optional<String> layer = Optional.empty();
+  Optional<String> layer = Optional.empty();
 
   @Option(
       names = "--error-map",
@@ -108,17 +108,17 @@ final class CompareCommand implements Callable<Integer> {
       description =
           "Write a picture of each pixel's relative error: black up to 0.001, purple 0.01, orange"
               + " 0.1, pale yellow from 1.")
-  private Optional<Path> errorMap = Optional.empty();
+  Optional<Path> errorMap = Optional.empty();
 
   @Option(names = "--json", description = "Print the metrics as a JSON object.")
-  private boolean json;
+  boolean json;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

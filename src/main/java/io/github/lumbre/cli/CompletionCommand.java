@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
     usageHelpWidth = 100,
     footer = {"", "Example:", "  source <(lumbre completion)"})
 final class CompletionCommand implements Callable<Integer> {
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() {

@@ -61,30 +61,30 @@ import picocli.CommandLine.Spec;
     })
 final class DenoiseCommand implements Callable<Integer> {
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
-  private Path file;
+  Path file;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
       description = "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light.")
-  private Path output;
+  Path output;
 
-  @Mixin private DenoiserFlags denoiser;
+  @Mixin DenoiserFlags denoiser;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       defaultValue = "0",
       description = "Threads; 0 means one for each processor (${DEFAULT-VALUE}).")
-  private int threads;
+  int threads;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   /** A picture to denoise, and how to write it. */
   private record Input(NoisyPicture noisy, ImageWriter.Options options) {}

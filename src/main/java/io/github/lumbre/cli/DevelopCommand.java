@@ -41,20 +41,20 @@ final class DevelopCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "FILM",
       description = "Checkpoint file from 'lumbre render --checkpoint'.")
-  private Path film;
+  Path film;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
       description = "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light.")
-  private Path output;
+  Path output;
 
-  @Mixin private DevelopFlags flags;
+  @Mixin DevelopFlags flags;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

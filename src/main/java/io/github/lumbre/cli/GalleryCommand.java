@@ -72,19 +72,19 @@ final class GalleryCommand implements Callable<Integer> {
       paramLabel = "NAME",
       arity = "0..*",
       description = "Scene names without folder and extension (all).")
-  private List<String> names = List.of();
+  List<String> names = List.of();
 
   @Option(
       names = "--scenes",
       paramLabel = "DIR",
       description = "Folder of the scenes (scenes, beside the launcher).")
-  private Optional<Path> scenes;
+  Optional<Path> scenes;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
       description = "Folder of the pictures (renders, beside the launcher).")
-  private Optional<Path> out;
+  Optional<Path> out;
 
   @Option(
       names = "--seconds",
@@ -93,27 +93,27 @@ final class GalleryCommand implements Callable<Integer> {
       description =
           "Approximate time per picture in seconds (${DEFAULT-VALUE}). A warning names scenes whose"
               + " first 64 samples per pixel take longer.")
-  private int seconds;
+  int seconds;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       defaultValue = "0",
       description = "Number of threads; 0: one per processor (${DEFAULT-VALUE}).")
-  private int threads;
+  int threads;
 
   @Option(
       names = "--denoise",
       description =
           "Denoise the pictures with the built-in denoiser. The page states the noise before.")
-  private boolean denoise;
+  boolean denoise;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

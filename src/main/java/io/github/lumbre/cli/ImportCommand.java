@@ -54,7 +54,7 @@ import picocli.CommandLine.Spec;
     })
 final class ImportCommand implements Callable<Integer> {
   @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
-  private Path model;
+  Path model;
 
   @Option(
       names = {"-o", "--output"},
@@ -62,13 +62,13 @@ final class ImportCommand implements Callable<Integer> {
       description =
           "Scene file to write, in the folder of the model and the sky's picture or above it (the"
               + " model's name with .json, beside the model).")
-  private Optional<Path> output;
+  Optional<Path> output;
 
-  @Mixin private ModelFlags flags = new ModelFlags();
+  @Mixin ModelFlags flags = new ModelFlags();
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -66,29 +66,29 @@ final class LayersCommand implements Callable<Integer> {
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
 
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
-  private Path file;
+  Path file;
 
   @Option(
       names = "--layer",
       paramLabel = "NAME",
       description = "Only this layer, such as depth or CryptoObject. May be repeated.")
-  private List<String> names = new ArrayList<>();
+  List<String> names = new ArrayList<>();
 
   @Option(
       names = "--png",
       paramLabel = "FOLDER",
       description = "Write each layer as PNG files in this folder.")
-  private Optional<Path> folder = Optional.empty();
+  Optional<Path> folder = Optional.empty();
 
   @Option(names = "--json", description = "Print the layers as a JSON object.")
-  private boolean json;
+  boolean json;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.BudgetFlags;
+import io.github.lumbre.cli.option.CommandModel;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
@@ -93,6 +94,9 @@ public final class Lumbre implements Runnable {
     COMMANDS.put("help", HelpCommand.class);
   }
 
+  /** Commands whose annotations picocli reads: one with subcommands, and picocli's own. */
+  private static final Set<Class<?>> REFLECTED = Set.of(TradeCommand.class, HelpCommand.class);
+
   /** The commands that describe all commands. */
   private static final Set<String> DESCRIBING = Set.of("completion", "help");
 
@@ -103,7 +107,7 @@ public final class Lumbre implements Runnable {
           "trade-table", List.of("trade", "table"),
           "trade-quality", List.of("trade", "quality"));
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   /** Runs the command that the arguments name and exits. */
   public static void main(String[] args) {
@@ -150,6 +154,13 @@ public final class Lumbre implements Runnable {
     }
   }
 
+  /** Returns the classes whose models the build generates: the program and most commands. */
+  static List<Class<?>> modeledClasses() {
+    return Stream.concat(Stream.of(Lumbre.class), COMMANDS.values().stream())
+        .filter(type -> !REFLECTED.contains(type))
+        .toList();
+  }
+
   /** Returns the program with all of its commands. */
   static CommandLine commandLine() {
     return commandLine(Engine.LOCAL, COMMANDS.keySet());
@@ -177,9 +188,10 @@ public final class Lumbre implements Runnable {
                 : others.create(type);
           }
         };
-    CommandLine command = new CommandLine(new Lumbre(), factory);
+    CommandLine command = new CommandLine(CommandModel.of(Lumbre.class, factory), factory);
     for (String name : names) {
-      command.addSubcommand(name, new CommandLine(COMMANDS.get(name), factory));
+      CommandSpec model = CommandModel.of(COMMANDS.get(name), factory);
+      command.addSubcommand(name, new CommandLine(model, factory));
     }
     HelpLayout.applyToProgram(command);
     return command;

@@ -64,7 +64,7 @@ final class MergeCommand implements Callable<Integer> {
       paramLabel = "FILM",
       arity = "1..*",
       description = "Checkpoint file from 'lumbre render --checkpoint'.")
-  private List<Path> films;
+  List<Path> films;
 
   @Option(
       names = {"-o", "--output"},
@@ -73,13 +73,13 @@ final class MergeCommand implements Callable<Integer> {
       description =
           "Picture to write (.png, .jpg, .exr or .pfm); with any other extension, a checkpoint"
               + " file.")
-  private Path output;
+  Path output;
 
-  @Mixin private DevelopFlags flags;
+  @Mixin DevelopFlags flags;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

@@ -80,14 +80,14 @@ final class PerfCommand implements Callable<Integer> {
   private static final int MAX_REPETITIONS = 1000;
 
   @Parameters(paramLabel = "SCENE", arity = "0..*", description = "JSON scene files.")
-  private List<Path> scenes = List.of();
+  List<Path> scenes = List.of();
 
   @Option(
       names = "--compare",
       paramLabel = "FILE",
       arity = "2",
       description = "Compare two measurements and print whether the second is faster.")
-  private List<Path> compared = List.of();
+  List<Path> compared = List.of();
 
   @Option(
       names = "--by",
@@ -95,28 +95,28 @@ final class PerfCommand implements Callable<Integer> {
       converter = FlagConverters.OfClock.class,
       defaultValue = "cpu",
       description = "Compare by CPU time or wall-clock time: cpu or wall (${DEFAULT-VALUE}).")
-  private Clock clock;
+  Clock clock;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       defaultValue = "16",
       description = "Samples per pixel (${DEFAULT-VALUE}).")
-  private int samples;
+  int samples;
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
       description = "Frame size in pixels (the scene's, scaled down to a side of 320).")
-  private Optional<Size> size;
+  Optional<Size> size;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       split = ",",
       description = "Numbers of threads, such as 1,2; 0: one per processor (1,0).")
-  private List<Integer> threads = List.of(1, 0);
+  List<Integer> threads = List.of(1, 0);
 
   @Option(
       names = "--warmup",
@@ -124,7 +124,7 @@ final class PerfCommand implements Callable<Integer> {
       defaultValue = "10",
       description =
           "Render N times with 1 sample per pixel before the timed renders (${DEFAULT-VALUE}).")
-  private int warmup;
+  int warmup;
 
   @Option(
       names = "--repeat",
@@ -132,14 +132,14 @@ final class PerfCommand implements Callable<Integer> {
       description =
           "Render N times and report the median (5). With --paired, at least 12 pairs (12); with"
               + " --loading, at least 6 pairs (6).")
-  private Optional<Integer> repeat = Optional.empty();
+  Optional<Integer> repeat = Optional.empty();
 
   @Option(
       names = "--pairs",
       paramLabel = "N",
       defaultValue = "2",
       description = "Pairs of seeds that the noise is measured from (${DEFAULT-VALUE}).")
-  private int pairs;
+  int pairs;
 
   @Option(
       names = "--without",
@@ -149,46 +149,46 @@ final class PerfCommand implements Callable<Integer> {
         "Switch specializations off: ${COMPLETION-CANDIDATES}.",
         "With --paired, print what they save."
       })
-  private Set<Specialization> without = Set.of();
+  Set<Specialization> without = Set.of();
 
   @Option(
       names = "--adaptive",
       description = "Give noisy pixels more samples, as 'render --adaptive' does.")
-  private boolean adaptive;
+  boolean adaptive;
 
   @Option(
       names = "--split",
       paramLabel = "N",
       defaultValue = "1",
       description = "Split each path into N branches, as 'render --split' does (${DEFAULT-VALUE}).")
-  private int split;
+  int split;
 
   @Option(
       names = "--paired",
       description =
           "Render each scene alternately without and with --without, --adaptive or --split, and"
               + " print the ratios of CPU time, memory and squared error.")
-  private boolean paired;
+  boolean paired;
 
   @Option(
       names = "--loading",
       description =
           "Load each scene alternately without and with its unused meshes and textures, and print"
               + " the time and memory that skipping them saves.")
-  private boolean loading;
+  boolean loading;
 
   @Option(
       names = "--json",
       paramLabel = "FILE",
       description = "Write every repetition as JSON, for --compare and for scripts.")
-  private Optional<Path> json;
+  Optional<Path> json;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -62,29 +62,29 @@ final class PixelCommand implements Callable<Integer> {
   /** The number of brightest samples that are printed. */
   private static final int SHOWN = 8;
 
-  @Mixin private SceneOptions options;
+  @Mixin SceneOptions options;
 
   @Parameters(
       index = "1",
       paramLabel = "x,y",
       converter = FlagConverters.OfPixel.class,
       description = "Pixel of the full frame; 0,0 is the top left.")
-  private PixelPlace pixel;
+  PixelPlace pixel;
 
   @Option(
       names = "--sample",
       paramLabel = "N",
       description = "Print the path of sample N; the first sample is 0.")
-  private Optional<Integer> sample;
+  Optional<Integer> sample;
 
-  @Mixin private RenderFlags flags;
+  @Mixin RenderFlags flags;
 
-  @Mixin private KernelFlag kernel;
+  @Mixin KernelFlag kernel;
 
   @Option(names = "--json", description = "Print the result as JSON.")
-  private boolean json;
+  boolean json;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -106,7 +106,7 @@ import picocli.CommandLine.Spec;
 final class RenderCommand implements Callable<Integer> {
   private final Engine engine;
 
-  @Mixin private SceneOptions options;
+  @Mixin SceneOptions options;
 
   @Option(
       names = {"-o", "--output"},
@@ -116,51 +116,51 @@ final class RenderCommand implements Callable<Integer> {
             + " standard output.",
         "Default: the scene's name with .png, in the working directory."
       })
-  private Optional<Path> output;
+  Optional<Path> output;
 
   @Option(
       names = "--format",
       paramLabel = "NAME",
       converter = FlagConverters.OfImageFormat.class,
       description = "Format of the picture with -o -: png, exr, pfm or jpg (png).")
-  private Optional<ImageFormat> format;
+  Optional<ImageFormat> format;
 
-  @Mixin private RenderFlags flags;
+  @Mixin RenderFlags flags;
 
-  @Mixin private BudgetFlags budgets;
+  @Mixin BudgetFlags budgets;
 
-  @Mixin private QualityFlags quality;
+  @Mixin QualityFlags quality;
 
-  @Mixin private KernelFlag kernel;
+  @Mixin KernelFlag kernel;
 
   @Option(
       names = "--bits",
       paramLabel = "8|16",
       defaultValue = "8",
       description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
-  private int bits;
+  int bits;
 
   @Option(
       names = "--jpeg-quality",
       paramLabel = "N",
       defaultValue = "90",
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
-  private int jpegQuality;
+  int jpegQuality;
 
   @Option(
       names = "--denoise",
       description =
           "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
-  private boolean denoise;
+  boolean denoise;
 
-  @Mixin private DenoiserFlags denoiser;
+  @Mixin DenoiserFlags denoiser;
 
-  @Mixin private RunFlags run;
+  @Mixin RunFlags run;
 
   @Option(
       names = "--dry-run",
       description = "Print how much memory the render would need, and render nothing.")
-  private boolean dryRun;
+  boolean dryRun;
 
   @Option(
       names = "--checkpoint",
@@ -168,11 +168,11 @@ final class RenderCommand implements Callable<Integer> {
       description =
           "Save the samples to this new checkpoint file, for 'lumbre resume', 'lumbre merge' and"
               + " 'lumbre develop'.")
-  private Optional<Path> checkpoint;
+  Optional<Path> checkpoint;
 
-  @Mixin private CheckpointFlags checkpoints;
+  @Mixin CheckpointFlags checkpoints;
 
-  @Mixin private DisplayServerFlag display;
+  @Mixin DisplayServerFlag display;
 
   @Option(
       names = "--turntable",
@@ -180,11 +180,11 @@ final class RenderCommand implements Callable<Integer> {
       description =
           "Write N pictures of a model from around it, numbered from 000: OUT with -000 before its"
               + " ending.")
-  private Optional<Integer> turntable;
+  Optional<Integer> turntable;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   /** Creates the command that renders in this process. */
   RenderCommand() {

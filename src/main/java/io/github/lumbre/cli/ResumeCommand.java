@@ -100,7 +100,7 @@ final class ResumeCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "FILM",
       description = "Checkpoint file from 'lumbre render --checkpoint'.")
-  private Path film;
+  Path film;
 
   @Option(
       names = {"-s", "--samples"},
@@ -108,38 +108,38 @@ final class ResumeCommand implements Callable<Integer> {
       description =
           "Samples per pixel, including those already rendered (as before; if these are complete,"
               + " no limit with --time or --target-error).")
-  private Optional<Integer> samples;
+  Optional<Integer> samples;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = "Picture to write (as before).")
-  private Optional<Path> output;
+  Optional<Path> output;
 
   @Option(
       names = "--scene",
       paramLabel = "SCENE",
       description = "Scene file, if it has moved (as before).")
-  private Optional<Path> scene;
+  Optional<Path> scene;
 
-  @Mixin private SettingFlags work = new SettingFlags("", Group.EXECUTION);
+  @Mixin SettingFlags work = new SettingFlags("", Group.EXECUTION);
 
-  @Mixin private BudgetFlags budgets;
+  @Mixin BudgetFlags budgets;
 
-  @Mixin private KernelFlag kernel;
+  @Mixin KernelFlag kernel;
 
-  @Mixin private RunFlags run;
+  @Mixin RunFlags run;
 
-  @Mixin private CheckpointFlags checkpoints;
+  @Mixin CheckpointFlags checkpoints;
 
-  @Mixin private DisplayServerFlag display;
+  @Mixin DisplayServerFlag display;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException, SceneFormatException {

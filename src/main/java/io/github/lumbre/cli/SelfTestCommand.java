@@ -45,12 +45,12 @@ final class SelfTestCommand implements Callable<Integer> {
   private static final Tries TRIES = new Tries(4, 0);
 
   @Option(names = "--markdown", description = "Print the page docs/stability.md.")
-  private boolean markdown;
+  boolean markdown;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() {

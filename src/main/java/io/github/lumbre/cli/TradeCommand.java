@@ -66,32 +66,32 @@ final class TradeCommand implements Callable<Integer> {
   /** The largest number of samples per pixel of the other settings if there is a target error. */
   private static final int FEW = 16;
 
-  @Mixin private SceneOptions options;
+  @Mixin SceneOptions options;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT.html",
       description =
           "Page to write. Default: the scene's name with -trade.html, in the working directory.")
-  private Optional<Path> output = Optional.empty();
+  Optional<Path> output = Optional.empty();
 
   @Option(
       names = "--quick",
       description = "Use small pictures and few seeds; takes about one minute.")
-  private boolean quick;
+  boolean quick;
 
   @Option(
       names = "--time",
       paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
       description = "Approximate time for the study (5m; with --quick 1m).")
-  private Optional<Duration> time = Optional.empty();
+  Optional<Duration> time = Optional.empty();
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       description = "Largest number of samples per pixel of a setting, instead of --time.")
-  private Optional<Integer> samples = Optional.empty();
+  Optional<Integer> samples = Optional.empty();
 
   @Option(
       names = "--target-error",
@@ -102,7 +102,7 @@ final class TradeCommand implements Callable<Integer> {
               + " value, such as 3.16%%. Double the reference's samples until its squared error is"
               + " at most 1/8 of the target's square. --time ends both earlier. Changes the"
               + " defaults: -s 16, --seeds 4.")
-  private Optional<Double> target = Optional.empty();
+  Optional<Double> target = Optional.empty();
 
   @Option(
       names = "--reference",
@@ -110,7 +110,7 @@ final class TradeCommand implements Callable<Integer> {
       description =
           "Samples per pixel of the reference (64 times the largest number of a setting). With"
               + " --target-error, the reference starts with these.")
-  private Optional<Integer> reference = Optional.empty();
+  Optional<Integer> reference = Optional.empty();
 
   @Option(
       names = "--knobs",
@@ -118,13 +118,13 @@ final class TradeCommand implements Callable<Integer> {
       description =
           "Settings to vary, separated by commas: sampler, lights, strategy, roulette, split,"
               + " depth, mode, filter, clamp, adaptive, denoise (all).")
-  private Optional<String> knobs = Optional.empty();
+  Optional<String> knobs = Optional.empty();
 
   @Option(
       names = "--seeds",
       paramLabel = "N",
       description = "Renders of each setting, at least 3 (at least 3, as time allows).")
-  private Optional<Integer> seeds = Optional.empty();
+  Optional<Integer> seeds = Optional.empty();
 
   @Option(
       names = "--size",
@@ -132,19 +132,19 @@ final class TradeCommand implements Callable<Integer> {
       converter = FlagConverters.OfSize.class,
       description =
           "Frame size in pixels (the scene's, scaled down to a side of 160; with --quick 96).")
-  private Optional<Size> size = Optional.empty();
+  Optional<Size> size = Optional.empty();
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       description = "Number of threads; 0: one per processor (0).")
-  private int threads;
+  int threads;
 
-  @Mixin private KernelFlag kernel;
+  @Mixin KernelFlag kernel;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   /** Makes the scene optional for picocli, for the subcommands; {@link #call} requires it. */
   static final class SceneUnlessSubcommand implements IModelTransformer {

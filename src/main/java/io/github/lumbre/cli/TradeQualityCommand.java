@@ -56,21 +56,21 @@ final class TradeQualityCommand implements Callable<Integer> {
   private static final double REFERENCE_MARGIN = 8;
 
   @Parameters(paramLabel = "SCENE", arity = "1..*", description = "JSON scene files.")
-  private List<Path> scenes = List.of();
+  List<Path> scenes = List.of();
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
       description = "Frame size in pixels (the scene's, scaled down to a side of 48).")
-  private Optional<Size> size = Optional.empty();
+  Optional<Size> size = Optional.empty();
 
   @Option(
       names = "--seeds",
       paramLabel = "N",
       defaultValue = "4",
       description = "Renders of each quality, at least 3 (${DEFAULT-VALUE}).")
-  private int seeds;
+  int seeds;
 
   @Option(
       names = "--time",
@@ -80,12 +80,12 @@ final class TradeQualityCommand implements Callable<Integer> {
       description =
           "Time limit per scene, half of it for the reference (${DEFAULT-VALUE}). Qualities that do"
               + " not fit are skipped.")
-  private Duration time;
+  Duration time;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -54,21 +54,21 @@ final class TradeTableCommand implements Callable<Integer> {
       arity = "1..*",
       paramLabel = "STUDY.json",
       description = "JSON files from 'lumbre trade', in the order of the tables.")
-  private List<Path> studies = new ArrayList<>();
+  List<Path> studies = new ArrayList<>();
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT.md",
       required = true,
       description = "Markdown file to write.")
-  private Path output;
+  Path output;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

@@ -95,35 +95,35 @@ final class ViewCommand implements Callable<Integer> {
   private static final Set<String> PICTURES =
       Set.of("exr", "png", "jpg", "jpeg", "hdr", "pic", "pfm");
 
-  @Mixin private SceneOptions options;
+  @Mixin SceneOptions options;
 
   @Option(
       names = "--port",
       paramLabel = "N",
       defaultValue = "0",
       description = "Port of the page on 127.0.0.1 (0: any that is free).")
-  private int port;
+  int port;
 
   @Option(names = "--no-open", description = "Print the address, and open no browser.")
-  private boolean noOpen;
+  boolean noOpen;
 
   @Option(
       names = "--compare",
       paramLabel = "PICTURE",
       description = "Picture to show side by side or as a difference.")
-  private Optional<Path> compare;
+  Optional<Path> compare;
 
-  @Mixin private RenderFlags flags;
+  @Mixin RenderFlags flags;
 
-  @Mixin private BudgetFlags budgets;
+  @Mixin BudgetFlags budgets;
 
-  @Mixin private QualityFlags quality;
+  @Mixin QualityFlags quality;
 
-  @Mixin private KernelFlag kernel;
+  @Mixin KernelFlag kernel;
 
-  @Mixin private DisplayServerFlag display;
+  @Mixin DisplayServerFlag display;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -76,42 +76,42 @@ final class ViewsCommand implements Callable<Integer> {
   private static final int SHEET_COLUMNS = 4;
 
   @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
-  private Path model;
+  Path model;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "DIR",
       required = true,
       description = "Folder of the pictures; it is created if it does not exist.")
-  private Path folder;
+  Path folder;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       description = "Samples per pixel (100).")
-  private Optional<Integer> samples;
+  Optional<Integer> samples;
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
       description = "Size of each picture in pixels (1024x768).")
-  private Optional<Size> size;
+  Optional<Size> size;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       description = "Number of threads; 0: one per processor (0).")
-  private Optional<Integer> threads;
+  Optional<Integer> threads;
 
-  @Mixin private ModelFlags flags = new ModelFlags();
+  @Mixin ModelFlags flags = new ModelFlags();
 
-  @Mixin private OverwriteFlag overwrite;
+  @Mixin OverwriteFlag overwrite;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
-  @Spec private CommandSpec spec;
+  @Spec CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

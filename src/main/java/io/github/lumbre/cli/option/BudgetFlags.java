@@ -19,7 +19,7 @@ public final class BudgetFlags {
   public static final String START = "lumbre.start";
 
   @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
+  CommandSpec spec;
 
   @Option(
       names = "--time",
@@ -29,7 +29,7 @@ public final class BudgetFlags {
           "Take as many samples as fit into this time, loading and saving included (in 'view':"
               + " rendering alone), but at least 1 per pixel: 90s, 5m, 2h. Without --samples, the"
               + " number of samples is unlimited.")
-  private Optional<Duration> time = Optional.empty();
+  Optional<Duration> time = Optional.empty();
 
   @Option(
       names = "--target-error",
@@ -39,14 +39,14 @@ public final class BudgetFlags {
           "Sample until the noise, as relative RMSE, is at most this value, such as 2%%; otherwise"
               + " exit with code 1. Frames of fewer than 64 pixels never reach a target: without"
               + " --samples and --time they end after 4096 samples per pixel.")
-  private Optional<Double> targetError = Optional.empty();
+  Optional<Double> targetError = Optional.empty();
 
   @Option(
       names = "--confidence",
       paramLabel = "PERCENT",
       converter = FlagConverters.OfShare.class,
       description = "Confidence level of the noise bound (95%%).")
-  private Optional<Double> sureness = Optional.empty();
+  Optional<Double> sureness = Optional.empty();
 
   /**
    * Checks the ranges of the values.

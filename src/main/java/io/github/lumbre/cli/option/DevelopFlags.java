@@ -33,33 +33,33 @@ import picocli.CommandLine.Spec;
 /** The flags that set how a film becomes a picture. */
 public final class DevelopFlags {
   @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
+  CommandSpec spec;
 
-  @Mixin private SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
+  @Mixin SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
 
   @Option(
       names = "--bits",
       paramLabel = "8|16",
       description = "Bits per channel of a PNG (as rendered).")
-  private Optional<Integer> bits;
+  Optional<Integer> bits;
 
   @Option(
       names = "--jpeg-quality",
       paramLabel = "N",
       defaultValue = "90",
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
-  private int jpegQuality;
+  int jpegQuality;
 
   @Option(
       names = "--denoise",
       description =
           "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
-  private boolean denoise;
+  boolean denoise;
 
-  @Mixin private DenoiserFlags denoiser;
+  @Mixin DenoiserFlags denoiser;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
   /** A source of a film. */
   public interface Source {

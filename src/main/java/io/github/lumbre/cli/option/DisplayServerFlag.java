@@ -15,7 +15,7 @@ public final class DisplayServerFlag {
       Pattern.compile("(\\[[0-9a-fA-F:.]+\\]|[^\\s:]+):(\\d{1,5})");
 
   @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
+  CommandSpec spec;
 
   @Option(
       names = "--display-server",
@@ -23,7 +23,7 @@ public final class DisplayServerFlag {
       description =
           "Show the picture and its layers, as they converge, in an image viewer that speaks tev's"
               + " protocol (tev and HDRView listen at port 14158).")
-  private Optional<String> server;
+  Optional<String> server;
 
   /**
    * Returns the address of the viewer, not looked up yet; empty without the flag.

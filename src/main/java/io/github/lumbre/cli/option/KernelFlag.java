@@ -18,7 +18,7 @@ public final class KernelFlag {
   private static final Duration FIRST_FOR_VECTORS = Duration.ofSeconds(20);
 
   @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
+  CommandSpec spec;
 
   @Option(
       names = "--kernel",
@@ -27,7 +27,7 @@ public final class KernelFlag {
       description =
           "Ray traversal kernel: vector, scalar or auto (auto: scalar first; a long render changes"
               + " to vector where this is faster). The picture is bit-identical.")
-  private Optional<Kernel> kernel;
+  Optional<Kernel> kernel;
 
   /**
    * Returns a parser whose scenes use the selected kernel.

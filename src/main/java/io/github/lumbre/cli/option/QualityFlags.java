@@ -14,14 +14,14 @@ public final class QualityFlags {
       description =
           "Set --target-error and --depth together: draft (20%%, 3), preview (10%%, 5), final (3%%,"
               + " 16), reference (1%%, 1000). These flags override the preset.")
-  private Optional<Quality> quality = Optional.empty();
+  Optional<Quality> quality = Optional.empty();
 
   @Option(
       names = "--adaptive",
       description =
           "Give more samples to pixels where they reduce the noise most. --samples is then the mean"
               + " and must exceed 32, the first samples of every pixel. Not with --checkpoint.")
-  private boolean adaptive;
+  boolean adaptive;
 
   /** Returns whether noisy pixels get more samples. */
   public boolean isAdaptive() {

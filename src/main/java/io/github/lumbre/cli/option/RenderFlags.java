@@ -22,20 +22,20 @@ import picocli.CommandLine.Spec;
 /** The flags that override a scene's render settings. */
 public final class RenderFlags {
   @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
+  CommandSpec spec;
 
   @Option(
       names = "--mode",
       paramLabel = "MODE",
       converter = FlagConverters.OfMode.class,
       description = "Render mode: ray (Whitted) or path (path tracing). Default: scene or path.")
-  private Optional<Mode> mode;
+  Optional<Mode> mode;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       description = "Samples per pixel (scene or 100).")
-  private Optional<Integer> samples;
+  Optional<Integer> samples;
 
   @Option(
       names = "--samples-from",
@@ -43,13 +43,13 @@ public final class RenderFlags {
       description =
           "Index of each pixel's first sample (0). 'lumbre merge' joins checkpoint files with"
               + " consecutive samples.")
-  private Optional<Integer> samplesFrom;
+  Optional<Integer> samplesFrom;
 
   @Option(
       names = "--samples-to",
       paramLabel = "M",
       description = "End index of each pixel's samples, exclusive; instead of --samples.")
-  private Optional<Integer> samplesTo;
+  Optional<Integer> samplesTo;
 
   @Option(
       names = "--share",
@@ -57,7 +57,7 @@ public final class RenderFlags {
       description =
           "Render share I (from 0) of N of the samples, for 'lumbre merge'; auto: the share of this"
               + " process in a job array. Needs --checkpoint.")
-  private Optional<String> share;
+  Optional<String> share;
 
   /** Whether the layers for denoising are recorded besides those that are asked for. */
   private boolean isForDenoising;
@@ -72,10 +72,10 @@ public final class RenderFlags {
         "Path mode: maximum number of scattering vertices of a path (scene or 5).",
         "Ray mode: maximum number of mirror hits, and of glass hits, of a path (scene or 2)."
       })
-  private Optional<Integer> depth;
+  Optional<Integer> depth;
 
   @Mixin
-  private SettingFlags settings =
+  SettingFlags settings =
       new SettingFlags("", Group.TRANSPORT, Group.SAMPLING, Group.OUTPUT, Group.EXECUTION);
 
   @Option(
@@ -83,20 +83,20 @@ public final class RenderFlags {
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
       description = "Size of the full frame in pixels (scene or 1920x1080).")
-  private Optional<Size> size;
+  Optional<Size> size;
 
   @Option(
       names = "--crop",
       paramLabel = "x,y,w,h",
       converter = FlagConverters.OfCrop.class,
       description = "Render only this window of the full frame, with the same pixel values.")
-  private Optional<Crop> crop;
+  Optional<Crop> crop;
 
   @Option(
       names = "--max-pixels",
       paramLabel = "N",
       description = "Reject frames with more pixels (268435456, which is 2^28).")
-  private Optional<Integer> maxPixels;
+  Optional<Integer> maxPixels;
 
   /**
    * Checks the ranges of the values before anything is read.

@@ -31,7 +31,7 @@ public final class SceneOptions {
   private Optional<SceneText> modelScene = Optional.empty();
   private OptionalDouble turn = OptionalDouble.empty();
 
-  @Mixin private ModelFlags model = new ModelFlags();
+  @Mixin ModelFlags model = new ModelFlags();
 
   @Parameters(
       index = "0",
@@ -39,24 +39,24 @@ public final class SceneOptions {
       description =
           "JSON scene, or model: .gltf, .glb, .obj, .ply or .stl; - for a scene from standard"
               + " input.")
-  private Path scene;
+  Path scene;
 
-  @ArgGroup private Strictness strictness = new Strictness();
+  @ArgGroup Strictness strictness = new Strictness();
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
+  boolean debug;
 
   /** The treatment of warnings; at most one of the two flags. */
   static final class Strictness {
     @Option(
         names = "--strict",
         description = "Treat warnings and rejected samples (negative, NaN or infinite) as errors.")
-    private boolean strict;
+    boolean strict;
 
     @Option(
         names = "--lenient",
         description = "Treat references to missing assets as warnings instead of errors.")
-    private boolean lenient;
+    boolean lenient;
   }
 
   public Path scene() {
