@@ -47,6 +47,7 @@ public final class Bvh {
    * Builds the hierarchy over shapes. A shape's number is its index in the list.
    *
    * @throws IllegalStateException if the kernel is not available
+   * @throws HierarchyLimitException if there are too many items for it
    * @throws java.util.concurrent.CancellationException if the calling thread is interrupted while a
    *     large hierarchy is built
    */
@@ -160,9 +161,14 @@ public final class Bvh {
     return bounded;
   }
 
-  /** Builds the traversal that this hierarchy may change to. */
-  Traversal vectorTraversal() {
-    return Kernel.VECTOR.over(new BvhItems(changeable));
+  /**
+   * Builds the traversal that this hierarchy may change to.
+   *
+   * @param lastPlace see {@link Kernel#over(BvhItems, int)}
+   * @throws HierarchyLimitException if it has too many triangles for that
+   */
+  Traversal vectorTraversal(int lastPlace) {
+    return Kernel.VECTOR.over(new BvhItems(changeable), lastPlace);
   }
 
   /** Replaces the traversal by one that finds the same hits. */

@@ -42,11 +42,16 @@ final class BvhBuilder {
 
   private volatile boolean cancelled;
 
-  /** Creates a builder of the tree over items; there must be at least one. */
+  /**
+   * Creates a builder of the tree over items; there must be at least one.
+   *
+   * @throws HierarchyLimitException if there are more than {@link #MAX_ITEMS}
+   */
   BvhBuilder(BvhItems items, LeafCost costs) {
     if (items.count() > MAX_ITEMS) {
-      throw new IllegalArgumentException(
-          "items: expected at most 2^26 - 1, found " + items.count());
+      throw new HierarchyLimitException(
+          "expected at most 2^26 - 1 triangles and other shapes in one hierarchy, found "
+              + items.count());
     }
     this.items = new BuildItems(items, costs);
     this.costs = costs;

@@ -14,8 +14,9 @@ import java.util.concurrent.atomic.LongAdder;
 public enum Kernel {
   /**
    * Vectors where they are available and faster: in hierarchies of six items or more, but not in
-   * those whose items are mostly too small, relative to its extent, for floats to separate. Until
-   * the JIT has compiled the vector kernel, plain Java; see {@link KernelChange}.
+   * those whose items are mostly too small, relative to its extent, for floats to separate, nor in
+   * those of more than about 63 million triangles. Until the JIT has compiled the vector kernel,
+   * plain Java; see {@link KernelChange}.
    */
   AUTO,
 
@@ -48,17 +49,38 @@ public enum Kernel {
    * Returns the traversal over items.
    *
    * @throws IllegalStateException if this is {@link #VECTOR} and vectors are not available
+   * @throws HierarchyLimitException if there are too many items
    */
   Traversal over(BvhItems items) {
+    return over(items, BvhBuilder.MAX_ITEMS);
+  }
+
+  /**
+   * Returns the traversal over items.
+   *
+   * @param lastPlace the largest number of a triangle's place in the vector kernel, less than the
+   *     default for tests
+   */
+  Traversal over(BvhItems items, int lastPlace) {
     if (items.isEmpty()) {
       return Traversal.NONE;
     }
-    if (!usesVectors(items)) {
-      BvhBuilder builder = new BvhBuilder(items, BinaryTraversal.COSTS);
-      return new BinaryTraversal(builder.build(), builder.order(), items);
+    if (usesVectors(items)) {
+      try {
+        return vectorsOver(items, lastPlace);
+      } catch (HierarchyLimitException e) {
+        if (this == VECTOR) {
+          throw e;
+        }
+      }
     }
+    BvhBuilder builder = new BvhBuilder(items, BinaryTraversal.COSTS);
+    return new BinaryTraversal(builder.build(), builder.order(), items);
+  }
+
+  private static Traversal vectorsOver(BvhItems items, int lastPlace) {
     BvhBuilder builder = new BvhBuilder(items, WideTree.COSTS);
-    return Vectors.over(new WideTree(builder.build(), builder.order(), items));
+    return Vectors.over(new WideTree(builder.build(), builder.order(), items, lastPlace));
   }
 
   /** Returns a traversal over items that counts the nodes that {@link #SCALAR} visits. */

@@ -28,10 +28,15 @@ public final class KernelChange {
   private static volatile boolean isCompiled;
 
   private final List<Bvh> hierarchies;
+
+  /** See {@link Kernel#over(BvhItems, int)}. */
+  private final int lastPlace;
+
   private boolean isTried;
 
-  private KernelChange(List<Bvh> hierarchies) {
+  private KernelChange(List<Bvh> hierarchies, int lastPlace) {
     this.hierarchies = hierarchies;
+    this.lastPlace = lastPlace;
   }
 
   /** Returns the change of a hierarchy and of those of its {@link MeshInstance}s. */
@@ -41,13 +46,18 @@ public final class KernelChange {
 
   /** Returns the change of hierarchies over shapes and of those of their {@link MeshInstance}s. */
   public static KernelChange of(List<Bvh> hierarchies, List<? extends Shape> shapes) {
+    return of(hierarchies, shapes, BvhBuilder.MAX_ITEMS);
+  }
+
+  /** Returns the change to a vector kernel with fewer places for triangles, for tests. */
+  static KernelChange of(List<Bvh> hierarchies, List<? extends Shape> shapes, int lastPlace) {
     Set<Bvh> all = new LinkedHashSet<>(hierarchies);
     for (Shape shape : shapes) {
       if (shape instanceof MeshInstance instance) {
         all.add(instance.shared().bvh());
       }
     }
-    return new KernelChange(all.stream().filter(Bvh::isChangeable).toList());
+    return new KernelChange(all.stream().filter(Bvh::isChangeable).toList(), lastPlace);
   }
 
   /** Returns whether the vector kernel is known to be compiled in this JVM. */
@@ -70,7 +80,8 @@ public final class KernelChange {
   /**
    * Builds vector hierarchies and searches the largest one until the JIT has compiled the search
    * and it is faster than plain Java; then changes all hierarchies. If it does not become faster,
-   * nothing changes, as where vectors are not available. Takes one thread a few seconds.
+   * nothing changes, as where vectors are not available or have no place for the triangles. Takes
+   * one thread a few seconds.
    *
    * @param isWanted whether to continue; the search stops soon after it returns false. Another run
    *     may then try again.
@@ -88,8 +99,12 @@ public final class KernelChange {
       return false;
     }
     List<Traversal> vectors = new ArrayList<>();
-    for (Bvh bvh : hierarchies) {
-      vectors.add(bvh.vectorTraversal());
+    try {
+      for (Bvh bvh : hierarchies) {
+        vectors.add(bvh.vectorTraversal(lastPlace));
+      }
+    } catch (HierarchyLimitException e) {
+      return false;
     }
     int largest = indexOfLargest();
     if (!becomesFaster(hierarchies.get(largest), vectors.get(largest), isWanted)) {

@@ -17,6 +17,9 @@ final class LeafOrder {
   /** The number of places in a block; 0 if there are no blocks. */
   private final int block;
 
+  /** The largest number of a place that a leaf can start at. */
+  private final int lastPlace;
+
   /** For a number of free places, the first of them in the latest block that has so many, or -1. */
   private final int[] free;
 
@@ -27,13 +30,19 @@ final class LeafOrder {
    * @param triangles the number of triangles among the items
    */
   LeafOrder(int[] order, int triangles) {
-    this(order, triangles, 0);
+    this(order, triangles, 0, BvhBuilder.MAX_ITEMS);
   }
 
-  /** Creates an order without leaves, with blocks of so many triangles. */
-  LeafOrder(int[] order, int triangles, int block) {
+  /**
+   * Creates an order without leaves, with blocks of triangles.
+   *
+   * @param block the number of places in a block
+   * @param lastPlace the largest number of a place that a leaf can start at
+   */
+  LeafOrder(int[] order, int triangles, int block, int lastPlace) {
     this.order = order;
     this.block = block;
+    this.lastPlace = lastPlace;
     triangleItems = triangles;
     this.triangles = new int[triangles];
     shapes = new int[order.length - triangles];
@@ -41,7 +50,11 @@ final class LeafOrder {
     Arrays.fill(free, -1);
   }
 
-  /** Adds the items of a leaf; returns the {@link LeafRef} to their new position. */
+  /**
+   * Adds the items of a leaf; returns the {@link LeafRef} to their new position.
+   *
+   * @throws HierarchyLimitException if there is no place for them
+   */
   int add(BvhNode.Leaf leaf) {
     int count = leaf.end() - leaf.first();
     boolean ofShapes = order[leaf.first()] >= triangleItems;
@@ -66,8 +79,10 @@ final class LeafOrder {
       return first;
     }
     int first = triangleCount;
-    if (first > BvhBuilder.MAX_ITEMS) {
-      throw new IllegalArgumentException("triangles: their places exceed 2^26 - 1");
+    if (first > lastPlace) {
+      throw new HierarchyLimitException(
+          "the vector kernel has no place for so many triangles; expected at most about 63 million,"
+              + " or the scalar kernel");
     }
     triangleCount += Math.max(count, block);
     free[Math.max(0, block - count)] = first + count;

@@ -43,9 +43,21 @@ final class WideTree {
   private int[] nodes = new int[NODE_SIZE];
   private int size;
 
+  /** Creates the tree of a binary tree. */
   WideTree(BvhNode tree, int[] order, BvhItems items) {
+    this(tree, order, items, BvhBuilder.MAX_ITEMS);
+  }
+
+  /**
+   * Creates the tree of a binary tree.
+   *
+   * @param order the builder's order of item numbers
+   * @param lastPlace the largest number of a triangle's place that a leaf can start at
+   * @throws HierarchyLimitException if there are more triangles than places
+   */
+  WideTree(BvhNode tree, int[] order, BvhItems items, int lastPlace) {
     space = new UnitSpace(tree.box());
-    LeafOrder leafOrder = new LeafOrder(order, items.triangleCount(), WIDTH);
+    LeafOrder leafOrder = new LeafOrder(order, items.triangleCount(), WIDTH, lastPlace);
     store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder);
     nodes = Arrays.copyOf(nodes, size);
     int[] places = leafOrder.triangles();

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.geometry.HierarchyLimitException;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
@@ -311,6 +312,9 @@ public final class SceneParser {
       } catch (OutOfMemoryError e) {
         // What was to hold the scene is free again, and nothing else was touched.
         problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
+        throw problems.exception();
+      } catch (HierarchyLimitException e) {
+        problems.error(Kind.LIMIT, () -> "$", e.getMessage());
         throw problems.exception();
       } catch (CancellationException | ClosedByInterruptException | InterruptedIOException e) {
         if (time.hasPassed()) {

@@ -10,7 +10,8 @@ import java.util.function.DoubleSupplier;
  * the vector kernel takes about two seconds of processor time, and it then saves 10&nbsp;% to
  * 40&nbsp;% of the time of a render: short renders are over sooner without.
  *
- * <p>The thread ends soon after the last pass. A later pass may start it again.
+ * <p>The thread ends soon after the last pass. What it has compiled stays, and later renders start
+ * it again when they have earned the time it took.
  */
 final class KernelUpgrade {
   /** With less experience, in processor seconds, the time left is unknown: the JIT compiles. */
@@ -19,10 +20,16 @@ final class KernelUpgrade {
   /** It pays from this many processor seconds on, either still to come or already spent. */
   private static final double PAYS_FROM = 8;
 
-  /** The longest time between two passes of a render that continues. */
-  private static final long PAUSE_NANOS = 500_000_000;
+  /** Seconds of renders that earn a second of a change: at first eight for about two. */
+  private static final double PRICE = 4;
 
-  /** Seconds of the threads of passes with plain Java, in all renders of this JVM. */
+  /** The longest time between two passes of a render that continues. */
+  private static final long PAUSE_NANOS = 2_000_000_000;
+
+  /**
+   * Seconds of the threads of passes with plain Java, in all renders of this JVM, less what a
+   * change has used up.
+   */
   private static final DoubleAdder SPENT = new DoubleAdder();
 
   /** The number of passes that are running in this JVM. */
@@ -97,14 +104,28 @@ final class KernelUpgrade {
         .orElse(Double.POSITIVE_INFINITY);
   }
 
+  /**
+   * Takes note that a change was stopped between renders. The next one begins when its time has been
+   * earned again, not from zero: servers that render pictures with pauses between get there too.
+   *
+   * @param seconds the time that the change took
+   */
+  static void stopped(double seconds) {
+    SPENT.add(PAYS_FROM - PRICE * seconds);
+  }
+
   /** Returns whether a pass is running, or may follow on one that has just ended. */
   static boolean isRendering() {
     return RUNNING.get() > 0 || System.nanoTime() - lastEnd < PAUSE_NANOS;
   }
 
   private static void run(Scene scene) {
+    long start = System.nanoTime();
     try {
       scene.changeKernel(KernelUpgrade::isRendering);
+      if (scene.mayChangeKernel()) {
+        stopped((System.nanoTime() - start) * 1e-9);
+      }
     } catch (InterruptedException | OutOfMemoryError e) {
       // The render continues as it is.
     }

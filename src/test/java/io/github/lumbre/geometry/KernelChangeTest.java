@@ -105,6 +105,26 @@ class KernelChangeTest {
     assertThat(bvh.bounded()).isNotInstanceOf(BinaryTraversal.class);
   }
 
+  /** A mesh may fit into the scalar kernel and not into the vector kernel. */
+  @Test
+  void meshesWithoutPlaceStayInPlainJava() throws InterruptedException {
+    List<Shape> mesh =
+        List.of(Mesh.baked(Shapes.closedBall(30, 40, .2, false), Transform.IDENTITY));
+    Bvh bvh = Bvh.over(mesh);
+    KernelChange change = KernelChange.of(List.of(bvh), mesh, 1000);
+    assertThat(change.run(() -> true)).isFalse();
+    assertThat(change.isPossible()).isFalse();
+    assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
+
+    BvhItems items = new BvhItems(mesh);
+    KernelChange.setCompiled(true);
+    assertThat(Kernel.AUTO.over(items, 10000)).isNotInstanceOf(BinaryTraversal.class);
+    assertThat(Kernel.AUTO.over(items, 1000)).isInstanceOf(BinaryTraversal.class);
+    assertThatThrownBy(() -> Kernel.VECTOR.over(items, 1000))
+        .isInstanceOf(HierarchyLimitException.class)
+        .hasMessageContaining("the vector kernel has no place");
+  }
+
   @Test
   void chosenKernelsStay() {
     for (Kernel kernel : List.of(Kernel.SCALAR, Kernel.VECTOR)) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.geometry;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
@@ -68,12 +69,25 @@ class LeafTest {
   @Test
   void noLeafIsInTwoBlocks() {
     double[] box = new double[6];
-    LeafOrder leaves = new LeafOrder(new int[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0}, 11, 4);
+    LeafOrder leaves = new LeafOrder(new int[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0}, 11, 4, 8);
     assertThat(leaves.add(new BvhNode.Leaf(box, 0, 3))).isEqualTo(LeafRef.of(false, 0, 3));
     assertThat(leaves.add(new BvhNode.Leaf(box, 3, 5))).isEqualTo(LeafRef.of(false, 4, 2));
     assertThat(leaves.add(new BvhNode.Leaf(box, 5, 8))).isEqualTo(LeafRef.of(false, 8, 3));
     assertThat(leaves.add(new BvhNode.Leaf(box, 8, 9))).isEqualTo(LeafRef.of(false, 11, 1));
     assertThat(leaves.add(new BvhNode.Leaf(box, 9, 11))).isEqualTo(LeafRef.of(false, 6, 2));
     assertThat(leaves.triangles()).containsExactly(1, 2, 3, 0, 4, 5, 10, 0, 6, 7, 8, 9);
+  }
+
+  @Test
+  void triangleWithoutPlaceIsRefused() {
+    double[] box = new double[6];
+    LeafOrder leaves = new LeafOrder(new int[] {1, 2, 3, 4, 5, 6, 7, 8, 0}, 9, 4, 4);
+    leaves.add(new BvhNode.Leaf(box, 0, 4));
+    leaves.add(new BvhNode.Leaf(box, 4, 8));
+    assertThatThrownBy(() -> leaves.add(new BvhNode.Leaf(box, 8, 9)))
+        .isInstanceOf(HierarchyLimitException.class)
+        .hasMessage(
+            "the vector kernel has no place for so many triangles; expected at most about"
+                + " 63 million, or the scalar kernel");
   }
 }

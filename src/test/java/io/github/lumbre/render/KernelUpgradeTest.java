@@ -64,6 +64,32 @@ class KernelUpgradeTest {
     assertThat(scene.mayChangeKernel()).isFalse();
   }
 
+  /** A change that was stopped after half a second needs two more seconds, not eight. */
+  @Test
+  void stoppedChangeGoesOnWhenItsTimeIsEarned() throws InterruptedException {
+    KernelUpgrade.stopped(.5);
+    KernelUpgrade.begin();
+    KernelUpgrade.passed(scene, 1.9, 0, () -> 100);
+    assertThat(scene.mayChangeKernel()).isTrue();
+    KernelUpgrade.passed(scene, .2, 0, () -> 100);
+    CompiledVectors.forget();
+    KernelUpgrade.end();
+    assertThat(scene.mayChangeKernel()).isFalse();
+  }
+
+  @Test
+  void pauseStopsTheChangeAndTheNextRenderGoesOn() throws InterruptedException {
+    Thread.sleep(2100);
+    KernelUpgrade.passed(scene, 8.1, 0, () -> 100);
+    CompiledVectors.forget();
+    assertThat(scene.mayChangeKernel()).isTrue();
+    KernelUpgrade.begin();
+    KernelUpgrade.passed(scene, 7.9, 0, () -> 100);
+    CompiledVectors.forget();
+    KernelUpgrade.end();
+    assertThat(scene.mayChangeKernel()).isFalse();
+  }
+
   /** The threads waited for processors: 8.1 seconds of threads took 2.9 processor seconds. */
   @Test
   void shortRendersOnABusyMachineKeepTheirKernel() {
@@ -76,10 +102,11 @@ class KernelUpgradeTest {
     KernelUpgrade.begin();
     KernelUpgrade.begin();
     KernelUpgrade.end();
-    Thread.sleep(600);
+    Thread.sleep(2100);
     assertThat(KernelUpgrade.isRendering()).isTrue();
     KernelUpgrade.end();
-    Thread.sleep(600);
+    assertThat(KernelUpgrade.isRendering()).isTrue();
+    Thread.sleep(2100);
     assertThat(KernelUpgrade.isRendering()).isFalse();
   }
 

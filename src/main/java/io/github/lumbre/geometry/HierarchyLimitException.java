@@ -1,0 +1,10 @@
+package io.github.lumbre.geometry;
+
+/** A hierarchy would have more items than its numbers can hold. The message says which limit. */
+public final class HierarchyLimitException extends IllegalArgumentException {
+  private static final long serialVersionUID = 1;
+
+  HierarchyLimitException(String message) {
+    super(message);
+  }
+}
