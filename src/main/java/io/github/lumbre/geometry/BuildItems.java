@@ -23,6 +23,12 @@ final class BuildItems {
   /** The maximum number of items that one task quantizes. */
   private static final int MAX_PART = 1 << 14;
 
+  /** The least surface area of a large item's box, relative to that of all items. */
+  private static final double LARGE = 1 / 32.;
+
+  /** With more large items, none is separated from the others: a room has about twelve. */
+  private static final int MAX_LARGE = 16;
+
   private final BvhItems source;
   private final int[] array;
 
@@ -133,6 +139,38 @@ final class BuildItems {
       }
     }
     return middle;
+  }
+
+  /**
+   * Moves large items, such as the walls of a room, before the others; returns their number, or 0
+   * if there are none, too many of them, or no others. The surface area heuristic would put walls
+   * into one leaf, whose box is the room, or halve the room with all its contents.
+   */
+  int partitionLarge() {
+    int[] whole = new int[SIZE];
+    for (int at = 0; at < array.length; at += SIZE) {
+      for (int k = 1; k < 6; k += 2) {
+        whole[k] = Math.max(whole[k], array[at + k]);
+      }
+    }
+    double least = LARGE * BvhSplitter.halfArea(whole, 0);
+    int[] large = new int[MAX_LARGE];
+    int found = 0;
+    for (int at = 0; at < array.length; at += SIZE) {
+      if (BvhSplitter.halfArea(array, at) >= least) {
+        if (found == MAX_LARGE) {
+          return 0;
+        }
+        large[found++] = at;
+      }
+    }
+    if (found == count()) {
+      return 0;
+    }
+    for (int i = 0; i < found; i++) {
+      swap(array, SIZE * i, large[i]);
+    }
+    return found;
   }
 
   /** Swaps two items, given by their offsets. */

@@ -9,6 +9,9 @@ import java.util.concurrent.ForkJoinTask;
  * Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies". Mutable; each
  * instance builds one tree.
  *
+ * <p>For wide nodes, the walls of a room are separated from its contents first; see {@link
+ * BuildItems#partitionLarge}.
+ *
  * <p>A leaf holds triangles or other shapes, not both. Large ranges are built in parallel by the
  * fork-join pool in which {@link #build} is called, or by the common pool. Each task owns a fixed
  * range of the order, so the tree does not depend on the number of threads.
@@ -63,7 +66,12 @@ final class BvhBuilder {
    * @throws CancellationException if the thread that created this builder is interrupted
    */
   BvhNode build() {
-    return build(0, items.count(), 0, newSplitter());
+    int large = costs.isWide() ? items.partitionLarge() : 0;
+    if (large == 0) {
+      return build(0, items.count(), 0, newSplitter());
+    }
+    BvhNode left = build(0, large, 1, new BvhSplitter(items.array(), costs.ofLarge()));
+    return new BvhNode.Inner(left, build(large, items.count(), 1, newSplitter()));
   }
 
   /** Returns the item numbers in leaf order; valid after {@link #build}. */

@@ -294,7 +294,7 @@ final class BvhSplitter {
   }
 
   /** Returns half the surface area of a box at an offset, which is not empty. */
-  private static double halfArea(int[] array, int at) {
+  static double halfArea(int[] array, int at) {
     long x = array[at + 1] - array[at];
     long y = array[at + 3] - array[at + 2];
     long z = array[at + 5] - array[at + 4];

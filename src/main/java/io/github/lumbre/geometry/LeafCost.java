@@ -13,6 +13,18 @@ record LeafCost(int block, int maxUnits, double nodeCost, boolean isWide) {
   /** The cost of a leaf, in units, beyond which a range is large. */
   private static final int LARGE = 64;
 
+  /** The maximum number of large triangles in a leaf: a rectangle has two. */
+  private static final int MAX_LARGE = 2;
+
+  /**
+   * Returns the costs of the large items that {@link BuildItems#partitionLarge} separates. The
+   * surface area heuristic assumes that rays come from outside, and so pass a room's walls twice.
+   * But most start inside and end at the first wall, so that each wall pays as a leaf of its own.
+   */
+  LeafCost ofLarge() {
+    return new LeafCost(MAX_LARGE, 1, nodeCost, isWide);
+  }
+
   /** Returns the weight of one item; {@link #units} takes the sum of the weights. */
   int weight(boolean isTriangle) {
     return isTriangle ? 1 : block;

@@ -86,6 +86,81 @@ class BuildItemsTest {
     assertThat(items.order()).startsWith(2, 1, 0);
   }
 
+  /** Returns the six walls of a room from -size to size, two triangles each. */
+  private static Shape room(double size) {
+    double[] positions = new double[24];
+    for (int k = 0; k < 24; k++) {
+      positions[k] = (k / 3 >> k % 3 & 1) == 0 ? -size : size;
+    }
+    int[][] walls = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}};
+    List<Integer> indices = new ArrayList<>(List.of(1, 3, 7, 1, 7, 5));
+    for (int[] wall : walls) {
+      indices.addAll(List.of(wall[0], wall[1], wall[2], wall[0], wall[2], wall[3]));
+    }
+    int[] corners = indices.stream().mapToInt(i -> i).toArray();
+    TriangleMesh mesh = TriangleMesh.of(positions, new double[0], new double[0], corners);
+    return Mesh.baked(mesh, Transform.IDENTITY);
+  }
+
+  private static int separated(List<Shape> shapes) {
+    return new BuildItems(new BvhItems(shapes), WideTree.COSTS).partitionLarge();
+  }
+
+  @Test
+  void wallsAreSeparatedFromContents() {
+    List<Shape> shapes = boxes(50, 1, Vec3.ZERO, new SplittableRandom(4));
+    assertThat(separated(shapes)).isZero();
+    shapes.add(room(2));
+    assertThat(separated(shapes)).isEqualTo(12);
+    shapes.add(new Box(Transform.IDENTITY, 2, 1, .5));
+    shapes.add(new Box(Transform.IDENTITY, 1, 2, .5));
+    BuildItems items = new BuildItems(new BvhItems(shapes), WideTree.COSTS);
+    assertThat(items.partitionLarge()).isEqualTo(14);
+    assertThat(items.order())
+        .startsWith(IntStream.concat(IntStream.range(0, 12), IntStream.of(62, 63)).toArray());
+    assertThat(items.order()).containsExactlyInAnyOrder(IntStream.range(0, 64).toArray());
+  }
+
+  /** If there are no other items, or many large ones, none is separated. */
+  @Test
+  void wallsAreSeparatedInRoomsOnly() {
+    assertThat(separated(List.of(room(2)))).isZero();
+    List<Shape> shapes = boxes(50, 1, Vec3.ZERO, new SplittableRandom(4));
+    shapes.add(room(2));
+    shapes.add(room(1.5));
+    assertThat(separated(shapes)).isZero();
+    assertThat(separated(List.of(new Box(Transform.IDENTITY, 1, 1, 1)))).isZero();
+  }
+
+  /** Each wall is a leaf of its own, and the contents of the room are one subtree. */
+  @Test
+  void wallsAreLeavesOfTheirOwn() {
+    List<Shape> shapes = boxes(50, 1, Vec3.ZERO, new SplittableRandom(4));
+    BvhNode contents = new BvhBuilder(new BvhItems(shapes), WideTree.COSTS).build();
+    shapes.add(room(2));
+    BvhBuilder builder = new BvhBuilder(new BvhItems(shapes), WideTree.COSTS);
+    BvhNode.Inner root = (BvhNode.Inner) builder.build();
+    assertThat(root.right().box()).isEqualTo(contents.box());
+    List<BvhNode.Leaf> walls = new ArrayList<>();
+    addLeaves(root.left(), walls);
+    assertThat(walls).hasSize(6);
+    for (BvhNode.Leaf wall : walls) {
+      assertThat(wall.end() - wall.first()).isEqualTo(2);
+      double[] box = wall.box();
+      double thinnest = Math.min(box[1] - box[0], Math.min(box[3] - box[2], box[5] - box[4]));
+      assertThat(thinnest).isLessThan(1e-12);
+    }
+  }
+
+  private static void addLeaves(BvhNode node, List<BvhNode.Leaf> leaves) {
+    if (node instanceof BvhNode.Leaf leaf) {
+      leaves.add(leaf);
+    } else if (node instanceof BvhNode.Inner inner) {
+      addLeaves(inner.left(), leaves);
+      addLeaves(inner.right(), leaves);
+    }
+  }
+
   private static double surface(BvhNode node) {
     double own = BvhNode.halfArea(node.box());
     return node instanceof BvhNode.Inner inner
