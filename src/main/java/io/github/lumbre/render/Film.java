@@ -31,22 +31,16 @@ public final class Film {
   /** The maximum of one sample value; the sums can hold 2^30 such values. */
   static final double LARGEST = 0x1p32;
 
-  /** The maximum size of an encoded number, in bytes. */
-  static final int MAX_NUMBER_BYTES = 9;
-
   /** The maximum size of an encoded pixel without layers, in bytes. */
   public static final int MAX_PIXEL_BYTES =
-      2 * 5 + 3 * (MAX_NUMBER_BYTES + Long.BYTES) + Long.BYTES;
+      2 * 5 + 3 * (FilmNumbers.MAX_BYTES + Long.BYTES) + Long.BYTES;
 
   private final Crop window;
   private final int firstSample;
 
-  /**
-   * The whole parts and the fractions (unsigned, in units of 2^-64) of the sums, three per pixel.
-   */
-  private final long[] whole;
+  /** Three sums per pixel. */
+  private final ExactSums sums;
 
-  private final long[] fraction;
   private final int[] counts;
 
   /** The number of each pixel's samples that cover it; empty without alpha. */
@@ -81,8 +75,7 @@ public final class Film {
     }
     this.firstSample = firstSample;
     int pixels = Math.multiplyExact(window.width(), window.height());
-    whole = new long[Math.multiplyExact(3, pixels)];
-    fraction = new long[3 * pixels];
+    sums = new ExactSums(Math.multiplyExact(3, pixels));
     counts = new int[pixels];
     covered = new int[hasAlpha ? pixels : 0];
     firstMeans = new long[pixels];
@@ -164,8 +157,8 @@ public final class Film {
   /** Returns the sum, over all samples, of the mean of the three channels. */
   public double totalLight() {
     double light = 0;
-    for (int i = 0; i < whole.length; i++) {
-      light += sum(i) / 3;
+    for (int i = 0; i < sums.size(); i++) {
+      light += sums.get(i) / 3;
     }
     return light;
   }
@@ -225,7 +218,7 @@ public final class Film {
       }
       counts[to] = Math.addExact(counts[to], other.counts[from]);
       for (int i = 0; i < 3; i++) {
-        addTo(3 * to + i, other.whole[3 * from + i], other.fraction[3 * from + i]);
+        sums.add(3 * to + i, other.sums, 3 * from + i);
       }
       if (hasAlpha()) {
         covered[to] += other.covered[from];
@@ -260,7 +253,9 @@ public final class Film {
   private long mean(int pixel) {
     int count = counts[pixel];
     return PackedRgb.of(
-        sum(3 * pixel) / count, sum(3 * pixel + 1) / count, sum(3 * pixel + 2) / count);
+        sums.get(3 * pixel) / count,
+        sums.get(3 * pixel + 1) / count,
+        sums.get(3 * pixel + 2) / count);
   }
 
   /** Returns an independent copy of this film. */
@@ -285,8 +280,7 @@ public final class Film {
     }
     requireSameLayers(other);
     layers.set(other.layers);
-    System.arraycopy(other.whole, 0, whole, 0, whole.length);
-    System.arraycopy(other.fraction, 0, fraction, 0, fraction.length);
+    sums.set(other.sums);
     System.arraycopy(other.counts, 0, counts, 0, counts.length);
     System.arraycopy(other.covered, 0, covered, 0, covered.length);
     System.arraycopy(other.firstMeans, 0, firstMeans, 0, firstMeans.length);
@@ -311,22 +305,21 @@ public final class Film {
    * count. If this is not 0, these values follow: with alpha, the number of samples that cover the
    * pixel; for each channel, the whole part of the sum and its fraction in units of 2^-64; and the
    * packed mean that {@link #halves} needs; and the layers. Fractions and the mean take 8 bytes,
-   * little-endian. Other numbers take 7 bits per byte, lowest bits first; the eighth bit is set if
-   * more bytes follow.
+   * little-endian; for other numbers see {@link FilmNumbers}.
    *
    * @param pixel the pixel's index, row by row from the window's top left
    */
   public void encode(int pixel, ByteBuffer out) {
-    putNumber(out, counts[pixel]);
+    FilmNumbers.put(out, counts[pixel]);
     if (counts[pixel] == 0) {
       return;
     }
     if (hasAlpha()) {
-      putNumber(out, covered[pixel]);
+      FilmNumbers.put(out, covered[pixel]);
     }
     for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-      putNumber(out, whole[i]);
-      out.putLong(Long.reverseBytes(fraction[i]));
+      FilmNumbers.put(out, sums.whole(i));
+      out.putLong(Long.reverseBytes(sums.fraction(i)));
     }
     out.putLong(Long.reverseBytes(firstMeans[pixel]));
     layers.encode(pixel, out);
@@ -341,44 +334,20 @@ public final class Film {
    * @throws BufferUnderflowException if the bytes are truncated
    */
   public void decode(int pixel, ByteBuffer in) {
-    int count = (int) number(in, RenderSettings.MAX_SAMPLES);
+    int count = (int) FilmNumbers.get(in, RenderSettings.MAX_SAMPLES);
     counts[pixel] = count;
     if (count == 0) {
       return;
     }
     if (hasAlpha()) {
-      covered[pixel] = (int) number(in, count);
+      covered[pixel] = (int) FilmNumbers.get(in, count);
     }
     for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-      whole[i] = number(in, (long) LARGEST * count);
-      fraction[i] = Long.reverseBytes(in.getLong());
+      long whole = FilmNumbers.get(in, (long) LARGEST * count);
+      sums.set(i, whole, Long.reverseBytes(in.getLong()));
     }
     firstMeans[pixel] = Long.reverseBytes(in.getLong());
     layers.decode(pixel, count, in);
-  }
-
-  static void putNumber(ByteBuffer out, long number) {
-    long rest = number;
-    while (rest > 0x7f) {
-      out.put((byte) (rest | 0x80));
-      rest >>>= 7;
-    }
-    out.put((byte) rest);
-  }
-
-  static long number(ByteBuffer in, long largest) {
-    long number = 0;
-    for (int shift = 0; shift < Long.SIZE - 1; shift += 7) {
-      byte bits = in.get();
-      number |= (bits & 0x7fL) << shift;
-      if (bits >= 0) {
-        if (number > largest) {
-          break;
-        }
-        return number;
-      }
-    }
-    throw new IllegalArgumentException("expected a number up to " + largest + ", found " + number);
   }
 
   /** Returns the index of a pixel of the full frame, row by row from the window's top left. */
@@ -430,26 +399,7 @@ public final class Film {
   // Not named "add", because the JVM's options name all methods called Film.add.
   private void addTo(int i, double value) {
     assert value >= 0 && value < Double.POSITIVE_INFINITY : value;
-    double cut = Math.min(value, LARGEST);
-    long units = (long) cut;
-    // The fraction times 2^64; only fractions below 2^-12 are rounded, so the result is below 2^64.
-    double rest = Math.rint((cut - units) * 0x1p64);
-    long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
-    addTo(i, units, bits);
-  }
-
-  private void addTo(int i, long units, long bits) {
-    long sum = fraction[i] + bits;
-    whole[i] += units + carry(fraction[i], bits, sum);
-    fraction[i] = sum;
-  }
-
-  /**
-   * Returns the carry of the sum of two unsigned numbers, 0 or 1 (Warren 2012, sec. 2-16). Without
-   * a branch: its first carry, after a while, would discard the code compiled until then.
-   */
-  static long carry(long a, long b, long sum) {
-    return (a & b | (a | b) & ~sum) >>> Long.SIZE - 1;
+    sums.add(i, Math.min(value, LARGEST));
   }
 
   /**
@@ -457,13 +407,13 @@ public final class Film {
    * transparent if the film has alpha.
    */
   public Image develop() {
-    float[] rgb = new float[whole.length];
+    float[] rgb = new float[sums.size()];
     float[] alpha = new float[covered.length];
     for (int pixel = 0; pixel < counts.length; pixel++) {
       // Straight alpha: the color is the mean over the covering samples only.
       int count = covered.length == 0 ? counts[pixel] : covered[pixel];
       for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-        rgb[i] = count == 0 ? 0 : (float) (sum(i) / count);
+        rgb[i] = count == 0 ? 0 : (float) (sums.get(i) / count);
       }
       if (covered.length != 0 && count != 0) {
         alpha[pixel] = (float) count / counts[pixel];
@@ -573,28 +523,18 @@ public final class Film {
     int firstCount = Integer.highestOneBit(count - 1);
     int secondCount = count - firstCount;
     Rgb first = PackedRgb.unpacked(firstMeans[pixel]);
-    Rgb all = new Rgb(sum(3 * pixel), sum(3 * pixel + 1), sum(3 * pixel + 2));
+    Rgb all = new Rgb(sums.get(3 * pixel), sums.get(3 * pixel + 1), sums.get(3 * pixel + 2));
     Rgb second = all.plus(first.times(-firstCount)).times(1.0 / secondCount);
     return Optional.of(new PixelHalves(firstCount, first, secondCount, second));
   }
 
-  private double sum(int i) {
-    return sum(whole[i], fraction[i]);
-  }
-
-  /** Returns a sum of 128 bits: a whole part, and a fraction in units of 2^-64. */
-  static double sum(long whole, long fraction) {
-    double low = (fraction >>> 1) * 0x1p-63 + (fraction & 1) * 0x1p-64;
-    return whole + low;
-  }
-
   /** Returns the whole part of the sum of a channel of a pixel. */
   long whole(int channel, int pixel) {
-    return whole[3 * pixel + channel];
+    return sums.whole(3 * pixel + channel);
   }
 
   /** Returns the fraction of the sum of a channel of a pixel, in units of 2^-64. */
   long fraction(int channel, int pixel) {
-    return fraction[3 * pixel + channel];
+    return sums.fraction(3 * pixel + channel);
   }
 }

@@ -44,8 +44,7 @@ final class LayerSums {
 
   private final int narrowCount, wideCount;
   private final long[] narrowSums;
-  private final long[] whole;
-  private final long[] fraction;
+  private final ExactSums wideSums;
   private final long[] means;
 
   /** The number of each pixel's samples that hit a surface. */
@@ -61,8 +60,7 @@ final class LayerSums {
     narrowCount = Arrays.stream(narrow).mapToInt(layers::channels).sum();
     wideCount = Arrays.stream(wide).mapToInt(layers::channels).sum();
     narrowSums = new long[Math.multiplyExact(pixels, narrowCount)];
-    whole = new long[Math.multiplyExact(pixels, wideCount)];
-    fraction = new long[whole.length];
+    wideSums = new ExactSums(Math.multiplyExact(pixels, wideCount));
     means = new long[Math.multiplyExact(pixels, guides.size())];
     hits = new int[layers.countsHits() ? pixels : 0];
     counts = new PrimitiveCounts(layers.countsPrimitives() ? pixels : 0);
@@ -110,7 +108,7 @@ final class LayerSums {
     at = pixel * wideCount;
     for (Layer layer : wide) {
       for (double value : sample.of(layer)) {
-        addWide(at++, orZero(value));
+        wideSums.addSigned(at++, Math.max(-LARGEST, Math.min(LARGEST, orZero(value))));
       }
     }
     int primitive = sample.primitive();
@@ -124,26 +122,6 @@ final class LayerSums {
 
   private static double orZero(double value) {
     return Double.isNaN(value) ? 0 : value;
-  }
-
-  private void addWide(int i, double value) {
-    double cut = Math.max(-LARGEST, Math.min(LARGEST, value));
-    double floor = Math.floor(cut);
-    // The fraction times 2^64; rounding can make it 2^64.
-    double rest = Math.rint((cut - floor) * 0x1p64);
-    long units = (long) floor;
-    if (rest == 0x1p64) {
-      units++;
-      rest = 0;
-    }
-    long bits = rest < 0x1p63 ? (long) rest : (long) (rest - 0x1p63) | Long.MIN_VALUE;
-    addWide(i, units, bits);
-  }
-
-  private void addWide(int i, long units, long bits) {
-    long sum = fraction[i] + bits;
-    whole[i] += units + Film.carry(fraction[i], bits, sum);
-    fraction[i] = sum;
   }
 
   /**
@@ -164,8 +142,7 @@ final class LayerSums {
       narrowSums[to * narrowCount + i] += other.narrowSums[from * narrowCount + i];
     }
     for (int i = 0; i < wideCount; i++) {
-      int at = from * wideCount + i;
-      addWide(to * wideCount + i, other.whole[at], other.fraction[at]);
+      wideSums.add(to * wideCount + i, other.wideSums, from * wideCount + i);
     }
     if (hits.length != 0) {
       hits[to] += other.hits[from];
@@ -198,8 +175,7 @@ final class LayerSums {
   /** Copies all values of other layers of the same kind and size. */
   void set(LayerSums other) {
     System.arraycopy(other.narrowSums, 0, narrowSums, 0, narrowSums.length);
-    System.arraycopy(other.whole, 0, whole, 0, whole.length);
-    System.arraycopy(other.fraction, 0, fraction, 0, fraction.length);
+    wideSums.set(other.wideSums);
     System.arraycopy(other.means, 0, means, 0, means.length);
     System.arraycopy(other.hits, 0, hits, 0, hits.length);
     counts.set(other.counts);
@@ -212,20 +188,19 @@ final class LayerSums {
    */
   double sum(Layer layer, int channel, int pixel) {
     if (layer.grid() == Grid.WIDE) {
-      int i = pixel * wideCount + offset(layer, wide) + channel;
-      return Film.sum(whole[i], fraction[i]);
+      return wideSums.get(pixel * wideCount + offset(layer, wide) + channel);
     }
     return narrowSums[pixel * narrowCount + offset(layer, narrow) + channel] * UNIT;
   }
 
   /** Returns the whole part of a sum of 128 bits. */
   long whole(Layer layer, int channel, int pixel) {
-    return whole[pixel * wideCount + offset(layer, wide) + channel];
+    return wideSums.whole(pixel * wideCount + offset(layer, wide) + channel);
   }
 
   /** Returns the fraction of a sum of 128 bits, in units of 2^-64. */
   long fraction(Layer layer, int channel, int pixel) {
-    return fraction[pixel * wideCount + offset(layer, wide) + channel];
+    return wideSums.fraction(pixel * wideCount + offset(layer, wide) + channel);
   }
 
   /** Returns whether the mean of the first half of a pixel's samples is known. */
@@ -243,8 +218,8 @@ final class LayerSums {
   /** Returns the largest number of bytes of a pixel that hits some primitives. */
   int encodedBytes(int pixel) {
     return Long.BYTES * (narrowCount + guides.size())
-        + wideCount * (Film.MAX_NUMBER_BYTES + Long.BYTES)
-        + Film.MAX_NUMBER_BYTES
+        + wideCount * (FilmNumbers.MAX_BYTES + Long.BYTES)
+        + FilmNumbers.MAX_BYTES
         + counts.encodedBytes(pixel);
   }
 
@@ -261,11 +236,12 @@ final class LayerSums {
     }
     for (int i = pixel * wideCount; i < (pixel + 1) * wideCount; i++) {
       // The sign moves to the lowest bit, so that small numbers stay short.
-      Film.putNumber(out, whole[i] << 1 ^ whole[i] >> Long.SIZE - 1);
-      out.putLong(Long.reverseBytes(fraction[i]));
+      long whole = wideSums.whole(i);
+      FilmNumbers.put(out, whole << 1 ^ whole >> Long.SIZE - 1);
+      out.putLong(Long.reverseBytes(wideSums.fraction(i)));
     }
     if (hits.length != 0) {
-      Film.putNumber(out, hits[pixel]);
+      FilmNumbers.put(out, hits[pixel]);
     }
     counts.encode(pixel, out);
   }
@@ -289,12 +265,11 @@ final class LayerSums {
     }
     long largest = 2 * (long) LARGEST * count + 1;
     for (int i = pixel * wideCount; i < (pixel + 1) * wideCount; i++) {
-      long zigzag = Film.number(in, largest);
-      whole[i] = zigzag >>> 1 ^ -(zigzag & 1);
-      fraction[i] = Long.reverseBytes(in.getLong());
+      long zigzag = FilmNumbers.get(in, largest);
+      wideSums.set(i, zigzag >>> 1 ^ -(zigzag & 1), Long.reverseBytes(in.getLong()));
     }
     if (hits.length != 0) {
-      hits[pixel] = (int) Film.number(in, count);
+      hits[pixel] = (int) FilmNumbers.get(in, count);
     }
     counts.decode(pixel, count, in);
   }

@@ -105,7 +105,7 @@ public final class PrimitiveCounts {
   }
 
   int encodedBytes(int pixel) {
-    return first.length == 0 ? 0 : Film.MAX_NUMBER_BYTES * (1 + 2 * size(pixel));
+    return first.length == 0 ? 0 : FilmNumbers.MAX_BYTES * (1 + 2 * size(pixel));
   }
 
   /** Writes the number of primitives, then the number and the count of each, in their order. */
@@ -118,10 +118,10 @@ public final class PrimitiveCounts {
       entries[i] = entryAt(pixel, i);
     }
     Arrays.sort(entries);
-    Film.putNumber(out, entries.length);
+    FilmNumbers.put(out, entries.length);
     for (long entry : entries) {
-      Film.putNumber(out, primitive(entry));
-      Film.putNumber(out, (int) entry);
+      FilmNumbers.put(out, primitive(entry));
+      FilmNumbers.put(out, (int) entry);
     }
   }
 
@@ -135,7 +135,7 @@ public final class PrimitiveCounts {
     if (first.length == 0) {
       return;
     }
-    int size = (int) Film.number(in, samples);
+    int size = (int) FilmNumbers.get(in, samples);
     if (size > in.remaining()) {
       throw new BufferUnderflowException();
     }
@@ -143,8 +143,8 @@ public final class PrimitiveCounts {
     int left = samples;
     int last = -1;
     for (int i = 0; i < size; i++) {
-      int primitive = (int) Film.number(in, Integer.MAX_VALUE - 1);
-      int count = (int) Film.number(in, left);
+      int primitive = (int) FilmNumbers.get(in, Integer.MAX_VALUE - 1);
+      int count = (int) FilmNumbers.get(in, left);
       if (primitive <= last || count == 0) {
         throw new IllegalArgumentException("expected primitives in their order, found others");
       }
