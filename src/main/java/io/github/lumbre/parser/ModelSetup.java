@@ -1,22 +1,14 @@
 package io.github.lumbre.parser;
 
-import static java.util.stream.Collectors.joining;
-
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
-import io.github.lumbre.math.Transform;
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.Model;
-import io.github.lumbre.model.ModelCamera;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelReader;
-import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.SceneFormatException.Kind;
-import io.github.lumbre.text.Spelling;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -80,8 +72,6 @@ public record ModelSetup(
 
   /** The height that belongs to {@link #DEFAULT_WIDTH}. */
   public static final int DEFAULT_HEIGHT = 768;
-
-  private static final double GROUND_GRAY = .6;
 
   private static final String BYTES = "bytes in all files";
 
@@ -327,7 +317,10 @@ public record ModelSetup(
   private SceneText sceneOf(Path folder, Path file, Model model, OptionalDouble aspect)
       throws SceneFormatException, IOException {
     String name = String.valueOf(file.getFileName());
-    JsonObject scene = checked(name, () -> scene(model, folder.relativize(file), folder, aspect));
+    JsonObject scene =
+        checked(
+            name,
+            () -> new ModelStage(this, model).scene(folder.relativize(file), folder, aspect));
     // One line, which the header of a checkpoint file can hold.
     return new SceneText(scene.toString().getBytes(StandardCharsets.UTF_8), folder.resolve(name));
   }
@@ -363,156 +356,8 @@ public record ModelSetup(
     return isBuiltIn() ? List.of(model) : List.of(model, Path.of(sky).toAbsolutePath().normalize());
   }
 
+  /** Returns whether the sky is no picture. */
   private boolean isBuiltIn() {
     return sky.equals("studio") || sky.equals("white");
-  }
-
-  private JsonObject scene(Model model, Path name, Path folder, OptionalDouble aspect)
-      throws ModelFormatException {
-    JsonObject scene = new JsonObject();
-    scene.addProperty("mainCameraId", 1);
-    scene.add("renderOptions", renderOptions());
-    JsonArray assets = new JsonArray();
-    JsonArray objects = new JsonArray();
-    ModelFraming framing = ModelFraming.of(model);
-    objects.add(cameraObject(model, framing, aspect));
-    objects.add(dome(assets, folder));
-    objects.add(modelObject(name));
-    if (ground) {
-      assets.add(groundMaterial());
-      objects.add(floor(framing.bottom()));
-    }
-    scene.add("assets", assets);
-    scene.add("objects", objects);
-    return scene;
-  }
-
-  private JsonObject renderOptions() {
-    JsonObject render = new JsonObject();
-    render.addProperty("width", DEFAULT_WIDTH);
-    render.addProperty("height", DEFAULT_HEIGHT);
-    render.addProperty("maxTraceDepth", 12);
-    render.addProperty("toneMap", "neutral");
-    if (transparent) {
-      render.addProperty("background", "transparent");
-    }
-    background.ifPresent(color -> render.add("backplate", Written.color(color)));
-    return render;
-  }
-
-  private JsonObject cameraObject(Model model, ModelFraming framing, OptionalDouble aspect)
-      throws ModelFormatException {
-    Optional<ModelCamera> own = ownCamera(model);
-    if (own.isPresent()) {
-      return cameraObject(own.get());
-    }
-    View from = view.orElse(View.DEFAULT);
-    JsonObject object = object("Camera");
-    object.addProperty("id", 1);
-    object.addProperty("cameraType", "Pinhole");
-    object.addProperty("fieldOfView", fov);
-    object.add("localPosition", Written.vector(framing.eye(from, fov, aspect.orElse(4 / 3.))));
-    object.add("localRotation", Written.vector(new Vec3(from.elevation(), -from.azimuth(), 0)));
-    return object;
-  }
-
-  private Optional<ModelCamera> ownCamera(Model model) throws ModelFormatException {
-    if (camera.isEmpty()) {
-      return view.isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
-    }
-    List<String> names = new ArrayList<>();
-    for (ModelCamera each : model.cameras()) {
-      // A camera without a name is named by its index.
-      names.add(each.name().isEmpty() ? Integer.toString(names.size()) : each.name());
-    }
-    int index = names.indexOf(camera.get());
-    if (index < 0) {
-      String wanted = Problems.quoted(camera.get());
-      throw new ModelFormatException(
-          ModelFormatException.Kind.MALFORMED,
-          "cameras",
-          names.isEmpty()
-              ? "expected a camera " + wanted + ", found none in the model"
-              : "expected "
-                  + names.stream().limit(20).map(Problems::quoted).collect(joining(" or "))
-                  + ", found "
-                  + wanted
-                  + Spelling.suggestion(camera.get(), names));
-    }
-    return Optional.of(model.cameras().get(index));
-  }
-
-  private static JsonObject cameraObject(ModelCamera camera) {
-    Transform toWorld = ModelScene.TO_LEFT_HANDED.times(camera.toWorld());
-    JsonObject object = object("Camera");
-    object.addProperty("id", 1);
-    if (!camera.name().isEmpty()) {
-      object.addProperty("name", camera.name());
-    }
-    if (camera.lens() instanceof ModelCamera.Parallel lens) {
-      object.addProperty("cameraType", "Orthographic");
-      object.addProperty("height", 2 * lens.halfHeight() * toWorld.vector(Vec3.Y).length());
-    } else {
-      double angle = ((ModelCamera.Perspective) camera.lens()).verticalFov();
-      object.addProperty("cameraType", "Pinhole");
-      object.addProperty("fieldOfView", Math.toDegrees(angle));
-    }
-    object.add("localPosition", Written.vector(toWorld.point(Vec3.ZERO)));
-    object.add("localRotation", Written.vector(Rotations.degrees(ModelScene.axes(toWorld))));
-    return object;
-  }
-
-  private JsonObject dome(JsonArray assets, Path folder) {
-    JsonObject dome = object("Light");
-    dome.addProperty("lightType", "Dome");
-    dome.addProperty("intensity", skyIntensity);
-    dome.add("localRotation", Written.vector(new Vec3(0, skyRotation, 0)));
-    if (sky.equals("studio")) {
-      dome.addProperty("sky", "studio");
-    } else if (!sky.equals("white")) {
-      Path picture = Path.of(sky).toAbsolutePath().normalize();
-      JsonObject texture = new JsonObject();
-      texture.addProperty("assetType", "Texture");
-      texture.addProperty("id", 1);
-      texture.addProperty("file", slashed(folder.relativize(picture)));
-      texture.addProperty("filter", "bilinear");
-      assets.add(texture);
-      dome.addProperty("textureId", 1);
-    }
-    return dome;
-  }
-
-  private JsonObject modelObject(Path name) {
-    JsonObject object = object("Model");
-    object.addProperty("file", slashed(name));
-    Written.options(object, options);
-    return object;
-  }
-
-  private JsonObject groundMaterial() {
-    JsonObject material = new JsonObject();
-    material.addProperty("assetType", "Material");
-    material.addProperty("id", 2);
-    material.addProperty("materialType", transparent ? "ShadowCatcher" : "Diffuse");
-    material.add("color", Written.color(Rgb.grey(GROUND_GRAY)));
-    return material;
-  }
-
-  private static JsonObject floor(double y) {
-    JsonObject floor = object("Shape");
-    floor.addProperty("shapeType", "Plane");
-    floor.addProperty("materialID", 2);
-    floor.add("localPosition", Written.vector(new Vec3(0, y, 0)));
-    return floor;
-  }
-
-  private static JsonObject object(String type) {
-    JsonObject object = new JsonObject();
-    object.addProperty("type", type);
-    return object;
-  }
-
-  private static String slashed(Path path) {
-    return path.toString().replace('\\', '/');
   }
 }

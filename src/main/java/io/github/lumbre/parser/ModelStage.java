@@ -1,0 +1,188 @@
+package io.github.lumbre.parser;
+
+import static java.util.stream.Collectors.joining;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.Model;
+import io.github.lumbre.model.ModelCamera;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelScene;
+import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.text.Spelling;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * Writes the scene around a model: the model, a camera, the sky and the ground.
+ *
+ * @param setup what is around the model
+ */
+record ModelStage(ModelSetup setup, Model model) {
+  private static final double GROUND_GRAY = .6;
+
+  /**
+   * Returns the scene.
+   *
+   * @param name the path of the model from the folder
+   * @param folder where asset paths start
+   * @param aspect width of the frame over its height, to frame the model; empty for the default
+   * @throws ModelFormatException if the model does not have the camera
+   */
+  JsonObject scene(Path name, Path folder, OptionalDouble aspect)
+      throws ModelFormatException {
+    JsonObject scene = new JsonObject();
+    scene.addProperty("mainCameraId", 1);
+    scene.add("renderOptions", renderOptions());
+    JsonArray assets = new JsonArray();
+    JsonArray objects = new JsonArray();
+    ModelFraming framing = ModelFraming.of(model);
+    objects.add(cameraObject(framing, aspect));
+    objects.add(dome(assets, folder));
+    objects.add(modelObject(name));
+    if (setup.ground()) {
+      assets.add(groundMaterial());
+      objects.add(floor(framing.bottom()));
+    }
+    scene.add("assets", assets);
+    scene.add("objects", objects);
+    return scene;
+  }
+
+  private JsonObject renderOptions() {
+    JsonObject render = new JsonObject();
+    render.addProperty("width", ModelSetup.DEFAULT_WIDTH);
+    render.addProperty("height", ModelSetup.DEFAULT_HEIGHT);
+    render.addProperty("maxTraceDepth", 12);
+    render.addProperty("toneMap", "neutral");
+    if (setup.transparent()) {
+      render.addProperty("background", "transparent");
+    }
+    setup.background().ifPresent(color -> render.add("backplate", Written.color(color)));
+    return render;
+  }
+
+  private JsonObject cameraObject(ModelFraming framing, OptionalDouble aspect)
+      throws ModelFormatException {
+    Optional<ModelCamera> own = ownCamera();
+    if (own.isPresent()) {
+      return cameraObject(own.get());
+    }
+    View from = setup.view().orElse(View.DEFAULT);
+    JsonObject object = object("Camera");
+    object.addProperty("id", 1);
+    object.addProperty("cameraType", "Pinhole");
+    object.addProperty("fieldOfView", setup.fov());
+    Vec3 eye = framing.eye(from, setup.fov(), aspect.orElse(4 / 3.));
+    object.add("localPosition", Written.vector(eye));
+    object.add("localRotation", Written.vector(new Vec3(from.elevation(), -from.azimuth(), 0)));
+    return object;
+  }
+
+  private Optional<ModelCamera> ownCamera() throws ModelFormatException {
+    if (setup.camera().isEmpty()) {
+      return setup.view().isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
+    }
+    List<String> names = new ArrayList<>();
+    for (ModelCamera each : model.cameras()) {
+      // A camera without a name is named by its index.
+      names.add(each.name().isEmpty() ? Integer.toString(names.size()) : each.name());
+    }
+    int index = names.indexOf(setup.camera().get());
+    if (index < 0) {
+      String wanted = Problems.quoted(setup.camera().get());
+      throw new ModelFormatException(
+          ModelFormatException.Kind.MALFORMED,
+          "cameras",
+          names.isEmpty()
+              ? "expected a camera " + wanted + ", found none in the model"
+              : "expected "
+                  + names.stream().limit(20).map(Problems::quoted).collect(joining(" or "))
+                  + ", found "
+                  + wanted
+                  + Spelling.suggestion(setup.camera().get(), names));
+    }
+    return Optional.of(model.cameras().get(index));
+  }
+
+  private static JsonObject cameraObject(ModelCamera camera) {
+    Transform toWorld = ModelScene.TO_LEFT_HANDED.times(camera.toWorld());
+    JsonObject object = object("Camera");
+    object.addProperty("id", 1);
+    if (!camera.name().isEmpty()) {
+      object.addProperty("name", camera.name());
+    }
+    if (camera.lens() instanceof ModelCamera.Parallel lens) {
+      object.addProperty("cameraType", "Orthographic");
+      object.addProperty("height", 2 * lens.halfHeight() * toWorld.vector(Vec3.Y).length());
+    } else {
+      double angle = ((ModelCamera.Perspective) camera.lens()).verticalFov();
+      object.addProperty("cameraType", "Pinhole");
+      object.addProperty("fieldOfView", Math.toDegrees(angle));
+    }
+    object.add("localPosition", Written.vector(toWorld.point(Vec3.ZERO)));
+    object.add("localRotation", Written.vector(Rotations.degrees(ModelScene.axes(toWorld))));
+    return object;
+  }
+
+  private JsonObject dome(JsonArray assets, Path folder) {
+    JsonObject dome = object("Light");
+    dome.addProperty("lightType", "Dome");
+    dome.addProperty("intensity", setup.skyIntensity());
+    dome.add("localRotation", Written.vector(new Vec3(0, setup.skyRotation(), 0)));
+    String sky = setup.sky();
+    if (sky.equals("studio")) {
+      dome.addProperty("sky", "studio");
+    } else if (!sky.equals("white")) {
+      Path picture = Path.of(sky).toAbsolutePath().normalize();
+      JsonObject texture = new JsonObject();
+      texture.addProperty("assetType", "Texture");
+      texture.addProperty("id", 1);
+      texture.addProperty("file", slashed(folder.relativize(picture)));
+      texture.addProperty("filter", "bilinear");
+      assets.add(texture);
+      dome.addProperty("textureId", 1);
+    }
+    return dome;
+  }
+
+  private JsonObject modelObject(Path name) {
+    JsonObject object = object("Model");
+    object.addProperty("file", slashed(name));
+    Written.options(object, setup.options());
+    return object;
+  }
+
+  private JsonObject groundMaterial() {
+    JsonObject material = new JsonObject();
+    material.addProperty("assetType", "Material");
+    material.addProperty("id", 2);
+    material.addProperty("materialType", setup.transparent() ? "ShadowCatcher" : "Diffuse");
+    material.add("color", Written.color(Rgb.grey(GROUND_GRAY)));
+    return material;
+  }
+
+  private static JsonObject floor(double y) {
+    JsonObject floor = object("Shape");
+    floor.addProperty("shapeType", "Plane");
+    floor.addProperty("materialID", 2);
+    floor.add("localPosition", Written.vector(new Vec3(0, y, 0)));
+    return floor;
+  }
+
+  private static JsonObject object(String type) {
+    JsonObject object = new JsonObject();
+    object.addProperty("type", type);
+    return object;
+  }
+
+  private static String slashed(Path path) {
+    return path.toString().replace('\\', '/');
+  }
+}
