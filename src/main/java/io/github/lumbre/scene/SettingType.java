@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * The allowed values of a {@link Setting}, and their text form in scene files, on the command line,
@@ -42,6 +43,11 @@ public sealed interface SettingType<T> {
   /** Returns the text form of a value, which {@link #parse} accepts. */
   default String format(T value) {
     return String.valueOf(value);
+  }
+
+  /** Returns the texts of the values that have names, such as {@code auto}. */
+  default List<String> names() {
+    return List.of();
   }
 
   /** Integers in a range, with both ends included. */
@@ -88,6 +94,11 @@ public sealed interface SettingType<T> {
     @Override
     public String expected() {
       return AUTO + " or " + low + " to " + high;
+    }
+
+    @Override
+    public List<String> names() {
+      return List.of(AUTO);
     }
 
     @Override
@@ -141,6 +152,11 @@ public sealed interface SettingType<T> {
     public String expected() {
       return "true or false";
     }
+
+    @Override
+    public List<String> names() {
+      return List.of("true", "false");
+    }
   }
 
   /** The constants of an enum, written in lower case with hyphens. */
@@ -155,9 +171,12 @@ public sealed interface SettingType<T> {
 
     @Override
     public String expected() {
-      return Arrays.stream(type.getEnumConstants())
-          .map(this::format)
-          .collect(Collectors.joining(", ", "one of ", ""));
+      return "one of " + String.join(", ", names());
+    }
+
+    @Override
+    public List<String> names() {
+      return List.copyOf(choices().keySet());
     }
 
     @Override
@@ -190,6 +209,11 @@ public sealed interface SettingType<T> {
     @Override
     public String expected() {
       return "auto or a finite number of stops";
+    }
+
+    @Override
+    public List<String> names() {
+      return List.of(AUTO);
     }
 
     @Override
@@ -230,6 +254,12 @@ public sealed interface SettingType<T> {
       return Arrays.stream(Layer.values())
           .map(Layer::text)
           .collect(Collectors.joining(", ", "all, denoise, or some of ", ""));
+    }
+
+    @Override
+    public List<String> names() {
+      Stream<String> groups = Stream.of(Layer.ALL, Layer.DENOISE);
+      return Stream.concat(groups, Arrays.stream(Layer.values()).map(Layer::text)).toList();
     }
 
     @Override

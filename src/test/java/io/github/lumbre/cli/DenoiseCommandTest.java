@@ -192,7 +192,7 @@ class DenoiseCommandTest {
         .assertFailed(ExitCodes.USAGE, "none", "pip install pyoidn");
     assertThat(directory.resolve("x.png")).doesNotExist();
     Outcome.of("render", scene, "-o", path("x.png"), "--denoise", "--denoiser", "oidm")
-        .assertFailed(ExitCodes.USAGE, "--denoiser", "builtin or oidn");
+        .assertFailed(ExitCodes.USAGE, "--denoiser", "one of builtin, oidn");
   }
 
   @Test

@@ -95,7 +95,7 @@ class LumbreTest {
     assertThat(outcome.exitCode()).isZero();
     assertThat(outcome.out())
         .startsWith("#!/usr/bin/env bash")
-        .contains("render", "check", "--tonemap", "complete -F");
+        .contains("render", "check", "--tonemap", "complete -o default -F");
   }
 
   @Test

@@ -7,15 +7,14 @@ import io.github.lumbre.lab.perf.PerfComparison.Clock;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.RenderSettings.Size;
-import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scene.SettingType.ChoiceType;
 import java.math.BigDecimal;
 import java.time.Duration;
-import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
@@ -112,14 +111,9 @@ public final class FlagConverters {
   }
 
   /** {@code builtin} or {@code oidn}. */
-  static final class OfDenoiser implements ITypeConverter<DenoiserFlags.Engine> {
-    @Override
-    public DenoiserFlags.Engine convert(String text) {
-      return switch (text) {
-        case "builtin" -> DenoiserFlags.Engine.BUILTIN;
-        case "oidn" -> DenoiserFlags.Engine.OIDN;
-        default -> throw unexpected("builtin or oidn", text);
-      };
+  static final class OfDenoiser extends OfChoice<DenoiserFlags.Engine> {
+    OfDenoiser() {
+      super(DenoiserFlags.Engine.class);
     }
   }
 
@@ -139,42 +133,37 @@ public final class FlagConverters {
   }
 
   /** {@code ray} or {@code path}. */
-  public static final class OfMode implements ITypeConverter<Mode> {
-    @Override
-    public Mode convert(String text) {
-      return oneOf(Mode.values(), text);
+  public static final class OfMode extends OfChoice<Mode> {
+    public OfMode() {
+      super(Mode.class);
     }
   }
 
   /** {@code cpu} or {@code wall}. */
-  public static final class OfClock implements ITypeConverter<Clock> {
-    @Override
-    public Clock convert(String text) {
-      return oneOf(Clock.values(), text);
+  public static final class OfClock extends OfChoice<Clock> {
+    public OfClock() {
+      super(Clock.class);
     }
   }
 
   /** {@code draft}, {@code preview}, {@code final} or {@code reference}. */
-  static final class OfQuality implements ITypeConverter<Quality> {
-    @Override
-    public Quality convert(String text) {
-      return oneOf(Quality.values(), text);
+  static final class OfQuality extends OfChoice<Quality> {
+    OfQuality() {
+      super(Quality.class);
     }
   }
 
   /** {@code auto}, {@code vector} or {@code scalar}. */
-  static final class OfKernel implements ITypeConverter<Kernel> {
-    @Override
-    public Kernel convert(String text) {
-      return oneOf(Kernel.values(), text);
+  static final class OfKernel extends OfChoice<Kernel> {
+    OfKernel() {
+      super(Kernel.class);
     }
   }
 
   /** {@code png}, {@code exr}, {@code pfm} or {@code jpg}. */
-  public static final class OfImageFormat implements ITypeConverter<ImageFormat> {
-    @Override
-    public ImageFormat convert(String text) {
-      return oneOf(ImageFormat.values(), text);
+  public static final class OfImageFormat extends OfChoice<ImageFormat> {
+    public OfImageFormat() {
+      super(ImageFormat.class);
     }
   }
 
@@ -186,23 +175,33 @@ public final class FlagConverters {
   }
 
   /** {@code bar}, {@code json} or {@code none}. */
-  static final class OfProgressStyle implements ITypeConverter<ProgressStyle> {
-    @Override
-    public ProgressStyle convert(String text) {
-      return oneOf(ProgressStyle.values(), text);
+  static final class OfProgressStyle extends OfChoice<ProgressStyle> {
+    OfProgressStyle() {
+      super(ProgressStyle.class);
     }
   }
 
-  private static <E extends Enum<E>> E oneOf(E[] values, String text) {
-    return Arrays.stream(values)
-        .filter(value -> SettingType.nameOf(value).equals(text))
-        .findFirst()
-        .orElseThrow(
-            () -> {
-              String names =
-                  Arrays.stream(values).map(SettingType::nameOf).collect(Collectors.joining(", "));
-              return unexpected("one of " + names, text);
-            });
+  /** The constants of an enum, written as in scene files. */
+  private abstract static class OfChoice<E extends Enum<E>> implements ITypeConverter<E>, Choices {
+    private final ChoiceType<E> type;
+
+    OfChoice(Class<E> type) {
+      this.type = new ChoiceType<>(type);
+    }
+
+    @Override
+    public E convert(String text) {
+      try {
+        return type.parse(text);
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException(e.getMessage());
+      }
+    }
+
+    @Override
+    public List<String> choices() {
+      return type.names();
+    }
   }
 
   private static TypeConversionException unexpected(String expected, String found) {

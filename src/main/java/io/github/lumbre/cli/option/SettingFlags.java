@@ -3,6 +3,7 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
+import io.github.lumbre.scene.SettingType;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -63,7 +64,6 @@ public final class SettingFlags {
   }
 
   private <T> OptionSpec option(Setting<T> setting) {
-    ITypeConverter<T> converter = text -> parse(setting, text);
     ISetter setter =
         new ISetter() {
           @Override
@@ -80,7 +80,7 @@ public final class SettingFlags {
         .paramLabel(setting.label())
         .arity("1")
         .type(Object.class)
-        .converters(converter)
+        .converters(new Converter<>(setting))
         .setter(setter)
         .getter(new Getter(setting))
         .description(description(setting).replace("%", "%%"))
@@ -113,11 +113,25 @@ public final class SettingFlags {
     return setting.meaning() + " Default: " + from + ".";
   }
 
-  private static <T> T parse(Setting<T> setting, String text) {
-    try {
-      return setting.type().parse(text);
-    } catch (IllegalArgumentException e) {
-      throw new TypeConversionException(e.getMessage());
+  /** Converts the texts of a setting. */
+  private record Converter<T>(Setting<T> setting) implements ITypeConverter<T>, Choices {
+    @Override
+    public T convert(String text) {
+      try {
+        return setting.type().parse(text);
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException(e.getMessage());
+      }
+    }
+
+    @Override
+    public List<String> choices() {
+      return setting.type().names();
+    }
+
+    @Override
+    public boolean isList() {
+      return setting.type() instanceof SettingType.LayersType;
     }
   }
 

@@ -1,0 +1,14 @@
+package io.github.lumbre.cli.option;
+
+import java.util.List;
+
+/** A converter of flag values some or all of which have names, for completion in shells. */
+public interface Choices {
+  /** Returns the names that the converter accepts. */
+  List<String> choices();
+
+  /** Returns whether a value may consist of several names, separated by commas. */
+  default boolean isList() {
+    return false;
+  }
+}

@@ -1,0 +1,116 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.github.lumbre.cli.option.Choices;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.OptionSpec;
+
+/** Runs the completion script in bash. */
+class CompletionScriptTest {
+  /** What a shell would do: the kind of the answer, then the words. */
+  private static final String COMPLETE =
+      """
+      compopt() { if [ "$1" = +o ]; then echo "no files"; fi; }
+      . ./lumbre.bash
+      COMP_WORDS=("$@")
+      COMP_CWORD=$(($# - 1))
+      _lumbre
+      echo "${COMPREPLY[*]}"
+      """;
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "re                           | render resume",
+        "help re                      | render resume",
+        "trade table --o              | --output --overwrite",
+        "render --tone                | --tonemap",
+        "render --mode ''             | ray path",
+        "render --mode = p            | path",
+        "render --mode=p              | --mode=path",
+        "render --quality ''          | draft preview final reference",
+        "render --kernel ''           | auto vector scalar",
+        "render --denoiser ''         | builtin oidn",
+        "render --tonemap a           | aces agx",
+        "render --guide ''            | off on auto",
+        "render --layers al           | all albedo",
+        "render --layers depth,al     | depth,all depth,albedo",
+        "render --up ''               | y z",
+        "render --view b              | back bottom",
+        "render --samples ''          | ''",
+        "develop night.film --tonemap s | srgb",
+        "selftest ''                  | ''",
+      })
+  void wordsAreThoseThatTheCommandTakes(String line, String words) throws Exception {
+    assertThat(answer(line)).containsExactly("no files", words);
+  }
+
+  /** Without an answer, the shell offers file names. */
+  @ParameterizedTest
+  @CsvSource({
+    "render ''",
+    "render --guide on ''",
+    "render -o ''",
+    "render --output = pic",
+    "render --checkpoint ''",
+    "compare a.png ''",
+    "trade table ''"
+  })
+  void filesAreLeftToTheShell(String line) throws Exception {
+    assertThat(answer(line)).containsExactly("");
+  }
+
+  @Test
+  void skiesAreNamesAndFiles() throws Exception {
+    Files.createFile(folder.resolve("studio room.hdr"));
+    assertThat(answer("render --sky st")).containsExactly("studio studio room.hdr");
+  }
+
+  @Test
+  void tradeTakesCommandsAndScenes() throws Exception {
+    Files.createFile(folder.resolve("table.json"));
+    assertThat(answer("trade ta")).containsExactly("table table.json");
+    assertThat(answer("trade x.json ta")).containsExactly("");
+  }
+
+  @Test
+  void everyNameIsAccepted() throws Exception {
+    for (CommandLine command : Lumbre.commandLine().getSubcommands().values()) {
+      for (OptionSpec option : command.getCommandSpec().options()) {
+        if (option.converters().length == 1 && option.converters()[0] instanceof Choices choices) {
+          for (String name : choices.choices()) {
+            assertThat(option.converters()[0].convert(name)).isNotNull();
+          }
+        }
+      }
+    }
+  }
+
+  private List<String> answer(String line) throws IOException, InterruptedException {
+    assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "needs bash");
+    Files.writeString(folder.resolve("lumbre.bash"), Outcome.of("completion").out());
+    Path script = Files.writeString(folder.resolve("complete"), COMPLETE);
+    ProcessBuilder bash = new ProcessBuilder("/bin/bash", script.toString(), "lumbre");
+    for (String word : line.split(" ")) {
+      bash.command().add(word.equals("''") ? "" : word);
+    }
+    Process process = bash.directory(folder.toFile()).redirectErrorStream(true).start();
+    String answer = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).isZero();
+    return answer.lines().toList();
+  }
+}
