@@ -5,6 +5,7 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -47,16 +48,20 @@ public final class StandardOutput extends OutputStream {
   }
 
   /**
-   * Returns the exit code of the program after a command. If the command succeeded but its result
-   * could not be printed, prints an error and returns {@link ExitCodes#OUTPUT}.
+   * Returns the exit code of the program after a command: {@link ExitCodes#OUTPUT} if the command
+   * succeeded but its result could not be printed. Prints the error, unless the reader of a pipe
+   * has ended, as {@code head} does once it has what it wants.
    */
   public int exitCode(int ofCommand, PrintWriter errors) {
     boolean isAnswer = ofCommand == ExitCodes.OK || ofCommand == ExitCodes.DIFFERENT;
     if (failure.isEmpty() || !isAnswer) {
       return ofCommand;
     }
-    String reason = failure.get().getMessage();
-    new Messages(errors).error("standard output cannot be written: " + reason);
+    String reason = String.valueOf(failure.get().getMessage());
+    // Systems in other languages repeat the English words, in lower case.
+    if (!reason.toLowerCase(Locale.ROOT).contains("broken pipe")) {
+      new Messages(errors).error("standard output cannot be written: " + reason);
+    }
     return ExitCodes.OUTPUT;
   }
 }
