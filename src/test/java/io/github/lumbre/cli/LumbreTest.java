@@ -20,7 +20,13 @@ class LumbreTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "nonsense                       | nonsense",
+        "nonsense                       | lumbre: unknown command nonsense (see",
+        "rendr s.json -s 4              | unknown command rendr; did you mean render? (see",
+        "render -x.json                 | '-x.json'; a file of this name is written ./-x.json",
+        "render s.json -a.json          | '-a.json'; a file of this name is written ./-a.json",
+        "render s.json --sampels 4      | unknown option '--sampels'; did you mean --samples?",
+        "render -würfel.obj             | a file of this name is written ./-würfel.obj",
+        "render --sise=3x4              | unknown option '--sise=3x4'; did you mean --size?",
         "render                         | SCENE",
         "render s.json --nonsense       | --nonsense",
         "render s.json two.json         | two.json",

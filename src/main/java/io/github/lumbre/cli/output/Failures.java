@@ -6,13 +6,19 @@ import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
+import io.github.lumbre.text.Spelling;
 import java.nio.file.InvalidPathException;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
  * Reports failures: one line per problem, an exit code, and a stack trace only under {@code
@@ -23,10 +29,46 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
   public int handleParseException(ParameterException e, String[] args) {
     CommandLine command = e.getCommandLine();
     String help = command.getCommandSpec().qualifiedName() + " --help";
-    // Some messages of picocli begin with "Error: " or end with a period.
-    String message = e.getMessage().replaceFirst("^Error: ", "").replaceFirst("[.]$", "");
-    new Messages(command.getErr()).error(message + " (see '" + help + "')");
+    new Messages(command.getErr()).error(message(e) + " (see '" + help + "')");
     return ExitCodes.USAGE;
+  }
+
+  private static String message(ParameterException e) {
+    Optional<String> unmatched = unmatched(e).stream().findFirst();
+    CommandSpec command = e.getCommandLine().getCommandSpec();
+    if (unmatched.isPresent() && unmatched.get().startsWith("-")) {
+      return unknownOption(unmatched.get(), command);
+    }
+    if (unmatched.isPresent() && command.parent() == null) {
+      String found = unmatched.get();
+      Set<String> known = command.subcommands().keySet();
+      return "unknown command " + found + Spelling.suggestion(found, known);
+    }
+    // Some messages of picocli begin with "Error: " or end with a period.
+    return e.getMessage().replaceFirst("^Error: ", "").replaceFirst("[.]$", "");
+  }
+
+  /** Returns the arguments that are neither options nor parameters of the command. */
+  private static List<String> unmatched(ParameterException e) {
+    if (e instanceof UnmatchedArgumentException unmatched) {
+      return unmatched.getUnmatched();
+    }
+    // picocli reports missing parameters first, although an unknown option is often their cause.
+    return e instanceof MissingParameterException
+        ? e.getCommandLine().getUnmatchedArguments()
+        : List.of();
+  }
+
+  private static String unknownOption(String found, CommandSpec command) {
+    String unknown = "unknown option '" + found + "'";
+    if (found.startsWith("--")) {
+      String name = found.replaceFirst("=.*", "");
+      return unknown + Spelling.suggestion(name, command.optionsMap().keySet());
+    }
+    // No option contains a dot.
+    return found.contains(".")
+        ? unknown + "; a file of this name is written ./" + found + ", or after --"
+        : unknown;
   }
 
   @Override
