@@ -165,7 +165,6 @@ final class GenerateModels {
       case "name" -> "    spec.name(" + literal(value) + ");\n";
       case "versionProvider", "modelTransformer" ->
           "    spec." + name + "(" + made(((Class<?>) value).getCanonicalName()) + ");\n";
-      case "usageHelpWidth" -> usage + "width(" + value + ");\n";
       case "exitCodeList" ->
           usage + "exitCodeList(" + USAGE + ".keyValuesMap(" + literal(value) + "));\n";
       case "header", "description", "footer", "exitCodeListHeading" ->

@@ -53,7 +53,6 @@ import picocli.CommandLine.Spec;
             + " samples, bucket and depth override its scene's.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,
     footer = {

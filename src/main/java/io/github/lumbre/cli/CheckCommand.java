@@ -25,7 +25,6 @@ import picocli.CommandLine.Spec;
     header = "Validate a scene and print its contents without rendering it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {"", "Example:", "  lumbre check --strict scene.json"},
     exitCodeListHeading = "%nExit codes:%n",

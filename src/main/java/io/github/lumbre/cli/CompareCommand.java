@@ -46,7 +46,6 @@ import picocli.CommandLine.Spec;
             + " ignored.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {
       "",

@@ -13,7 +13,6 @@ import picocli.CommandLine.Spec;
     header = "Print a completion script for bash and zsh.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     footer = {"", "Example:", "  source <(lumbre completion)"})
 final class CompletionCommand implements Callable<Integer> {
   @Spec CommandSpec spec;

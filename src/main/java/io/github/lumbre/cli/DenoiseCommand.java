@@ -41,7 +41,6 @@ import picocli.CommandLine.Spec;
             + " is an estimate: error bounds of the render do not hold for it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {
       "",

@@ -48,7 +48,6 @@ import picocli.CommandLine.Spec;
             + " least 64. This overrides the scene's samples.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {
       "",

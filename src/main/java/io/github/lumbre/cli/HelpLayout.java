@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
@@ -115,6 +116,7 @@ final class HelpLayout {
   /** Groups the program's list of commands. */
   static void applyToProgram(CommandLine program) {
     apply(program);
+    program.setHelpFactory(new HelpWidth(Optional.empty()));
     program.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST_HEADING, help -> "");
     program
         .getHelpSectionMap()
@@ -132,12 +134,17 @@ final class HelpLayout {
             text.append(String.format("  %-12s%s%n", name, line));
           }
         });
-    return text.toString();
+    return HelpWidth.wrapped(text.toString(), help.commandSpec().usageMessage().width());
+  }
+
+  /** Returns whether the flags of a command are grouped. */
+  static boolean isLong(CommandSpec command) {
+    return visible(command).size() > LONG;
   }
 
   private static String options(Help help) {
     List<OptionSpec> all = visible(help.commandSpec());
-    if (all.size() <= LONG) {
+    if (!isLong(help.commandSpec())) {
       return help.optionList();
     }
     StringBuilder text = new StringBuilder();

@@ -39,7 +39,6 @@ import picocli.CommandLine.Spec;
             + " model file and does not copy it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {"", "Example:", "  lumbre import helmet.glb --view iso -o helmet.json"},
     exitCodeListHeading = "%nExit codes:%n",

@@ -40,7 +40,6 @@ import picocli.CommandLine.Spec;
             + " listed with the share of the picture that each covers.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {
       "",

@@ -43,7 +43,6 @@ import picocli.CommandLine.Spec;
     header = "Lumbre, a CPU path tracer: renders scenes and 3D models to pictures.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     synopsisSubcommandLabel = "COMMAND",
     footer = {
       "",

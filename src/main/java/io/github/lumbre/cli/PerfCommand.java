@@ -54,7 +54,6 @@ import picocli.CommandLine.Spec;
             + " differ.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,
     footer = {

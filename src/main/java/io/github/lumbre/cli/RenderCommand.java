@@ -76,7 +76,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     abbreviateSynopsis = true,
     footer = {

@@ -47,7 +47,6 @@ import picocli.CommandLine.Spec;
             + " and .json.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {"", "Example:", "  lumbre trade scene.json --quick -o trade.html"},
     exitCodeListHeading = "%nExit codes:%n",

@@ -38,7 +38,6 @@ import picocli.CommandLine.Spec;
             + " a table in Markdown, each row as soon as it is measured.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {"", "Example:", "  lumbre trade quality scenes/cornell-box.json --time 5m"},
     exitCodeListHeading = "%nExit codes:%n",

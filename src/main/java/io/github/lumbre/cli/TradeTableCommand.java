@@ -39,7 +39,6 @@ import picocli.CommandLine.Spec;
             + " -depth.svg.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {"", "Example:", "  lumbre trade table a-trade.json b-trade.json -o trade.md"},
     exitCodeListHeading = "%nExit codes:%n",

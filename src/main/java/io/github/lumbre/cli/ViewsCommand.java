@@ -57,7 +57,6 @@ import picocli.CommandLine.Spec;
             + " NAME' with the same flags.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    usageHelpWidth = 100,
     sortOptions = false,
     footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"},
     exitCodeListHeading = "%nExit codes:%n",

@@ -12,7 +12,7 @@ import java.util.function.Supplier;
  * The number of columns of the terminal. It is measured again after SIGWINCH (window resized) and
  * SIGCONT (program resumed). Mutable and thread-safe.
  */
-final class TerminalWidth implements AutoCloseable {
+public final class TerminalWidth implements AutoCloseable {
   private static final int DEFAULT = 80;
   private static final long PATIENCE_MILLIS = 1000;
 
@@ -30,6 +30,15 @@ final class TerminalWidth implements AutoCloseable {
     Signals.on("WINCH", width::change);
     Signals.on("CONT", width::change);
     return width;
+  }
+
+  /**
+   * Returns the width for texts on standard output: the variable COLUMNS, or else the width of the
+   * terminal that standard output is. Empty without either. Starts a process for a terminal.
+   */
+  public static Optional<Integer> ofOutput() {
+    return ofEnvironment()
+        .or(() -> StandardOutput.isTerminal() ? ofTerminal() : Optional.empty());
   }
 
   /** Returns a width that is measured on first use and after each {@link #change}. */
