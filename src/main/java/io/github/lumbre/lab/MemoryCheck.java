@@ -7,6 +7,11 @@ import io.github.lumbre.scene.RenderSettings;
 
 /** Refuses renders that do not fit into the heap. Stateless. */
 public final class MemoryCheck {
+  private static final long MEBIBYTE = 1 << 20;
+
+  /** Heap sizes below one gibibyte are multiples of this. */
+  private static final long STEP_MEBIBYTES = 64;
+
   private MemoryCheck() {}
 
   /**
@@ -26,7 +31,23 @@ public final class MemoryCheck {
   public static void require(MemoryEstimate estimate) throws TaskException {
     if (estimate.refusal().isPresent()) {
       throw new TaskException(
-          Kind.LIMIT, estimate.refusal().get() + "; raise it with LUMBRE_JAVA_OPTS=-Xmx8g");
+          Kind.LIMIT, estimate.refusal().get() + "; " + advice(estimate.neededBytes()));
     }
+  }
+
+  /**
+   * Returns how to raise the maximum heap size: {@code raise it with LUMBRE_JAVA_OPTS=-Xmx8g}.
+   *
+   * @param neededBytes what the heap has to hold; the advice is at least an eighth larger, because
+   *     some garbage collectors keep a part of the heap empty
+   */
+  public static String advice(long neededBytes) {
+    long mebibytes = (neededBytes + neededBytes / 8) / MEBIBYTE + 1;
+    long steps = (mebibytes + STEP_MEBIBYTES - 1) / STEP_MEBIBYTES;
+    String size =
+        mebibytes < 1024 - STEP_MEBIBYTES
+            ? steps * STEP_MEBIBYTES + "m"
+            : (mebibytes + 1023) / 1024 + "g";
+    return "raise it with LUMBRE_JAVA_OPTS=-Xmx" + size;
   }
 }

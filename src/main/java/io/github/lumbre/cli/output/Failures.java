@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFormatException;
@@ -123,10 +124,13 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
       return List.of(e.getInput() + ": " + FileFailure.reason(e));
     }
     if (rootIs(thrown, OutOfMemoryError.class)) {
+      // How much is missing is not known.
+      long heap = Runtime.getRuntime().maxMemory();
       return List.of(
           "out of memory: the maximum heap size is "
-              + MemoryEstimate.mebibytes(Runtime.getRuntime().maxMemory())
-              + "; raise it with LUMBRE_JAVA_OPTS=-Xmx8g");
+              + MemoryEstimate.mebibytes(heap)
+              + "; "
+              + MemoryCheck.advice(2 * heap));
     }
     String what = thrown instanceof RenderException ? thrown.getMessage() : thrown.toString();
     return List.of("internal error: " + what);
