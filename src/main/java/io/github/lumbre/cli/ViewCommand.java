@@ -144,7 +144,6 @@ final class ViewCommand implements Callable<Integer> {
     try (Interruption interruption = Interruption.listen();
         RenderMonitor monitor = new RenderMonitor(interruption, false);
         View view = view(how, errors)) {
-      announce(view);
       String name = String.valueOf(options.scene().getFileName());
       Optional<DisplayServer> server =
           viewer.map(address -> DisplayServer.start(address, name, errors::line));
@@ -152,6 +151,7 @@ final class ViewCommand implements Callable<Integer> {
         view.open(
             server.map(PreviewListener.class::cast).orElse(PreviewListener.NONE),
             new ViewLimits(targetError(), budgets.confidence(), budgets.time()));
+        announce(view);
         view.run(monitor::isCancelled);
       } finally {
         server.ifPresent(DisplayServer::close);

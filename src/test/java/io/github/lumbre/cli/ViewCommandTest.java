@@ -59,6 +59,7 @@ class ViewCommandTest {
     Outcome missing = Outcome.of("view", "missing.json", "--no-open");
     assertThat(missing.exitCode()).isEqualTo(ExitCodes.SCENE);
     assertThat(missing.err()).contains("expected a scene file, found none");
+    assertThat(missing.out()).isEmpty();
     Outcome.of("view", "missing.exr", "--no-open").assertFailed(ExitCodes.SCENE, "missing.exr");
     Outcome.of("view", "-", "--no-open").assertFailed(ExitCodes.USAGE, "standard input");
     Outcome.of("view", scene + "", "--port", "70000").assertFailed(ExitCodes.USAGE, "--port");
