@@ -27,6 +27,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 class JavaPageTest {
   private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
 
+  /** A file in the working directory. Examples write to no folder, as it may be missing. */
+  private static final Pattern OUTPUT = Pattern.compile("Path\\.of\\(\"([\\w.-]+)\"\\)");
+
   @TempDir private Path directory;
 
   private static List<String> blocks() throws Exception {
@@ -76,7 +79,7 @@ class JavaPageTest {
   }
 
   private void runs(String imports, String example) throws Exception {
-    String code = example.replace("target/java/", directory + "/");
+    String code = OUTPUT.matcher(example).replaceAll("Path.of(\"" + directory + "/$1\")");
     Path source =
         Files.writeString(
             directory.resolve("Example.java"),
@@ -98,11 +101,7 @@ class JavaPageTest {
       main.invoke(null, (Object) new String[0]);
     }
     List<String> outputs =
-        Pattern.compile("target/java/([\\w.]+)")
-            .matcher(example)
-            .results()
-            .map(m -> m.group(1))
-            .toList();
+        OUTPUT.matcher(example).results().map(output -> output.group(1)).toList();
     assertThat(outputs).allSatisfy(name -> assertThat(directory.resolve(name)).isNotEmptyFile());
   }
 
