@@ -45,7 +45,9 @@ final class CheckCommand implements Callable<Integer> {
 
   @Option(
       names = "--plan",
-      description = "Also print which rendering steps this scene does not need and skips.")
+      description =
+          "Also print which rendering steps this scene does not need and skips, and what"
+              + " --split auto and --guide auto would choose.")
   boolean plan;
 
   @Spec CommandSpec spec;

@@ -34,7 +34,9 @@ import picocli.CommandLine.Spec;
       "0:Done",
       "2:The command line is invalid",
       "3:The checkpoint file is missing, unreadable or damaged",
-      "6:The picture cannot be written"
+      "5:The available memory is exceeded",
+      "6:The picture cannot be written",
+      "7:Internal error"
     })
 final class DevelopCommand implements Callable<Integer> {
   @Parameters(

@@ -56,7 +56,9 @@ import picocli.CommandLine.Spec;
       "0:Done",
       "2:The command line is invalid",
       "3:A checkpoint file is missing or damaged, or the files do not match",
-      "6:The result cannot be written"
+      "5:The available memory is exceeded",
+      "6:The result cannot be written",
+      "7:Internal error"
     })
 final class MergeCommand implements Callable<Integer> {
   @Parameters(
