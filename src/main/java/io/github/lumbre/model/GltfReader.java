@@ -43,7 +43,8 @@ final class GltfReader {
     GltfAttributes attributes = new GltfAttributes(document, accessors);
     influences = new GltfInfluences(document, accessors, attributes);
     meshes = new GltfMeshes(document, accessors, attributes);
-    materials = new GltfMaterials(document, new GltfTextures(document, buffers));
+    GltfTextures textures = new GltfTextures(document, buffers, options.lenient());
+    materials = new GltfMaterials(document, textures);
     variants = new GltfVariants(document, options.variant());
     animations = new GltfAnimations(document, accessors);
     lights = new GltfLights(document);

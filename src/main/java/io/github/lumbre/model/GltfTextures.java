@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.math.Elementary;
+import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelTexture.Wrap;
 import java.io.IOException;
 import java.util.HashMap;
@@ -18,11 +19,16 @@ final class GltfTextures {
 
   private final GltfDocument document;
   private final GltfBuffers buffers;
+  private final boolean lenient;
   private final Map<Integer, ModelImage> images = new HashMap<>();
 
-  GltfTextures(GltfDocument document, GltfBuffers buffers) {
+  /**
+   * @param lenient whether a texture whose image is missing is left out with a warning
+   */
+  GltfTextures(GltfDocument document, GltfBuffers buffers, boolean lenient) {
     this.document = document;
     this.buffers = buffers;
+    this.lenient = lenient;
   }
 
   /**
@@ -49,10 +55,14 @@ final class GltfTextures {
       document.warnings().add(info.location(), what + " not supported; the texture is left out");
       return Optional.empty();
     }
+    Optional<ModelImage> image = usable(source.getAsInt());
+    if (image.isEmpty()) {
+      return Optional.empty();
+    }
     return Optional.of(
         sampled(
             texture,
-            image(source.getAsInt()),
+            image.get(),
             (int) uvSet,
             transform.isPresent() ? transform(transform.get()) : UvTransform.IDENTITY));
   }
@@ -101,6 +111,19 @@ final class GltfTextures {
         sin * scale[0],
         cos * scale[1],
         1 - offset[1] - cos * scale[1]);
+  }
+
+  /** Returns an image; empty, with a warning, if it is missing and need not exist. */
+  private Optional<ModelImage> usable(int index) throws ModelFormatException, IOException {
+    try {
+      return Optional.of(image(index));
+    } catch (ModelFormatException e) {
+      if (!lenient || e.kind() != Kind.ASSET) {
+        throw e;
+      }
+      document.warnings().add(e.location(), e.detail() + "; the picture is left out");
+      return Optional.empty();
+    }
   }
 
   private ModelImage image(int index) throws ModelFormatException, IOException {

@@ -14,9 +14,16 @@ import java.util.Optional;
  * @param up the up axis of formats that state none: STL, PLY and OBJ
  * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
  * @param limits for the model, its textures and its other files
+ * @param lenient whether a missing picture of a glTF file is left out with a warning, instead of an
+ *     error; missing pictures of OBJ files always are
  */
 public record ModelOptions(
-    Optional<Pose> pose, Optional<String> variant, Up up, double unit, Limits limits) {
+    Optional<Pose> pose,
+    Optional<String> variant,
+    Up up,
+    double unit,
+    Limits limits,
+    boolean lenient) {
   /** The rest pose, default materials, +Y up, unit 1. */
   public static final ModelOptions DEFAULT =
       new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, 1);
@@ -50,12 +57,17 @@ public record ModelOptions(
 
   /** Creates options without limits of their own. */
   public ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
-    this(pose, variant, up, unit, Limits.NONE);
+    this(pose, variant, up, unit, Limits.NONE, false);
   }
 
   /** Returns these options with limits. */
   public ModelOptions limitedTo(Limits newLimits) {
-    return new ModelOptions(pose, variant, up, unit, newLimits);
+    return new ModelOptions(pose, variant, up, unit, newLimits, lenient);
+  }
+
+  /** Returns these options, lenient or not. */
+  public ModelOptions lenient(boolean isLenient) {
+    return new ModelOptions(pose, variant, up, unit, limits, isLenient);
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */

@@ -159,7 +159,7 @@ final class AssetData {
             model.getFileName().toString(),
             Files.readAllBytes(model),
             recording,
-            ModelOptions.DEFAULT);
+            ModelOptions.DEFAULT.lenient(true));
       } catch (ModelFormatException e) {
         // Reading the scene reports the error.
         continue;

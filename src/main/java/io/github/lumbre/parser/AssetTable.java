@@ -48,6 +48,11 @@ final class AssetTable {
     }
   }
 
+  /** Returns whether a reference to a missing asset is a warning instead of an error. */
+  boolean isLenient() {
+    return lenient;
+  }
+
   private static Map<String, Type> ordered(Type... types) {
     Map<String, Type> map = new LinkedHashMap<>();
     for (Type type : types) {

@@ -51,6 +51,7 @@ final class ModelObjects {
   private final MaterialReader materials;
   private final Kernel kernel;
   private final String sceneName;
+  private final boolean lenient;
   private int count;
   private long triangles;
 
@@ -58,12 +59,19 @@ final class ModelObjects {
    * @param sceneName name of the scene file; problems of a model with this name are located in the
    *     model alone
    * @param kernel traversal kernel of shared meshes
+   * @param lenient whether a missing picture of a model is a warning instead of an error
    */
-  ModelObjects(AssetData data, MaterialReader materials, String sceneName, Kernel kernel) {
+  ModelObjects(
+      AssetData data,
+      MaterialReader materials,
+      String sceneName,
+      Kernel kernel,
+      boolean lenient) {
     this.data = data;
     this.materials = materials;
     this.sceneName = sceneName;
     this.kernel = kernel;
+    this.lenient = lenient;
   }
 
   /** A part of a model: one primitive or light. */
@@ -180,7 +188,8 @@ final class ModelObjects {
         variant,
         node.choice("up", UPS, Up.Y),
         node.number("unit", 1, Range.POSITIVE),
-        data.allowance().left());
+        data.allowance().left(),
+        lenient);
   }
 
   /** Returns the surfaces that replace materials of the model, by the names of these. */

@@ -85,7 +85,10 @@ public final class SceneParser {
     this.kernel = kernel;
   }
 
-  /** Returns a parser that reports references to missing assets as warnings, not errors. */
+  /**
+   * Returns a parser that reports references to missing assets, and missing pictures of models, as
+   * warnings, not errors.
+   */
   public SceneParser lenient() {
     return new SceneParser(true, mode, change, limits, textures, decodesUnused, kernel);
   }
@@ -190,7 +193,7 @@ public final class SceneParser {
     return timed(
         problems,
         () -> {
-          SceneText text = setup.limitedTo(limits).sceneOf(model, modelAspect());
+          SceneText text = configured(setup).sceneOf(model, modelAspect());
           return parse(
               text.path(), text.json(), Optional.of(text), Map.of(), Optional.empty(), problems);
         });
@@ -217,8 +220,8 @@ public final class SceneParser {
     return timed(
         problems,
         () -> {
-          ModelSetup limited = setup.limitedTo(limits);
-          SceneText text = limited.sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
+          SceneText text =
+              configured(setup).sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
           return parse(
               text.path(),
               text.json(),
@@ -242,7 +245,7 @@ public final class SceneParser {
   public ModelViews parse(Path model, ModelSetup setup, List<ModelSetup.View> views)
       throws SceneFormatException, IOException {
     List<SceneText> texts =
-        setup.limitedTo(limits).scenesOf(model, modelAspect(), List.copyOf(views));
+        configured(setup).scenesOf(model, modelAspect(), List.copyOf(views));
     SceneFile first = parse(texts.get(0).json(), texts.get(0).path());
     List<Scene> scenes = new ArrayList<>();
     scenes.add(first.scene());
@@ -251,6 +254,12 @@ public final class SceneParser {
       scenes.add(first.scene().seenBy(parse(camera.json(), camera.path()).scene().camera()));
     }
     return new ModelViews(first, scenes);
+  }
+
+  /** Returns a setup with the limits and the leniency of this parser. */
+  private ModelSetup configured(ModelSetup setup) {
+    ModelSetup limited = setup.limitedTo(limits);
+    return lenient ? limited.reading(limited.options().lenient(true)) : limited;
   }
 
   private OptionalDouble modelAspect() {

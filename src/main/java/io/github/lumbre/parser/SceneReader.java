@@ -64,7 +64,7 @@ final class SceneReader {
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
     cameras = new CameraReader(textures);
-    models = new ModelObjects(data, materials, sceneName, kernel);
+    models = new ModelObjects(data, materials, sceneName, kernel, assets.isLenient());
   }
 
   private List<Placed> objects(ObjectTree.Type type) {

@@ -301,6 +301,25 @@ class ModelCommandsTest {
         .assertFailed(ExitCodes.ASSET, "sample.glb: images[0].uri: ", "paint.png");
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"paint.png", "http://localhost/paint.png", "../paint.png"})
+  void leniencyCoversThePicturesOfGltf(String uri) throws IOException {
+    ModelSample.writeWith(directory, "\"paint.png\"", "\"" + uri + "\"");
+    Files.delete(directory.resolve("paint.png"));
+    run("render T/sample.glb -o T/a.png").assertFailed(ExitCodes.ASSET, "images[0].uri: ");
+    Outcome outcome = run("render T/sample.glb -o T/a.pfm --lenient --checkpoint T/a.film" + SMALL);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    assertThat(outcome.err().lines())
+        .singleElement()
+        .asString()
+        .startsWith("warning: sample.glb: ")
+        .contains("images[0].uri: expected a ")
+        .endsWith("; the picture is left out");
+    assertThat(directory.resolve("a.pfm")).isNotEmptyFile();
+    runs("resume T/a.film -s 6 --quiet");
+    runs("check T/sample.glb --lenient");
+  }
+
   @Test
   void anObjFileMayLackItsMaterials() throws IOException {
     Files.writeString(

@@ -55,7 +55,9 @@ public final class SceneOptions {
 
     @Option(
         names = "--lenient",
-        description = "Treat references to missing assets as warnings instead of errors.")
+        description =
+            "Treat references to missing assets, and missing pictures of a glTF model, as warnings"
+                + " instead of errors.")
     boolean lenient;
   }
 
@@ -124,7 +126,9 @@ public final class SceneOptions {
   /** Returns the scene around the model. */
   private SceneText ofModel() throws SceneFormatException, IOException {
     if (modelScene.isEmpty()) {
-      modelScene = Optional.of(model.setup(turn).sceneOf(scene, model.aspect()));
+      ModelSetup setup = model.setup(turn);
+      ModelSetup lenient = setup.reading(setup.options().lenient(isLenient()));
+      modelScene = Optional.of(lenient.sceneOf(scene, model.aspect()));
     }
     return modelScene.get();
   }
