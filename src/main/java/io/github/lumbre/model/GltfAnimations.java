@@ -26,7 +26,7 @@ final class GltfAnimations {
   }
 
   /**
-   * Returns the values of animated properties at a time.
+   * Returns the values of animated properties at a time. Warns if the animation ends before.
    *
    * @throws ModelFormatException if the file has no such animation
    */
@@ -43,7 +43,24 @@ final class GltfAnimations {
         set(pose, nodes.get(node.getAsInt()), node.getAsInt(), target, sampler, wanted.seconds());
       }
     }
+    double end = pose.end();
+    if (wanted.seconds() > end) {
+      document
+          .warnings()
+          .add(
+              json.location(),
+              "expected a time from 0 to "
+                  + shown(end)
+                  + " s, found "
+                  + shown(wanted.seconds())
+                  + " s; the last pose is used");
+    }
     return pose;
+  }
+
+  /** Returns a time as the file has it, in single precision. */
+  private static String shown(double seconds) {
+    return Float.toString((float) seconds).replaceFirst("[.]0$", "");
   }
 
   private int find(String wanted) throws ModelFormatException {
@@ -79,13 +96,13 @@ final class GltfAnimations {
       return;
     }
     switch (path) {
-      case "translation" -> pose.translate(index, sampler(sampler, 3).at(seconds));
-      case "rotation" -> pose.rotate(index, sampler(sampler, 4).rotationAt(seconds));
-      case "scale" -> pose.scale(index, sampler(sampler, 3).at(seconds));
+      case "translation" -> pose.translate(index, sampler(pose, sampler, 3).at(seconds));
+      case "rotation" -> pose.rotate(index, sampler(pose, sampler, 4).rotationAt(seconds));
+      case "scale" -> pose.scale(index, sampler(pose, sampler, 3).at(seconds));
       case "weights" -> {
         int width = node.mesh().isPresent() ? targets(node.mesh().getAsInt()) : 0;
         if (width > 0) {
-          pose.weigh(index, sampler(sampler, width).at(seconds));
+          pose.weigh(index, sampler(pose, sampler, width).at(seconds));
         }
       }
       default ->
@@ -99,8 +116,11 @@ final class GltfAnimations {
     }
   }
 
-  private GltfSampler sampler(GltfJson json, int width) throws ModelFormatException, IOException {
-    return new GltfSampler(json, accessors, width);
+  private GltfSampler sampler(GltfPose pose, GltfJson json, int width)
+      throws ModelFormatException, IOException {
+    GltfSampler sampler = new GltfSampler(json, accessors, width);
+    pose.extendTo(sampler.end());
+    return sampler;
   }
 
   /** Returns the number of morph targets of a mesh. */

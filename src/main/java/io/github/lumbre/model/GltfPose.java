@@ -10,6 +10,17 @@ final class GltfPose {
   private final Map<Integer, double[]> rotations = new HashMap<>();
   private final Map<Integer, double[]> scales = new HashMap<>();
   private final Map<Integer, double[]> weights = new HashMap<>();
+  private double end = Double.NEGATIVE_INFINITY;
+
+  /** Notes the time of a last keyframe, in seconds. */
+  void extendTo(double seconds) {
+    end = Math.max(end, seconds);
+  }
+
+  /** Returns the latest time noted; infinite if there is none. */
+  double end() {
+    return end < 0 ? Double.POSITIVE_INFINITY : end;
+  }
 
   /** Sets the translation of a node. */
   void translate(int node, double... value) {

@@ -48,6 +48,11 @@ final class GltfSampler {
     return interpolation.equals("CUBICSPLINE");
   }
 
+  /** Returns the time of the last keyframe, in seconds. */
+  double end() {
+    return times[times.length - 1];
+  }
+
   /** Returns the value at a time. Before the first keyframe and after the last, those hold. */
   double[] at(double seconds) {
     return at(seconds, false);

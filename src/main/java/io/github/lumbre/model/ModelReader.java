@@ -1,9 +1,11 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.model.ModelOptions.Pose;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /** Reads model files of all supported formats. Stateless. */
@@ -25,6 +27,10 @@ public final class ModelReader {
   public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+    if (!ending.equals("gltf") && !ending.equals("glb")) {
+      requireNone("animations", "an animation ", options.pose().map(Pose::animation));
+      requireNone("variants", "a variant ", options.variant());
+    }
     try {
       Model model = switch (ending) {
         case "gltf", "glb" -> GltfReader.read(content, folder, options);
@@ -45,6 +51,16 @@ public final class ModelReader {
       return model;
     } catch (CancellationException e) {
       throw (IOException) new InterruptedIOException(e.getMessage()).initCause(e);
+    }
+  }
+
+  private static void requireNone(String location, String what, Optional<String> name)
+      throws ModelFormatException {
+    if (name.isPresent()) {
+      throw new ModelFormatException(
+          ModelFormatException.Kind.MALFORMED,
+          location,
+          "expected " + what + PrintableText.quoted(name.get()) + ", found none in the model");
     }
   }
 }

@@ -254,6 +254,7 @@ class ModelCommandsTest {
         "--unit 0 | --unit",
         "--up x | --up: expected y or z, found x",
         "--pose lift@-1 | --pose",
+        "--pose lift | --pose: expected NAME@SECONDS, such as lift@0, found lift",
         "--pose lift@soon | --pose: expected a number, found soon",
         "--background red | --background",
         "--sky-intensity -1 | --sky-intensity",
@@ -318,6 +319,22 @@ class ModelCommandsTest {
     assertThat(directory.resolve("a.pfm")).isNotEmptyFile();
     runs("resume T/a.film -s 6 --quiet");
     runs("check T/sample.glb --lenient");
+  }
+
+  @Test
+  void posesAfterTheEndAreReported() {
+    assertThat(run("check T/sample.glb --pose lift@1").err()).isEmpty();
+    assertThat(run("check T/sample.glb --pose lift@99.5").err())
+        .contains("animations[0]: expected a time from 0 to 1 s, found 99.5 s; the last pose");
+  }
+
+  @Test
+  void onlyGltfHasPosesAndVariants() throws IOException {
+    Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (String flag : new String[] {"--pose lift@0", "--variant lift"}) {
+      run("check T/a.obj " + flag)
+          .assertFailed(ExitCodes.ASSET, "\"lift\", found none in the model");
+    }
   }
 
   @Test

@@ -173,9 +173,10 @@ public final class ModelFlags {
 
   private Pose pose(String text) {
     int at = text.lastIndexOf('@');
-    double seconds = at < 0 ? 0 : number("--pose", text.substring(at + 1));
+    require(at >= 0, "--pose: expected NAME@SECONDS, such as " + text + "@0, found " + text);
+    double seconds = number("--pose", text.substring(at + 1));
     require(seconds >= 0, "--pose: expected a time of at least 0 s, found " + seconds);
-    return new Pose(at < 0 ? text : text.substring(0, at), seconds);
+    return new Pose(text.substring(0, at), seconds);
   }
 
   private Optional<Rgb> color(String text) {
