@@ -106,7 +106,7 @@ final class ModelObjects {
     JsonNode node = object.node();
     try {
       Model model = ModelReader.read(name, content.bytes(), data.folderOf(name), options(node));
-      model.warnings().forEach(warning -> node.warn("file", name + ": " + warning));
+      model.warnings().forEach(warning -> warn(node, name, warning));
       Transform toWorld = object.toWorld().times(ModelScene.TO_LEFT_HANDED);
       long maxTexels = data.allowance().texelsLeft();
       boolean sharesAll = node.flag("shared", false);
@@ -160,6 +160,14 @@ final class ModelObjects {
   /** Returns whether the scene stands for the model itself. */
   private boolean isTheScene(String name) {
     return name.substring(name.lastIndexOf('/') + 1).equals(sceneName);
+  }
+
+  private void warn(JsonNode node, String name, String warning) {
+    if (isTheScene(name)) {
+      node.problems().warn(() -> "", () -> warning);
+    } else {
+      node.warn("file", name + ": " + warning);
+    }
   }
 
   private void report(JsonNode node, String name, ModelFormatException e) {

@@ -317,6 +317,7 @@ public record ModelSetup(
   private SceneText sceneOf(Path folder, Path file, Model model, OptionalDouble aspect)
       throws SceneFormatException, IOException {
     String name = String.valueOf(file.getFileName());
+    requireSky(name);
     JsonObject scene =
         checked(
             name,
@@ -357,6 +358,20 @@ public record ModelSetup(
   }
 
   /** Returns whether the sky is no picture. */
+  /** Requires the sky's picture, so that a problem names it as the setup does. */
+  private void requireSky(String name) throws SceneFormatException {
+    if (isBuiltIn() || Files.isRegularFile(Path.of(sky))) {
+      return;
+    }
+    Problems problems = new Problems(name);
+    String found = Files.isDirectory(Path.of(sky)) ? "a folder" : "none";
+    problems.error(
+        Kind.ASSET,
+        () -> ModelStage.SKY_PICTURE,
+        "expected a file, found " + found + " at " + Problems.quoted(sky));
+    throw problems.exception();
+  }
+
   private boolean isBuiltIn() {
     return sky.equals("studio") || sky.equals("white");
   }

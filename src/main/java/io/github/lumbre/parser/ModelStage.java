@@ -25,7 +25,29 @@ import java.util.OptionalDouble;
  * @param setup what is around the model
  */
 record ModelStage(ModelSetup setup, Model model) {
+  /** The path of the sky's texture in the scene. */
+  static final String SKY_PICTURE = "$.assets[0]";
+
+  /** The path of the sky's light in the scene. */
+  private static final String SKY = "$.objects[1]";
+
   private static final double GROUND_GRAY = .6;
+
+  /**
+   * Returns the place of a problem as users of a model know it: the flag of the sky or the size, or
+   * empty for the rest of the scene around the model. Places in the model stay.
+   *
+   * @param path in the scene that {@link #scene} makes
+   */
+  static String place(String path) {
+    if (path.endsWith("overrides $.renderOptions")) {
+      return "--size";
+    }
+    if (!path.startsWith("$")) {
+      return path;
+    }
+    return path.startsWith(SKY_PICTURE) || path.startsWith(SKY) ? "--sky" : "";
+  }
 
   /**
    * Returns the scene.

@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.model.PrintableText;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -15,16 +16,19 @@ final class Problems {
   private static final int MAX_PATH = 200;
 
   private final String file;
+  private final boolean isModel;
   private final List<Problem> errors = new ArrayList<>();
   private final List<Problem> warnings = new ArrayList<>();
   private Optional<SceneFormatException.Kind> kind = Optional.empty();
   private int unsaidWarnings;
 
   /**
-   * @param file name of the scene file for messages
+   * @param file name of the scene file for messages; for a model that is rendered by itself, of the
+   *     model: no problem then has a path in the scene around it, which no file contains
    */
   Problems(String file) {
     this.file = escaped(file);
+    isModel = ModelSetup.isModel(Path.of(file));
   }
 
   /** Adds an error; beyond {@link #MAX_ERRORS}, errors are dropped. */
@@ -33,17 +37,21 @@ final class Problems {
       kind = Optional.of(kindOfError);
     }
     if (errors.size() < MAX_ERRORS) {
-      errors.add(new Problem(file, shownPath(path.get()), message));
+      errors.add(new Problem(file, place(path.get()), message));
     }
   }
 
   /** Adds a warning; beyond {@link #MAX_WARNINGS}, only counts it and computes no text. */
   void warn(Supplier<String> path, Supplier<String> message) {
     if (warnings.size() < MAX_WARNINGS) {
-      warnings.add(new Problem(file, shownPath(path.get()), message.get()));
+      warnings.add(new Problem(file, place(path.get()), message.get()));
     } else {
       unsaidWarnings++;
     }
+  }
+
+  private String place(String path) {
+    return shownPath(isModel ? ModelStage.place(path) : path);
   }
 
   boolean hasErrors() {

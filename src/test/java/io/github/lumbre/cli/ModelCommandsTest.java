@@ -237,7 +237,8 @@ class ModelCommandsTest {
         "--camera closer | cameras: expected \"close\" or \"1\", found \"closer\"; did you mean",
         "--variant rde | expected \"red\" or \"blue\", found \"rde\"",
         "--pose lfit@1 | \"lift\"",
-        "--sky none.hdr | none.hdr"
+        "--sky sky/none.hdr | sample.glb: --sky: expected a file, found none at \"sky/none.hdr\"",
+        "--sky . | sample.glb: --sky: expected a file, found a folder at \".\""
       })
   void unknownNamesListWhatTheModelOffers(String flags, String message) {
     run("render T/sample.glb -o T/a.png " + flags).assertFailed(ExitCodes.ASSET, message);
@@ -335,6 +336,26 @@ class ModelCommandsTest {
       run("check T/a.obj " + flag)
           .assertFailed(ExitCodes.ASSET, "\"lift\", found none in the model");
     }
+  }
+
+  /** The scene around a model is in no file, so that its paths would help nobody. */
+  @Test
+  void noProblemNamesThePathsOfTheSceneAroundAModel() throws IOException {
+    Path sky = Files.writeString(directory.resolve("sky.png"), "no picture");
+    Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\n");
+    for (String line :
+        new String[] {
+          "check T/none.obj",
+          "check T/a.obj",
+          "check T/a.obj --sky " + sky,
+          "check T/a.obj --sky-intensity 0",
+          "render T/a.obj -o T/a.png --size 30000x30000"
+        }) {
+      Outcome outcome = run(line);
+      assertThat(outcome.err()).as(line).contains(".obj: ").doesNotContain("$", "a.obj: a.obj");
+    }
+    assertThat(run("check T/a.obj --sky " + sky).err()).startsWith("a.obj: --sky: expected");
+    assertThat(run("check T/a.obj").err()).startsWith("warning: a.obj: ");
   }
 
   @Test
