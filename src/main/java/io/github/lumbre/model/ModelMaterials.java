@@ -73,6 +73,11 @@ final class ModelMaterials {
     return texels;
   }
 
+  /** Returns the number of pictures decoded so far. */
+  int pictures() {
+    return pictures.size();
+  }
+
   private Material material(ModelMaterial m, boolean isClosed) throws ModelFormatException {
     MetallicRoughness.Builder builder = MetallicRoughness.builder();
     if (m.unlit()) {

@@ -145,6 +145,11 @@ public final class ModelScene {
     return materials.texels();
   }
 
+  /** Returns the number of pictures that {@link #surfaces} has decoded. */
+  public int pictures() {
+    return materials.pictures();
+  }
+
   private TriangleMesh mesh(ModelPart part) {
     ModelGeometry geometry = part.geometry();
     ModelMaterial material = part.material();

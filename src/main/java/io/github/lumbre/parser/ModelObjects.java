@@ -5,6 +5,8 @@ import io.github.lumbre.light.Light;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.Model;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelGeometry;
+import io.github.lumbre.model.ModelMaterial;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
@@ -17,7 +19,9 @@ import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.SceneAssembly;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -52,7 +56,11 @@ final class ModelObjects {
   private final Kernel kernel;
   private final String sceneName;
   private final boolean lenient;
+  private final Set<ModelGeometry> meshes = identitySet();
+  private final Set<ModelMaterial> ownMaterials = identitySet();
   private int count;
+  private int pictures;
+  private int lights;
   private long triangles;
 
   /**
@@ -74,12 +82,36 @@ final class ModelObjects {
     this.lenient = lenient;
   }
 
+  private static <T> Set<T> identitySet() {
+    return Collections.newSetFromMap(new IdentityHashMap<>());
+  }
+
   /** A part of a model: one primitive or light. */
   record Part(Origin origin, Origin material, Consumer<SceneAssembly> action) {}
 
   /** Returns the number of parts read so far. */
   int count() {
     return count;
+  }
+
+  /** Returns the number of meshes read so far; instances share one. */
+  int meshes() {
+    return meshes.size();
+  }
+
+  /** Returns the number of materials of the models in use, without default materials. */
+  int materials() {
+    return ownMaterials.size();
+  }
+
+  /** Returns the number of pictures that the models' materials use. */
+  int pictures() {
+    return pictures;
+  }
+
+  /** Returns the number of the models' lights in use. */
+  int lights() {
+    return lights;
   }
 
   /** Returns the number of triangles read so far, counted for each instance. */
@@ -128,12 +160,17 @@ final class ModelObjects {
     List<Part> parts = new ArrayList<>();
     List<ModelSurface> surfaces = scene.surfaces();
     data.allowance().addTexels(scene.texels());
+    pictures += scene.pictures();
     for (ModelSurface surface : surfaces) {
       ModelPart part = surface.part();
       count++;
       triangles += part.geometry().triangleCount();
       data.allowance().addTriangles(part.geometry().triangleCount());
+      meshes.add(part.geometry());
       Optional<Surface> other = Optional.ofNullable(overrides.get(part.material().name()));
+      if (other.isEmpty() && !part.material().location().isEmpty()) {
+        ownMaterials.add(part.material());
+      }
       if (ShapeReader.isMeasurable(node, surface.shape())) {
         parts.add(
             new Part(
@@ -146,6 +183,7 @@ final class ModelObjects {
     }
     if (node.flag("useLights", true)) {
       for (Light light : scene.lights()) {
+        lights++;
         parts.add(new Part(origin(node, name, "lights", ""), Origin.NONE, b -> b.add(light)));
       }
     }

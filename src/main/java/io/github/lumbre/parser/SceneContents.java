@@ -1,15 +1,15 @@
 package io.github.lumbre.parser;
 
 /**
- * The number of objects and assets in a scene.
+ * The number of objects and assets in a scene, with those of its models.
  *
  * @param camera the camera type's name in the scene format
- * @param shapes number of spheres, planes, cubes and mesh instances
- * @param meshes number of mesh assets in use
+ * @param shapes number of spheres, planes, cubes, mesh instances and parts of models
+ * @param meshes number of meshes in use; instances share one
  * @param triangles number of triangles over all mesh instances, each instance counted
  * @param lights number of lights of all types
- * @param materials number of materials in use
- * @param textures number of textures in use
+ * @param materials number of materials in use, without default materials
+ * @param textures number of textures and of pictures of models in use
  */
 public record SceneContents(
     String camera,

@@ -237,10 +237,10 @@ final class SceneReader {
     return new SceneContents(
         cameraType,
         shapes.count() + models.count(),
-        meshes.count(),
+        meshes.count() + models.meshes(),
         shapes.triangles() + models.triangles(),
-        lightCount,
-        materials.count(),
-        textures.count());
+        lightCount + models.lights(),
+        materials.count() + models.materials(),
+        textures.count() + models.pictures());
   }
 }

@@ -323,6 +323,24 @@ class ModelCommandsTest {
   }
 
   @Test
+  void checkCountsWhatTheModelHas() throws IOException {
+    assertThat(run("check T/sample.glb").out().lines())
+        .contains(
+            "shapes     1",
+            "meshes     1",
+            "triangles  4",
+            "lights     1",
+            "materials  1",
+            "textures   1");
+    Files.writeString(directory.resolve("a.mtl"), "newmtl red\nKd 1 0 0\nnewmtl unused\n");
+    Files.writeString(
+        directory.resolve("a.obj"),
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl red\nf 3 2 1\n");
+    assertThat(run("check T/a.obj --json").out())
+        .contains("\"shapes\":2", "\"meshes\":2", "\"materials\":1", "\"textures\":0");
+  }
+
+  @Test
   void posesAfterTheEndAreReported() {
     assertThat(run("check T/sample.glb --pose lift@1").err()).isEmpty();
     assertThat(run("check T/sample.glb --pose lift@99.5").err())
