@@ -1,5 +1,6 @@
 package io.github.lumbre.image;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** Joins pictures of one size into one picture, in rows from the top left. Stateless. */
@@ -7,7 +8,7 @@ public final class ContactSheet {
   private ContactSheet() {}
 
   /**
-   * Returns the sheet. Cells of the last row without a picture are black, and transparent if any
+   * Returns the sheet. Cells of the last row without a picture are white, or transparent if any
    * picture has alpha.
    *
    * @param pictures at least one, all of the same size
@@ -44,6 +45,17 @@ public final class ContactSheet {
         }
       }
     }
+    if (!hasAlpha) {
+      int inLastRow = pictures.size() - columns * (rows - 1);
+      whiten(rgb, width * columns, height * (rows - 1), width * inLastRow);
+    }
     return new Image(width * columns, height * rows, rgb, alpha);
+  }
+
+  /** Makes the pixels below and to the right of a point white. */
+  private static void whiten(float[] rgb, int width, int top, int left) {
+    for (int y = top; y < rgb.length / 3 / width; y++) {
+      Arrays.fill(rgb, 3 * (y * width + left), 3 * (y + 1) * width, 1);
+    }
   }
 }

@@ -68,6 +68,9 @@ class ModelCommandsTest {
     assertThat(sheet.getHeight()).isEqualTo(2 * 18);
     assertThat(sheet.getRGB(48, 18, 24, 18, null, 0, 24))
         .isEqualTo(picture("views/new/iso.png").getRGB(0, 0, 24, 18, null, 0, 24));
+    int[] free = sheet.getRGB(72, 18, 24, 18, null, 0, 24);
+    assertThat(free).containsOnly(free[0]);
+    assertThat(free[0] & 255).as("a light background").isGreaterThan(200);
   }
 
   @Test
