@@ -42,6 +42,7 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -93,6 +94,9 @@ import picocli.CommandLine.Spec;
 final class ViewCommand implements Callable<Integer> {
   private static final Set<String> PICTURES =
       Set.of("exr", "png", "jpg", "jpeg", "hdr", "pic", "pfm");
+
+  /** Enough of a picture file to recognize its format. */
+  private static final int MAGIC_BYTES = 64;
 
   @Mixin SceneOptions options;
 
@@ -199,7 +203,7 @@ final class ViewCommand implements Callable<Integer> {
 
   private static View.Picture developed(FilmFile film) {
     FilmPicture picture = FilmPicture.of(film.film(), film.header().layers());
-    return new View.Picture(picture.image(), picture.layers(), picture.metadata());
+    return new View.Picture(picture.image(), picture.layers(), picture.metadata(), false);
   }
 
   private static View.Picture picture(Path path, Messages errors) throws TaskException {
@@ -217,13 +221,19 @@ final class ViewCommand implements Callable<Integer> {
               .filter(layer -> !layer.name().isEmpty())
               .toList();
       Map<String, String> texts = exr.map(LayeredImage::texts).orElse(Map.of());
-      return new View.Picture(LinearReader.read(path), layers, texts);
+      return new View.Picture(LinearReader.read(path), layers, texts, !isLinear(path));
     } catch (ImageFormatException e) {
       boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(
           isTooLarge ? Kind.LIMIT : Kind.ASSET, path + ": " + e.getMessage(), e);
     } catch (IOException e) {
       throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  private static boolean isLinear(Path path) throws IOException {
+    try (InputStream in = Files.newInputStream(path)) {
+      return LinearReader.isLinear(in.readNBytes(MAGIC_BYTES));
     }
   }
 

@@ -9,6 +9,8 @@ import io.github.lumbre.cli.view.ViewLimits;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.image.Srgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
@@ -26,6 +28,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -105,7 +108,18 @@ class ViewBrowserTest {
   @BeforeEach
   void start() throws Exception {
     scene = Files.copy(Path.of("scenes/cornell-box.json"), directory.resolve("cornell-box.json"));
-    view = View.of(source(), new View.Options(scene, 0, Optional.empty(), ""));
+    start(Optional.empty());
+  }
+
+  /** Starts a page with the picture of a PNG file to compare with. */
+  private void restart(Image image) throws Exception {
+    end();
+    isEnd.set(false);
+    start(Optional.of(new View.Picture(image, List.of(), Map.of(), true)));
+  }
+
+  private void start(Optional<View.Picture> other) throws Exception {
+    view = View.of(source(), new View.Options(scene, 0, other, other.isPresent() ? "d.png" : ""));
     view.open(PreviewListener.NONE, ViewLimits.NONE);
     runner =
         new Thread(
@@ -329,6 +343,73 @@ class ViewBrowserTest {
     await("document.getElementById('mode').value === 'diff'");
     assertThat(canvas()).containsOnly((byte) 0);
     assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void picturesOfOtherSizesKeepTheirShapeAndColors() throws Exception {
+    float[] gray = new float[3 * 50 * 50];
+    Arrays.fill(gray, (float) Srgb.decode(200 / 255.));
+    restart(new Image(50, 50, gray, new float[0]));
+    open(1280, 800, false);
+    awaitFinished();
+    choose("tone", "agx");
+    choose("mode", "side");
+    browser.photograph(FOLDER.resolve("view-other-size.png"));
+    assertThat(text("othercaption")).isEqualTo("d.png, 50×50 pixels");
+    assertThat(text("caption")).isEqualTo("cornell-box.json, 120×90 pixels");
+    assertThat(text("comparison")).contains("50×50", "120×90");
+    choose("mode", "diff");
+    assertThat(text("caption")).startsWith("no difference: d.png has 50×50 pixels");
+    choose("mode", "other");
+    byte[] shown = canvas();
+    assertThat(shown).hasSize(3 * 120 * 90);
+    assertThat(shown[3 * (45 * 120 + 14)]).as("left of the picture").isZero();
+    assertThat(shown[3 * (45 * 120 + 60)]).isEqualTo((byte) 200);
+    assertThat(shown[3 * 60]).as("at the top").isEqualTo((byte) 200);
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void aPngHasNoDifferenceFromWhatThePageShows() throws Exception {
+    SceneFile file = read(Set.of());
+    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    byte[] png =
+        image.toPng(new ImageWriter.Options(Exposure.of(1), ToneCurve.NEUTRAL, 8, Map.of()));
+    restart(LinearReader.decode(png));
+    open(1280, 800, false);
+    awaitFinished();
+    choose("tone", "neutral");
+    browser.evaluate(
+        "(() => { const e = document.getElementById('exposure'); e.value = 1; e.oninput();"
+            + " return ''; })()");
+    choose("mode", "diff");
+    byte[] difference = canvas();
+    int bright = 0;
+    for (byte value : difference) {
+      bright += (value & 255) > 30 ? 1 : 0;
+    }
+    assertThat(bright).as("values that differ by more than rounding").isZero();
+    assertThat(text("comparison")).startsWith("Compared with d.png, as shown: mean absolute");
+    choose("tone", "agx");
+    assertThat(canvas()).isNotEqualTo(difference);
+  }
+
+  private static String text(String id) {
+    return browser.evaluate("document.getElementById('" + id + "').textContent");
+  }
+
+  private static void choose(String list, String value) throws InterruptedException {
+    await("!document.getElementById('" + list + "').disabled");
+    browser.evaluate(
+        """
+        (() => {
+          const list = document.getElementById('%s');
+          list.value = '%s';
+          list.dispatchEvent(new Event('change'));
+          return '';
+        })()
+        """
+            .formatted(list, value));
   }
 
   @Test

@@ -18,16 +18,18 @@ final class StateJson {
    * Returns the state.
    *
    * @param look how the page shows the picture at first
-   * @param other name of the picture to compare with; empty for none
+   * @param other the picture to compare with
    */
-  static String of(Snapshot state, Look look, String other) {
+  static String of(Snapshot state, Look look, Other other) {
     JsonObject json = new JsonObject();
     json.addProperty("version", state.version());
     json.addProperty("name", state.name());
     json.addProperty("status", state.status());
     json.addProperty("isMoved", state.isMoved());
     json.add("problems", texts(state.problems().stream()));
-    json.addProperty("other", other);
+    json.addProperty("isDisplayReferred", look.isDisplayReferred());
+    json.addProperty("other", other.name());
+    json.addProperty("otherIsDisplayReferred", other.isDisplayReferred());
     json.addProperty("toneMap", look.curve().label());
     look.exposure()
         .stops()
@@ -44,8 +46,17 @@ final class StateJson {
    *
    * @param exposure of the scene, or none
    * @param curve tone curve of the scene
+   * @param isDisplayReferred whether both are already applied to the picture
    */
-  record Look(Exposure exposure, ToneCurve curve) {}
+  record Look(Exposure exposure, ToneCurve curve, boolean isDisplayReferred) {}
+
+  /**
+   * The picture to compare with.
+   *
+   * @param name empty without such a picture
+   * @param isDisplayReferred whether exposure and tone curve are already applied to it
+   */
+  record Other(String name, boolean isDisplayReferred) {}
 
   private static JsonObject frame(Frame frame) {
     JsonObject json = new JsonObject();

@@ -40,8 +40,14 @@ public final class View implements AutoCloseable {
    * A picture with its layers.
    *
    * @param metadata attributes that describe the layers
+   * @param isDisplayReferred whether it was decoded from the colors of a screen, as those of a PNG
+   *     or JPEG file, so that exposure and tone curve are already applied
    */
-  public record Picture(Image image, List<ImageLayer> layers, Map<String, String> metadata) {
+  public record Picture(
+      Image image,
+      List<ImageLayer> layers,
+      Map<String, String> metadata,
+      boolean isDisplayReferred) {
     private Frame frame() {
       return new Frame(1, image, layers, 0, false, true, metadata);
     }
@@ -67,7 +73,7 @@ public final class View implements AutoCloseable {
    * @throws TaskException if the port is in use
    */
   public static View of(SceneSource source, Options options) throws TaskException {
-    StateJson.Look look = new StateJson.Look(Exposure.NONE, ToneCurve.SRGB);
+    StateJson.Look look = new StateJson.Look(Exposure.NONE, ToneCurve.SRGB, false);
     return start(Optional.of(source), look, new ViewSession(options.name()), options);
   }
 
@@ -82,7 +88,8 @@ public final class View implements AutoCloseable {
       throws TaskException {
     ViewSession session = new ViewSession(options.name());
     session.show(picture.frame());
-    return start(Optional.empty(), new StateJson.Look(exposure, curve), session, options);
+    StateJson.Look look = new StateJson.Look(exposure, curve, picture.isDisplayReferred());
+    return start(Optional.empty(), look, session, options);
   }
 
   private static View start(
@@ -94,7 +101,9 @@ public final class View implements AutoCloseable {
             source,
             look,
             options.other().map(Picture::frame),
-            options.otherName(),
+            new StateJson.Other(
+                options.otherName(),
+                options.other().map(Picture::isDisplayReferred).orElse(false)),
             new PictureFiles(options.path()));
     return new View(session, ViewServer.start(options.port(), routes), source);
   }

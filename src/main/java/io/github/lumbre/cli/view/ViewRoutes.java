@@ -32,7 +32,7 @@ final class ViewRoutes {
   private final Optional<SceneSource> source;
   private final StateJson.Look look;
   private final Optional<Frame> other;
-  private final String otherName;
+  private final StateJson.Other otherState;
   private final PictureFiles files;
 
   /** Paths and picture files take time: one at a time. */
@@ -41,19 +41,20 @@ final class ViewRoutes {
   /**
    * @param source reads the scene; empty for a picture that is not rendered here
    * @param other the picture to compare with
+   * @param otherState what the page has to know of it
    */
   ViewRoutes(
       ViewSession session,
       Optional<SceneSource> source,
       StateJson.Look look,
       Optional<Frame> other,
-      String otherName,
+      StateJson.Other otherState,
       PictureFiles files) {
     this.session = session;
     this.source = source;
     this.look = look;
     this.other = other;
-    this.otherName = otherName;
+    this.otherState = otherState;
     this.files = files;
   }
 
@@ -101,14 +102,14 @@ final class ViewRoutes {
     }
     session.viewers().spend(1_000_000 * query.number("cost", 0, 5000, 0));
     session.await(query.number("since", 0, Long.MAX_VALUE, 0), WAIT_MILLIS);
-    return Answer.json(StateJson.of(session.snapshot(), look(), otherName));
+    return Answer.json(StateJson.of(session.snapshot(), look(), otherState));
   }
 
   private StateJson.Look look() {
     return session
         .scene()
         .map(SceneFile::settings)
-        .map(s -> new StateJson.Look(s.exposure(), s.toneCurve()))
+        .map(s -> new StateJson.Look(s.exposure(), s.toneCurve(), false))
         .orElse(look);
   }
 

@@ -9,13 +9,11 @@ const drawChart = (svg, points) => {
     if (text) element.textContent = text;
     svg.append(element);
   };
-  add('path', {class: 'axis', d: `M${L} ${T}V${H - B}H${W - R}`});
   const known = points.filter(p => p[0] > 0 && p[2] > 0);
-  if (known.length < 2) {
-    add('text', {x: (L + W - R) / 2, y: H / 2, 'text-anchor': 'middle'}, 'from the second estimate on');
-    svg.setAttribute('aria-label', 'Error against time: not known yet');
-    return;
-  }
+  // One point, or two of nearly one time, are no curve.
+  svg.parentNode.hidden = known.length < 2 || known[known.length - 1][0] < 1.05 * known[0][0];
+  if (svg.parentNode.hidden) return;
+  add('path', {class: 'axis', d: `M${L} ${T}V${H - B}H${W - R}`});
   const bounds = known.filter(p => p[3] > 0);
   const times = known.map(p => Math.log(p[0]));
   const errors = [...known.map(p => p[2]), ...bounds.map(p => p[3])].map(Math.log);

@@ -87,6 +87,10 @@
     return [low, high];
   };
 
+  // PNG and JPEG files have the exposure and the tone curve already. If the viewed picture is such a file itself,
+  // the controls change both.
+  const isFinished = p => p.isDisplayReferred && !state.isDisplayReferred;
+
   const put = (target, p) => {
     target.width = p.width;
     target.height = p.height;
@@ -94,8 +98,28 @@
     const image = context.createImageData(p.width, p.height);
     if (MATTE.test(p.layer || '')) Tone.matte(p, image.data);
     else if (!LIGHT.test(p.layer || '')) Tone.scale(p, ...limits(p), image.data);
-    else Tone.develop(p, factor, $('tone').value, image.data);
+    else Tone.develop(p, isFinished(p) ? 1 : factor, isFinished(p) ? 'srgb' : $('tone').value, image.data);
     context.putImageData(image, 0, 0);
+  };
+
+  // Draws a picture of another size into the middle of a canvas of the viewed picture's size.
+  const putInside = (target, p) => {
+    const scratch = document.createElement('canvas');
+    put(scratch, p);
+    [target.width, target.height] = fullSize();
+    const s = Math.min(target.width / p.width, target.height / p.height), w = p.width * s, h = p.height * s;
+    target.getContext('2d', {willReadFrequently: true}).drawImage(scratch, (target.width - w) / 2, (target.height - h) / 2, w, h);
+  };
+
+  const sizeOf = p => `${p.width}×${p.height}`;
+
+  // A picture as it is shown, in linear light.
+  const asShown = p => {
+    const bytes = new Uint8ClampedArray(4 * p.width * p.height), values = new Float32Array(3 * p.width * p.height);
+    Tone.develop(p, factor, $('tone').value, bytes);
+    const table = Float32Array.from({length: 256}, (_, i) => Tone.decode(i / 255));
+    for (let i = 0; i < values.length / 3; i++) for (let c = 0; c < 3; c++) values[3 * i + c] = table[bytes[4 * i + c]];
+    return {width: p.width, height: p.height, channels: 3, values};
   };
 
   const difference = (a, b) => {
@@ -105,10 +129,10 @@
         values[3 * i + c] = Math.abs(a.values[i * a.channels + Math.min(c, a.channels - 1)] - b.values[i * b.channels + Math.min(c, b.channels - 1)]);
       }
     }
-    return {width: a.width, height: a.height, channels: 3, values, layer: ''};
+    return {width: a.width, height: a.height, channels: 3, values, layer: '', isDisplayReferred: b.isDisplayReferred};
   };
 
-  const rival = () => kept || other;
+  const rival = () => kept || (other && other.width ? other : null);
 
   const paint = () => {
     if (!picture) return;
@@ -118,19 +142,37 @@
     const b = rival(), mode = b ? $('mode').value : '';
     const isLight = LIGHT.test(picture.layer || '');
     const same = b && isLight && b.width === picture.width && b.height === picture.height;
+    const [width, height] = fullSize();
+    const hasSize = b && b.width === width && b.height === height;
+    // What a picture with a tone curve can be compared with is what this one shows.
+    const own = same && isFinished(b) ? asShown(picture) : picture;
     $('second').hidden = mode !== 'side';
     $('caption').hidden = !mode;
-    let shown = picture, text = state.name;
-    if (mode === 'diff' && same) { shown = difference(picture, b); text = 'absolute difference'; }
-    if (mode === 'diff' && !same) text = isLight ? 'no difference: the pictures have different sizes' : 'no difference: this layer is not light';
-    if (mode === 'other') { shown = b; text = b.name; }
-    put(canvas, shown);
-    if (mode === 'side') { put($('otherpicture'), b); $('othercaption').textContent = b.name; }
+    let text = state.name, otherText = '';
+    if (b) otherText = hasSize ? b.name : `${b.name}, ${sizeOf(b)} pixels`;
+    if (b && !hasSize) text += `, ${width}×${height} pixels`;
+    if (mode === 'diff' && same) text = 'absolute difference';
+    if (mode === 'diff' && !same) {
+      text = !isLight ? 'no difference: this layer is not light'
+        : picture.isDraft && hasSize ? 'no difference yet: this is a draft'
+        : `no difference: ${b.name} has ${sizeOf(b)} pixels, this picture ${width}×${height}`;
+    }
+    if (mode === 'other') text = otherText;
+    if (mode === 'diff' && same) put(canvas, difference(own, b));
+    else if (mode === 'other' && !hasSize) putInside(canvas, b);
+    else put(canvas, mode === 'other' ? b : picture);
+    if (mode === 'side') {
+      if (hasSize) put($('otherpicture'), b);
+      else putInside($('otherpicture'), b);
+      $('othercaption').textContent = otherText;
+    }
     $('caption').textContent = text;
     if (b) {
       $('comparison').textContent = same
-        ? `Compared with ${b.name}: mean absolute difference ${meanDifference(picture, b).toPrecision(3)}.`
-        : !isLight ? 'Layers that are not light are not compared.' : `${b.name} has ${b.width}×${b.height} pixels, this picture ${picture.width}×${picture.height}.`;
+        ? `Compared with ${b.name}${isFinished(b) ? ', as shown' : ''}: mean absolute difference ${meanDifference(own, b).toPrecision(3)}.`
+        : !isLight ? 'Layers that are not light are not compared.'
+        : hasSize ? `Compared with ${b.name} when the first full picture is there.`
+        : `${b.name} has ${sizeOf(b)} pixels, this picture ${width}×${height}: there is no difference of pictures of different sizes.`;
     }
     layout();
     magnify();
@@ -385,7 +427,12 @@
   const loadOther = async () => {
     other = {};
     const found = await fetchPicture('other');
-    if (found) { found.name = state.other; other = found; comparing(); } else other = null;
+    if (found) {
+      found.name = state.other;
+      found.isDisplayReferred = state.otherIsDisplayReferred;
+      other = found;
+      comparing();
+    } else other = null;
   };
   const comparing = () => { $('mode').disabled = !rival(); paint(); };
 
@@ -429,7 +476,7 @@
       const table = Float32Array.from({length: 256}, (_, i) => Tone.decode(i / 255));
       const values = new Float32Array(3 * bitmap.width * bitmap.height);
       for (let i = 0; i < values.length / 3; i++) for (let c = 0; c < 3; c++) values[3 * i + c] = table[data[4 * i + c]];
-      kept = {width: bitmap.width, height: bitmap.height, channels: 3, values, layer: '', name: file.name};
+      kept = {width: bitmap.width, height: bitmap.height, channels: 3, values, layer: '', name: file.name, isDisplayReferred: true};
       if (!$('mode').value) $('mode').value = 'side';
       comparing();
     } catch (e) { tell(`${file.name}: expected a PNG or JPEG picture`); }

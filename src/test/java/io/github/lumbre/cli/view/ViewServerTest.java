@@ -509,7 +509,7 @@ class ViewServerTest {
   @Test
   void pictureIsShownAndComparedWithAnother() throws Exception {
     Image image = new Image(2, 1, new float[] {1, 2, 3, .1f, .2f, .3f}, new float[0]);
-    View.Picture picture = new View.Picture(image, List.of(), Map.of());
+    View.Picture picture = new View.Picture(image, List.of(), Map.of(), false);
     View.Options options = new View.Options(scene, 0, Optional.of(picture), "other.exr");
     view = View.of(picture, Exposure.of(1), ToneCurve.AGX, options);
     view.open(PreviewListener.NONE, ViewLimits.NONE);
