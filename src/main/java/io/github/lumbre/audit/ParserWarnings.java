@@ -27,9 +27,9 @@ final class ParserWarnings implements Check {
   private static Finding finding(Problem warning) {
     return Finding.warning(
         "format",
-        new Origin(warning.path().isEmpty() ? "$" : warning.path(), ""),
+        new Origin(warning.path().isEmpty() ? warning.file() : warning.path(), ""),
         warning.message(),
-        "the render may differ from what the scene file states",
-        "correct the scene file, or accept the value used instead");
+        "the render may differ from what the file states",
+        "correct the file, or accept the value used instead");
   }
 }

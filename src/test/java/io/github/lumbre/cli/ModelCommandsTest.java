@@ -377,6 +377,7 @@ class ModelCommandsTest {
     }
     assertThat(run("check T/a.obj --sky " + sky).err()).startsWith("a.obj: --sky: expected");
     assertThat(run("check T/a.obj").err()).startsWith("warning: a.obj: ");
+    assertThat(run("audit T/a.obj").out()).contains("warning  a.obj: ").doesNotContain("$:");
   }
 
   @Test
