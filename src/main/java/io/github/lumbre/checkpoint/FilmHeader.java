@@ -156,6 +156,11 @@ public record FilmHeader(
     return new FilmHeader(identity, hasAlpha, newWindow, layers, newParts, newFaults, notes);
   }
 
+  /** Returns the same header with other notes. */
+  public FilmHeader withNotes(Map<String, String> newNotes) {
+    return new FilmHeader(identity, hasAlpha, window, layers, parts, faults, newNotes);
+  }
+
   /**
    * Requires that another film has the layers of this one.
    *

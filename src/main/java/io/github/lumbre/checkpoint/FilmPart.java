@@ -44,6 +44,14 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
         && o.window.y() < window.y() + window.height();
   }
 
+  /** Returns whether this part has all samples of another one. */
+  public boolean contains(FilmPart o) {
+    return equals(o)
+        || first <= o.first
+            && o.end() <= first + fewest
+            && hull(window, o.window).equals(window);
+  }
+
   /**
    * Returns the union of the two parts if it is a part: the other part must continue where this one
    * ends, in samples or in pixels.

@@ -2,22 +2,27 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMerge;
 import io.github.lumbre.checkpoint.FilmMismatchException;
+import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.cli.option.DevelopFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.run.FilmInput;
+import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -37,7 +42,8 @@ import picocli.CommandLine.Spec;
         "Merge files with different samples (render --samples-from, --samples-to) or different"
             + " parts of the frame (render --crop). The result is bit-identical to a single render."
             + " Files that share a sample, or come from different scenes or settings, are"
-            + " rejected.",
+            + " rejected. An existing checkpoint file is replaced only by one that has all of its"
+            + " samples, unless --overwrite is given.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -107,14 +113,46 @@ final class MergeCommand implements Callable<Integer> {
 
   private void writeFilm() throws TaskException {
     try (CheckpointFile target = CheckpointFile.reserve(output)) {
-      target.save(merged());
+      FilmFile merged = merged();
+      requireNothingLost(merged.header());
+      target.save(new FilmFile(FilmNotes.ofMerged(merged.header()), merged.film()));
+      new FilmReport(merged.header(), merged.film()).print(output, messages());
     } catch (IOException e) {
       throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
     }
   }
 
+  /** Requires that the merged film has all samples of the one in its place. */
+  private void requireNothingLost(FilmHeader merged) throws TaskException {
+    if (overwrite.isGiven() || !Files.exists(output)) {
+      return;
+    }
+    FilmHeader before = FilmInput.read(output, messages()).header();
+    if (!before.identity().equals(merged.identity())) {
+      throw kept("is a checkpoint file of another picture");
+    }
+    for (FilmPart part : before.parts()) {
+      if (merged.parts().stream().noneMatch(other -> other.contains(part))) {
+        throw kept("has " + part + ", which the merged films lack");
+      }
+    }
+  }
+
+  private TaskException kept(String why) {
+    return new TaskException(
+        Kind.OUTPUT,
+        output
+            + ": "
+            + why
+            + "; choose another path with -o, or replace the file with --overwrite");
+  }
+
+  private Messages messages() {
+    return new Messages(spec.commandLine().getErr());
+  }
+
   private FilmFile merged() throws TaskException {
-    Messages messages = new Messages(spec.commandLine().getErr());
+    Messages messages = messages();
     List<FilmMerge.Named> named = new ArrayList<>();
     for (Path film : films) {
       named.add(new FilmMerge.Named(film.toString(), FilmInput.read(film, messages)));

@@ -112,7 +112,7 @@ final class ResumeCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
-      description = "Picture to write (as before).")
+      description = "Picture to write (as before; a merged film needs one).")
   Optional<Path> output;
 
   @Option(
@@ -157,7 +157,7 @@ final class ResumeCommand implements Callable<Integer> {
       FilmHeader header = loaded.file().header();
       requireOnePart(header);
       FilmNotes notes = new FilmNotes(film, header);
-      Path target = output.isPresent() ? output.get() : notes.output();
+      Path target = target(notes);
       Path path = scene.isPresent() ? scene.get() : notes.scene();
       Optional<SceneText> text = notes.sceneText(path);
       OutputGuard guard = overwrite.guard();
@@ -240,6 +240,15 @@ final class ResumeCommand implements Callable<Integer> {
               + " --target-error");
     }
     return budgets.since(start, startup, settings, error, notes.confidence());
+  }
+
+  private Path target(FilmNotes notes) throws TaskException {
+    Optional<Path> target = output.isPresent() ? output : notes.output();
+    return target.orElseThrow(
+        () ->
+            new TaskException(
+                Kind.USAGE,
+                film + ": has no picture yet, because it was merged; expected one with -o"));
   }
 
   private void requireOnePart(FilmHeader header) throws TaskException {

@@ -248,9 +248,55 @@ class FilmCommandsTest {
   void filmsWithGapsAreDevelopedButNotGoneOnWith() {
     assertDone(render("a.png", "-s", "2", "--checkpoint", path("a")));
     assertDone(render("b.png", "--samples-from", "3", "-s", "2", "--checkpoint", path("b")));
-    assertDone(Outcome.of("merge", path("a"), path("b"), "-o", path("ab")));
-    assertDone(Outcome.of("develop", path("ab"), "-o", path("ab.png")));
+    for (Outcome outcome :
+        List.of(
+            Outcome.of("merge", path("a"), path("b"), "-o", path("ab")),
+            Outcome.of("develop", path("ab"), "-o", path("ab.png")))) {
+      assertDone(outcome);
+      assertThat(outcome.err())
+          .contains(": 16x12 pixels, 4 samples per pixel\n")
+          .contains(
+              ": samples are missing; it has samples 0 to 1 of 16x12 pixels at 0,0, and samples 3"
+                  + " to 4 of 16x12 pixels at 0,0");
+    }
     Outcome.of("resume", path("ab")).assertFailed(ExitCodes.SCENE, "gaps");
+  }
+
+  @Test
+  void mergedFilmsReplaceOnlyFilmsWhoseSamplesTheyHave() throws IOException {
+    for (int i = 0; i < 3; i++) {
+      String share = i + "/3";
+      assertDone(render("p.png", "-s", "6", "--share", share, "--checkpoint", path("p" + i)));
+    }
+    byte[] last = bytes("p2");
+    Outcome.of("merge", path("p0"), path("p1"), "-o", path("p2"))
+        .assertFailed(ExitCodes.OUTPUT, "p2: has samples 4 to 5 of ", "which the merged films lack");
+    assertThat(bytes("p2")).isEqualTo(last);
+    assertThat(directory.resolve("p2.bak")).doesNotExist();
+    assertDone(Outcome.of("merge", path("p0"), path("p1"), "-o", path("all")));
+    assertDone(Outcome.of("merge", path("p0"), path("p1"), "-o", path("all")));
+    Outcome complete = Outcome.of("merge", path("p0"), path("p1"), path("p2"), "-o", path("all"));
+    assertDone(complete);
+    assertThat(complete.err()).contains("all: 16x12 pixels, 6 samples per pixel, noise about");
+    Outcome.of("merge", path("p0"), path("p1"), "-o", path("all"))
+        .assertFailed(ExitCodes.OUTPUT, "all: has samples 0 to 5 of ");
+    assertDone(render("o.png", "--seed", "5", "--checkpoint", path("other")));
+    Outcome.of("merge", path("p0"), "-o", path("other"))
+        .assertFailed(ExitCodes.OUTPUT, "is a checkpoint file of another picture", "--overwrite");
+    assertDone(Outcome.of("merge", path("p0"), "-o", path("other"), "--overwrite"));
+  }
+
+  @Test
+  void mergedFilmHasNoPictureOfItsOwn() throws IOException {
+    assertDone(render("a.png", "-s", "2", "--checkpoint", path("a")));
+    byte[] picture = bytes("a.png");
+    assertDone(Outcome.of("merge", path("a"), "-o", path("b")));
+    Outcome.of("resume", path("b"), "-s", "3")
+        .assertFailed(ExitCodes.USAGE, "b: has no picture yet, because it was merged", "-o");
+    assertDone(Outcome.of("resume", path("b"), "-s", "3", "-o", path("b.png")));
+    assertDone(Outcome.of("resume", path("b"), "-s", "4"));
+    assertThat(bytes("a.png")).isEqualTo(picture);
+    assertThat(bytes("b.png")).isNotEqualTo(picture);
   }
 
   @Test

@@ -3,6 +3,7 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.cli.output.Fallback;
+import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -87,14 +88,16 @@ public final class DevelopFlags {
       requireLayers(picture);
       FilmFile film = source.film();
       ImageWriter.Options options = develop(name, film, picture);
+      Messages messages = new Messages(spec.commandLine().getErr());
       if (denoise) {
         denoised.write(
             NoisyPicture.of(film.film()),
             options,
             output.toString(),
-            new Messages(spec.commandLine().getErr()),
+            messages,
             new JsonSummary("develop", name));
       }
+      new FilmReport(film.header(), film.film()).print(output, messages);
     }
   }
 

@@ -40,10 +40,10 @@ public record NoiseReport(
             film.meanSamples());
   }
 
-  /** Returns {@code noise about 1.6 % (at most 1.8 %), }; empty if the noise is not known. */
+  /** Returns {@code , noise about 1.6 % (at most 1.8 %)}; empty if the noise is not known. */
   String line() {
     return noise
-        .map(n -> "noise about %s (%s), ".formatted(Markdown.percent(n.relativeRmse()), bound(n)))
+        .map(n -> ", noise about %s (%s)".formatted(Markdown.percent(n.relativeRmse()), bound(n)))
         .orElse("");
   }
 

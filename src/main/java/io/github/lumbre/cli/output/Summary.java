@@ -55,7 +55,7 @@ public final class Summary {
     messages.line(
         String.format(
             Locale.ROOT,
-            "%s: %s%dx%d pixels, %s, %s%.2f s, %s samples/s",
+            "%s: %s%dx%d pixels, %s%s, %.2f s, %s samples/s",
             output,
             result.complete() ? "" : "stopped early, partial picture of ",
             image.width(),

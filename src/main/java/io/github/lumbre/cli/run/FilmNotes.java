@@ -115,8 +115,18 @@ public final class FilmNotes {
     }
   }
 
-  public Path output() throws TaskException {
-    return note(OUTPUT, FilmNotes::path);
+  /** Returns the picture of the film; empty if it has none, like a merged film. */
+  public Optional<Path> output() throws TaskException {
+    return header.notes().containsKey(OUTPUT)
+        ? Optional.of(note(OUTPUT, FilmNotes::path))
+        : Optional.empty();
+  }
+
+  /** Returns the header of a merged film, which has no picture of its own. */
+  public static FilmHeader ofMerged(FilmHeader header) {
+    Map<String, String> notes = new LinkedHashMap<>(header.notes());
+    notes.remove(OUTPUT);
+    return header.withNotes(notes);
   }
 
   /**
