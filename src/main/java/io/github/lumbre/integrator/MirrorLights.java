@@ -40,6 +40,12 @@ final class MirrorLights {
   /** Rounding of a point of a sphere, relative to the largest coordinate. */
   private static final double ROUNDING = 64 * 0x1p-52;
 
+  /**
+   * How often a reflection is sampled, relative to the sine of the angle from a mirror's center to
+   * its border. Measured: it takes less time to an error than 1 or 1/4.
+   */
+  private static final double SHARE = .5;
+
   private static final TexturePoint NO_TEXTURE = new TexturePoint(0, 0);
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
@@ -142,9 +148,7 @@ final class MirrorLights {
   void addReflection(Vertex vertex, int depth, Sampler sampler, RenderContext context) {
     Reflection reflection = context.reflection;
     LightSample light = context.light;
-    int dimension = Sampler.mirror(depth);
-    double u = sampler.get1d(dimension);
-    if (!sample(u, sampler.get2d(dimension + 1), vertex, reflection, light)) {
+    if (!sample(sampler, Sampler.mirror(depth), vertex, reflection, light)) {
       return;
     }
     BsdfValue value = context.value;
@@ -175,17 +179,16 @@ final class MirrorLights {
   /**
    * Samples the reflection of a light.
    *
-   * @param u uniform in [0,1); selects the mirror and the light
-   * @param onLight uniform in [0,1)²
+   * @param dimension that of the number which selects the mirror and the light
    * @param light receives the reflected light, as it arrives at the vertex
    * @return whether there is a reflection
    */
   private boolean sample(
-      double u, Point2 onLight, Vertex vertex, Reflection reflection, LightSample light) {
+      Sampler sampler, int dimension, Vertex vertex, Reflection reflection, LightSample light) {
     Vec3 from = vertex.surface().position();
     double[] weights = reflection.weights;
     double most = Math.max(1, weigh(from, vertex.facing(), weights));
-    double rest = u * most;
+    double rest = sampler.get1d(dimension) * most;
     int chosen = 0;
     while (chosen < mirrors.length && rest >= weights[chosen]) {
       rest -= weights[chosen];
@@ -199,6 +202,7 @@ final class MirrorLights {
     if (!(emitters[choice.emitter()] instanceof AreaLight lamp)) {
       return false;
     }
+    Point2 onLight = sampler.get2d(dimension + 1);
     lamp.sample(choice.x(), choice.y(), choice.z(), onLight.x(), onLight.y(), light);
     double probability = weights[chosen] / most * choice.probability();
     return !light.isEmpty() && reflect(from, chosen, probability, reflection, light);
@@ -278,8 +282,8 @@ final class MirrorLights {
   }
 
   /**
-   * Computes the weight of each mirror at a point: the sine of the angle from its center to its
-   * border, or 0 if the point faces away from it. Returns the sum. If it is below 1, it is the
+   * Computes the weight of each mirror at a point: half the sine of the angle from its center to
+   * its border, or 0 if the point faces away from it. Returns the sum. If it is below 1, it is the
    * probability with which a reflection is sampled at all, because small reflections are worth
    * fewer shadow rays.
    *
@@ -292,7 +296,7 @@ final class MirrorLights {
       double radius = mirrors[i].radius();
       boolean isBelow = facing.dot(way) <= -radius;
       double distance = way.length();
-      weights[i] = isBelow || distance <= radius ? 0 : radius / distance;
+      weights[i] = isBelow || distance <= radius ? 0 : SHARE * radius / distance;
       sum += weights[i];
     }
     return sum;

@@ -14,12 +14,21 @@ final class Path {
   /** Part of the expected light, as a divisor, below which roulette may end a guided path. */
   private static final double SLACK = 3;
 
+  /** Part of the throughput behind the first surface, as a divisor, below which roulette begins. */
+  private static final double SURFACE_SLACK = 2;
+
   private double red, green, blue;
   private double throughputRed, throughputGreen, throughputBlue;
   private double pdf;
 
   /** Light that the path was expected to find at its first guided vertex; below 0 before it. */
   private double expected;
+
+  /** Whether the path has left a non-specular vertex. */
+  private boolean isScattered;
+
+  /** The throughput with which it left the first one, its largest component; 1 before. */
+  private double first;
 
   private int branches;
 
@@ -42,6 +51,8 @@ final class Path {
     throughputBlue = 1;
     pdf = Double.POSITIVE_INFINITY;
     expected = -1;
+    isScattered = false;
+    first = 1;
     branches = 1;
   }
 
@@ -67,17 +78,22 @@ final class Path {
     throughputRed = splitRed;
     throughputGreen = splitGreen;
     throughputBlue = splitBlue;
+    isScattered = false;
     return splitDepth;
   }
 
   /**
-   * Leaves a vertex in a sampled direction.
+   * Leaves a vertex in a sampled direction, with the throughput behind it.
    *
    * @param newPdf density of that direction per solid angle; infinite if light sampling cannot draw
    *     it
    */
   void leave(double newPdf) {
     pdf = newPdf;
+    if (!isScattered && newPdf != Double.POSITIVE_INFINITY) {
+      isScattered = true;
+      first = throughput();
+    }
   }
 
   /**
@@ -116,6 +132,17 @@ final class Path {
       expected = now;
     }
     return expected > 0 ? Math.max(LEAST_SURVIVAL, Math.min(1, SLACK * now / expected)) : 1;
+  }
+
+  /**
+   * Returns the probability with which roulette should continue an unguided path at a vertex, by
+   * its throughput compared with that behind its first non-specular vertex. The pixel shows the
+   * color of that surface, so that behind a dark one, weak paths count as much as strong ones
+   * behind a bright one. The slack spares paths that would end often and save little.
+   */
+  double survival() {
+    double now = SURFACE_SLACK * throughput();
+    return now > 0 ? Math.min(1, now / first) : 0;
   }
 
   /** Returns the largest component of the throughput, not divided by the number of branches. */

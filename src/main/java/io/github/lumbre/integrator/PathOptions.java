@@ -30,7 +30,7 @@ public record PathOptions(
     boolean throughLens,
     boolean bySpecular) {
   /** The default number of the first vertex at which Russian roulette may end a path. */
-  public static final int FIRST_ROULETTE = 3;
+  public static final int FIRST_ROULETTE = 1;
 
   /** Stands for the number of branches that the {@link RenderContext} of a sample has. */
   public static final int PLANNED = RenderSettings.AUTO_SPLIT;

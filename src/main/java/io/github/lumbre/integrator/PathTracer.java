@@ -323,7 +323,7 @@ public final class PathTracer implements Integrator {
 
     // Russian roulette: end weak paths at random and divide the others by their probability.
     if (depth >= firstRoulette && !vertex.isGuided()) {
-      survival = Math.min(1, path.throughput());
+      survival = path.survival();
     }
     if (survival < 1) {
       if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {

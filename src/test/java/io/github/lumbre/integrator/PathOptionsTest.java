@@ -65,7 +65,7 @@ class PathOptionsTest {
     assertThat(PathOptions.toDepth(0).rouletteFrom(0).splitInto(1).maxDepth()).isZero();
     assertThatIllegalArgumentException()
         .isThrownBy(() -> PathOptions.toDepth(-1))
-        .withMessage("maxDepth, firstRoulette: expected at least 0, found -1, 3");
+        .withMessage("maxDepth, firstRoulette: expected at least 0, found -1, 1");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> PathOptions.toDepth(1).rouletteFrom(-1))
         .withMessage("maxDepth, firstRoulette: expected at least 0, found 1, -1");

@@ -61,4 +61,55 @@ class PathTest {
       assertThat(path.radiance()).isEqualTo(new Rgb(.5 * 3, 2 * 4, .125 * 5));
     }
   }
+
+  /** Specular surfaces do not count as the first one, and leave it to be found. */
+  @Test
+  void survivalIsTheThroughputComparedWithTheFirstSurface() {
+    path.begin();
+    path.scale(.25, .5, .125);
+    path.leave(Double.POSITIVE_INFINITY);
+    assertThat(path.survival()).isEqualTo(1);
+    path.scale(.5, .5, .5);
+    path.leave(Double.POSITIVE_INFINITY);
+    assertThat(path.survival()).isEqualTo(.5);
+    path.scale(.5, .25, .125);
+    path.leave(7);
+    assertThat(path.survival()).isEqualTo(1);
+    path.scale(.5, .5, .5);
+    path.leave(7);
+    assertThat(path.survival()).isEqualTo(1);
+    path.scale(.25, .25, .25);
+    path.leave(Double.POSITIVE_INFINITY);
+    assertThat(path.survival()).isEqualTo(.25);
+    path.scale(0, 0, 0);
+    path.leave(7);
+    assertThat(path.survival()).isZero();
+    path.begin();
+    path.scale(.25, .25, .25);
+    assertThat(path.survival()).isEqualTo(.5);
+  }
+
+  /** A first surface that scatters nothing ends the path. */
+  @Test
+  void blackPathsDoNotSurvive() {
+    path.begin();
+    path.scale(0, 0, 0);
+    path.leave(7);
+    assertThat(path.survival()).isZero();
+  }
+
+  /** Each branch has its own weight behind the surface where the path was split. */
+  @Test
+  void survivalOfABranchDoesNotDependOnOthers() {
+    path.begin();
+    path.split(0, 4);
+    for (double weight : new double[] {1, .125, .5}) {
+      path.returnToSplit();
+      path.scale(weight, weight, weight);
+      path.leave(7);
+      assertThat(path.survival()).isEqualTo(1);
+      path.scale(.25, .25, .25);
+      assertThat(path.survival()).isEqualTo(.5);
+    }
+  }
 }

@@ -27,13 +27,13 @@ class ModelViewsTest {
   private static final Map<String, String> STORED = new LinkedHashMap<>();
 
   static {
-    STORED.put("front", "ed35e9c3");
-    STORED.put("back", "3a84ecb");
-    STORED.put("left", "c97e0ae5");
-    STORED.put("right", "42fea9c2");
-    STORED.put("top", "7acd1405");
+    STORED.put("front", "a3101637");
+    STORED.put("back", "54ca2da1");
+    STORED.put("left", "7f361e7f");
+    STORED.put("right", "efa3c3b");
+    STORED.put("top", "ac4e91a5");
     STORED.put("bottom", "4c21e6b2");
-    STORED.put("iso", "e74fa79c");
+    STORED.put("iso", "b2bae47b");
   }
 
   @TempDir private Path directory;

@@ -122,7 +122,7 @@ public final class TradePage {
                 + " is proportional to the samples to this power; -1 for independent samples, lower"
                 + " is better. Baseline: Sobol points, lights selected by their expected"
                 + " contribution, light and BSDF sampling combined by multiple importance sampling"
-                + " (MIS) with the power heuristic, Russian roulette from vertex 3. Settings named"
+                + " (MIS) with the power heuristic, Russian roulette from vertex 1. Settings named"
                 + " \"only\" use a single sampling technique.");
   }
 

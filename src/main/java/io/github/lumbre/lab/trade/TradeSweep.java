@@ -35,7 +35,7 @@ public final class TradeSweep {
   private static final int ADAPTIVE_SAMPLES = 64;
 
   private static final int[] DEPTHS = {1, 2, 3, 5, 8, 16};
-  private static final int[] ROULETTE = {0, 1, 8, 32};
+  private static final int[] ROULETTE = {2, 4, 8, 32};
   private static final int[] SPLITS = {2, 4, 8};
   private static final int[] CLAMPS = {1, 10, 100};
 
