@@ -30,29 +30,6 @@ public final class Elementary {
     }
   }
 
-  /**
-   * Chebyshev coefficients in 2t − 1 of ln(erfc(x) exp(x²) / t), t = 2 / (2 + x), computed with 40
-   * digits. This number of coefficients leaves a relative error of 2e-15.
-   */
-  private static final double[] ERFC = {
-    -1.30265371978170943, 0.64196979235649026, 0.0194764732041858363,
-    -0.00956151478680863164, -0.000946595344482036866, 0.000366839497852761452,
-    0.0000425233248069077716, -0.0000202785781125342432, -1.62429000464702551e-6,
-    1.3036558355805232e-6, 1.56264417220661432e-8, -8.52380959149265425e-8,
-    6.52905443909885149e-9, 5.05934349555146895e-9, -9.91364156493033091e-10,
-    -2.27365122293183581e-10, 9.64679110201552645e-11, 2.39403808303911763e-12,
-    -6.88602752649755563e-12, 8.94487927309074143e-13, 3.13092139934294907e-13,
-    -1.12708223613672298e-13, 3.81090525519374139e-16, 7.10609761360811203e-15,
-  };
-
-  /** erfc(x) exp(x²) / t as a function of t = 2 / (2 + x). */
-  private static final PiecewisePolynomial ERFC_OVER_T =
-      new PiecewisePolynomial(Elementary::erfcSeries);
-
-  /** atan(t) / t. */
-  private static final PiecewisePolynomial ATAN_OVER_T =
-      new PiecewisePolynomial(t -> StrictMath.atan(t) / t);
-
   private Elementary() {}
 
   /**
@@ -153,7 +130,7 @@ public final class Elementary {
     double ay = Math.abs(y);
     double larger = Math.max(ax, ay);
     double ratio = larger > 0 ? Math.min(ax, ay) / larger : 0;
-    double angle = ratio * ATAN_OVER_T.at(ratio);
+    double angle = ratio * Atan.OVER_T.at(ratio);
     if (ay > ax) {
       angle = .5 * Math.PI - angle;
     }
@@ -212,21 +189,7 @@ public final class Elementary {
   /** Returns exp(x²) · erfc(x), the scaled complementary error function, for x ≥ 0. */
   public static double erfcScaled(double x) {
     double t = 2 / (2 + x);
-    return t * ERFC_OVER_T.at(t);
-  }
-
-  /** Returns erfc(x) exp(x²) / t for t = 2 / (2 + x) in (0,1], by its Chebyshev series. */
-  static double erfcSeries(double t) {
-    double y = 4 * t - 2;
-    double b = 0;
-    double next = 0;
-    // Clenshaw's recurrence.
-    for (int i = ERFC.length - 1; i > 0; i--) {
-      double last = b;
-      b = y * b - next + ERFC[i];
-      next = last;
-    }
-    return exp(.5 * (y * b + ERFC[0]) - next);
+    return t * Erfc.OVER_T.at(t);
   }
 
   public static double pow(double base, double exponent) {
@@ -236,5 +199,51 @@ public final class Elementary {
   /** Returns the square root of x, or 0 where rounding made x negative. */
   public static double safeSqrt(double x) {
     return Math.sqrt(Math.max(0, x));
+  }
+
+  /** The complementary error function; a class, so that programs without it make no table. */
+  static final class Erfc {
+    /**
+     * Chebyshev coefficients in 2t − 1 of ln(erfc(x) exp(x²) / t), t = 2 / (2 + x), computed with
+     * 40 digits. This number of coefficients leaves a relative error of 2e-15.
+     */
+    private static final double[] COEFFICIENTS = {
+      -1.30265371978170943, 0.64196979235649026, 0.0194764732041858363,
+      -0.00956151478680863164, -0.000946595344482036866, 0.000366839497852761452,
+      0.0000425233248069077716, -0.0000202785781125342432, -1.62429000464702551e-6,
+      1.3036558355805232e-6, 1.56264417220661432e-8, -8.52380959149265425e-8,
+      6.52905443909885149e-9, 5.05934349555146895e-9, -9.91364156493033091e-10,
+      -2.27365122293183581e-10, 9.64679110201552645e-11, 2.39403808303911763e-12,
+      -6.88602752649755563e-12, 8.94487927309074143e-13, 3.13092139934294907e-13,
+      -1.12708223613672298e-13, 3.81090525519374139e-16, 7.10609761360811203e-15,
+    };
+
+    /** erfc(x) exp(x²) / t as a function of t = 2 / (2 + x). */
+    private static final PiecewisePolynomial OVER_T = new PiecewisePolynomial(Erfc::series);
+
+    private Erfc() {}
+
+    /** Returns erfc(x) exp(x²) / t for t = 2 / (2 + x) in (0,1], by its Chebyshev series. */
+    static double series(double t) {
+      double y = 4 * t - 2;
+      double b = 0;
+      double next = 0;
+      // Clenshaw's recurrence.
+      for (int i = COEFFICIENTS.length - 1; i > 0; i--) {
+        double last = b;
+        b = y * b - next + COEFFICIENTS[i];
+        next = last;
+      }
+      return exp(.5 * (y * b + COEFFICIENTS[0]) - next);
+    }
+  }
+
+  /** The arc tangent; a class for the same reason. */
+  private static final class Atan {
+    /** atan(t) / t. */
+    private static final PiecewisePolynomial OVER_T =
+        new PiecewisePolynomial(t -> StrictMath.atan(t) / t);
+
+    private Atan() {}
   }
 }
