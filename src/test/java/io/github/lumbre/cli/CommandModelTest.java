@@ -28,11 +28,11 @@ class CommandModelTest {
    * does not use: translations, passwords, inherited flags.
    */
   private static final String NOT_COMPARED =
-      "(.*\\.)?(userObject|annotatedElement|mixinAnnotatedElements|specElements|toString|commandSpec"
-          + "|getter|setter|scope|initialValue|initialValueState|negatableOptionTransformer|prompt"
-          + "|scopeType|originalDefaultValue|originalMapFallbackValue|originalFallbackValue"
-          + "|descriptionKey|actualGenericTypeArguments|builderCapacity|exitCodeListStrings"
-          + "|exitCodeList|group\\.typeInfo)";
+      "(.*\\.)?(userObject|annotatedElement|mixinAnnotatedElements|specElements|toString"
+          + "|commandSpec|getter|setter|scope|initialValue|initialValueState|prompt|scopeType"
+          + "|negatableOptionTransformer|originalDefaultValue|originalMapFallbackValue"
+          + "|originalFallbackValue|descriptionKey|actualGenericTypeArguments|builderCapacity"
+          + "|exitCodeListStrings|exitCodeList|group\\.typeInfo)";
 
   private static final IFactory FACTORY = CommandLine.defaultFactory();
 
@@ -134,7 +134,9 @@ class CommandModelTest {
     Object[] numbers = {true, 4711, 47.11, new BigDecimal(47), Duration.ofDays(47)};
     Object[] texts = {"sample", Path.of("sample"), Optional.of("sample"), List.of("sample")};
     Stream<Object> all = Stream.of(others, numbers, texts).flatMap(Stream::of);
-    return all.filter(value -> boxed(type).isInstance(value)).findFirst().orElseThrow(() -> new AssertionError("no sample of " + type));
+    return all.filter(value -> boxed(type).isInstance(value))
+        .findFirst()
+        .orElseThrow(() -> new AssertionError("no sample of " + type));
   }
 
   private static Class<?> boxed(Class<?> type) {
