@@ -394,6 +394,28 @@ class ViewBrowserTest {
     assertThat(canvas()).isNotEqualTo(difference);
   }
 
+  @Test
+  void theChartNeedsTwoEstimates() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    assertThat(
+            browser.evaluate(
+                """
+                (() => {
+                  const chart = document.getElementById('chart');
+                  const isHidden = (...points) => {
+                    drawChart(chart, points);
+                    return chart.parentNode.hidden;
+                  };
+                  return [isHidden(), isHidden([1, 16, .1, .2]),
+                    isHidden([1, 16, .1, .2], [1.01, 16, .1, .2]),
+                    isHidden([1, 16, .1, .2], [2, 32, .05, .1])].join();
+                })()
+                """))
+        .isEqualTo("true,true,true,false");
+    assertThat(browser.complaints()).isEmpty();
+  }
+
   private static String text(String id) {
     return browser.evaluate("document.getElementById('" + id + "').textContent");
   }

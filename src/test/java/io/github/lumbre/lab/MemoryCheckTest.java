@@ -14,7 +14,8 @@ class MemoryCheckTest {
 
   @Test
   void theAdviceIsEnoughForTheNeed() {
-    assertThat(MemoryCheck.advice(21 * MEBIBYTE)).isEqualTo("raise it with LUMBRE_JAVA_OPTS=-Xmx64m");
+    assertThat(MemoryCheck.advice(21 * MEBIBYTE))
+        .isEqualTo("raise it with LUMBRE_JAVA_OPTS=-Xmx64m");
     assertThat(MemoryCheck.advice(128 * MEBIBYTE)).endsWith("=-Xmx192m");
     assertThat(MemoryCheck.advice(900 * MEBIBYTE)).endsWith("=-Xmx1g");
     assertThat(MemoryCheck.advice(1000 * MEBIBYTE)).endsWith("=-Xmx2g");
