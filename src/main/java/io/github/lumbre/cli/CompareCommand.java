@@ -20,6 +20,7 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.compare.ErrorMap;
 import io.github.lumbre.compare.PictureError;
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -159,7 +160,7 @@ final class CompareCommand implements Callable<Integer> {
                   + ", found '"
                   + name
                   + "'");
-          require(limit >= 0, "--tolerance: expected numbers of at least 0, found " + limit);
+          require(limit >= 0, "--tolerance: expected numbers of at least 0, found " + plain(limit));
         });
     errorMap.ifPresent(
         file ->
@@ -229,8 +230,14 @@ final class CompareCommand implements Callable<Integer> {
       return text;
     }
     String verdict = beyond.contains(name) ? "outside" : "within";
-    return text
-        + String.format(Locale.ROOT, "  %s the tolerance of %s", verdict, tolerance.get(name));
+    return text + "  " + verdict + " the tolerance of " + plain(tolerance.get(name));
+  }
+
+  /** Returns a number without exponent. */
+  private static String plain(double number) {
+    return Double.isFinite(number)
+        ? BigDecimal.valueOf(number).stripTrailingZeros().toPlainString()
+        : String.valueOf(number);
   }
 
   private Map<String, Object> values(PictureError error, List<String> beyond) {

@@ -24,6 +24,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -93,8 +94,9 @@ final class LayersCommand implements Callable<Integer> {
   public Integer call() throws TaskException {
     Messages errors = new Messages(spec.commandLine().getErr());
     LayeredImage image = LayerInput.read(file, errors);
-    List<Cryptomatte> mattes = wanted(mattes(image));
-    List<ImageLayer> layers = wanted(image, mattes);
+    List<Cryptomatte> all = mattes(image);
+    List<ImageLayer> layers = wanted(image, all);
+    List<Cryptomatte> mattes = wanted(all);
     if (folder.isPresent()) {
       write(layers, mattes, folder.get());
     } else if (json) {
@@ -131,10 +133,20 @@ final class LayersCommand implements Callable<Integer> {
     List<ImageLayer> layers = new ArrayList<>();
     for (String name : names) {
       if (mattes.stream().noneMatch(matte -> matte.type().equals(name))) {
-        layers.add(LayerInput.layer(image, name, file));
+        layers.add(LayerInput.layer(image, name, file, names(image, mattes)));
       }
     }
     return layers;
+  }
+
+  /** Returns the names that {@code --layer} takes: mattes instead of the layers they consist of. */
+  private static List<String> names(LayeredImage image, List<Cryptomatte> mattes) {
+    Stream<String> plain =
+        image.layers().stream()
+            .filter(layer -> mattes.stream().noneMatch(matte -> matte.layers().contains(layer)))
+            .map(ImageLayer::name)
+            .filter(name -> !name.isEmpty());
+    return Stream.concat(plain, mattes.stream().map(Cryptomatte::type)).toList();
   }
 
   private void write(List<ImageLayer> layers, List<Cryptomatte> mattes, Path target)

@@ -28,6 +28,7 @@ import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -268,7 +269,10 @@ final class ResumeCommand implements Callable<Integer> {
     if (limit < most) {
       throw new TaskException(
           Kind.USAGE,
-          "--samples: expected at least the " + most + " samples per pixel already rendered");
+          "--samples: expected at least the "
+              + Markdown.count(most, "sample")
+              + " per pixel already rendered, found "
+              + limit);
     }
     try {
       SceneParser parser =

@@ -7,6 +7,7 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Set;
@@ -100,9 +101,17 @@ final class LockedFile implements Closeable {
               + ": the directory "
               + path.getParent()
               + " cannot be written: "
-              + FileFailure.reason(e),
+              + reason(e, path.getParent()),
           e);
     }
+  }
+
+  private static String reason(FileSystemException e, Path directory) {
+    // Linux reports so of /proc.
+    boolean isMissing = e instanceof NoSuchFileException;
+    return isMissing && Files.isDirectory(directory)
+        ? "its file system allows no new files"
+        : FileFailure.reason(e);
   }
 
   private static boolean lock(FileChannel channel) {

@@ -45,7 +45,8 @@ public record LayeredImage(
    */
   public static LayeredImage of(byte[] file) throws ImageFormatException {
     if (!ExrReader.startsIn(file)) {
-      throw ImageFormatException.malformed("expected an OpenEXR file, found none");
+      String found = ImageFormat.describe(file).orElse("another kind of file");
+      throw ImageFormatException.malformed("expected an OpenEXR file, found " + found);
     }
     return ExrReader.readLayers(file);
   }

@@ -20,6 +20,11 @@ public final class Markdown {
     return String.format(Locale.ROOT, share >= .1 ? "%.0f %%" : "%.2g %%", 100 * share);
   }
 
+  /** Returns a number with its noun, {@code 1 sample} or {@code 2 samples}. */
+  public static String count(long number, String noun) {
+    return number + " " + noun + (number == 1 ? "" : "s");
+  }
+
   /**
    * Returns a rate per second with three digits, {@code 1.25 M}; a whole number below 1 million.
    */

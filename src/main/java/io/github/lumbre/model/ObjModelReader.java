@@ -49,6 +49,7 @@ final class ObjModelReader {
   /** A part with its place in the file, and that of its material's name. */
   private record Part(String location, String materialLocation, ObjSurface surface) {}
 
+  private final byte[] text;
   private final TextScanner scanner;
   private final ObjFaces faces;
   private final ModelFolder folder;
@@ -65,6 +66,7 @@ final class ObjModelReader {
 
   private ObjModelReader(byte[] text, ModelFolder folder, ModelOptions options)
       throws ModelFormatException {
+    this.text = text;
     scanner = new TextScanner(text);
     faces = new ObjFaces(scanner, ObjCensus.of(text, options.limits()), true);
     this.folder = folder;
@@ -88,7 +90,7 @@ final class ObjModelReader {
       scanner.endLine();
     }
     if (parts.isEmpty()) {
-      throw scanner.error("expected at least one face, found the end of the file");
+      throw ObjReader.noFaces(text, scanner);
     }
     faces.finish();
     faces.warnOfNarrowFaces(warnings);

@@ -1,6 +1,9 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import java.util.Optional;
 
 /**
  * Reads the geometry of Wavefront OBJ as one mesh: {@code v}, {@code vt}, {@code vn} and {@code f}.
@@ -32,8 +35,17 @@ public final class ObjReader {
       scanner.endLine();
     }
     if (surface.triangles().count() == 0) {
-      throw scanner.error("expected at least one face, found the end of the file");
+      throw noFaces(text, scanner);
     }
     return faces.mesh(surface);
+  }
+
+  /** Returns the error of a file without faces. */
+  static ModelFormatException noFaces(byte[] text, TextScanner scanner) {
+    Optional<String> picture = ImageFormat.describe(text);
+    return picture.isPresent()
+        ? new ModelFormatException(
+            Kind.MALFORMED, "", "expected an OBJ file, found " + picture.get())
+        : scanner.error("expected at least one face, found the end of the file");
   }
 }

@@ -117,7 +117,9 @@ final class JsonTree {
   }
 
   private SceneFormatException broken(String path, String message) {
-    problems.error(SceneFormatException.Kind.INVALID, () -> path, message);
+    // Where a name is expected, the path ends with a dot.
+    String place = path.replaceFirst("[.]$", "");
+    problems.error(SceneFormatException.Kind.INVALID, () -> place, message);
     return problems.exception();
   }
 

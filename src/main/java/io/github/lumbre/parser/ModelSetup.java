@@ -281,7 +281,8 @@ public record ModelSetup(
     String name = String.valueOf(file.getFileName());
     Problems problems = new Problems(name);
     if (!Files.exists(file)) {
-      problems.error(Kind.INVALID, () -> "$", "expected a model file, found none");
+      String place = Problems.at(file);
+      problems.error(Kind.INVALID, () -> "$", "expected a model file, found none" + place);
       throw problems.exception();
     }
     long bytes = Files.size(file);

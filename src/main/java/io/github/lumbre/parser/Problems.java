@@ -93,6 +93,13 @@ final class Problems {
     return shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
   }
 
+  /** Returns where a file was sought, if its path says more than its name. */
+  static String at(Path file) {
+    return file.getNameCount() == 1 && !file.isAbsolute()
+        ? ""
+        : " at " + quoted(file.toString());
+  }
+
   /** Returns a text from a scene that is safe to print: quoted, escaped and shortened. */
   static String quoted(String text) {
     return PrintableText.quoted(text);

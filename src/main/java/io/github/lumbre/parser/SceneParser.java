@@ -382,7 +382,8 @@ public final class SceneParser {
       }
       return Files.readAllBytes(file);
     } catch (NoSuchFileException e) {
-      problems.error(Kind.INVALID, () -> "$", "expected a scene file, found none");
+      String place = Problems.at(file);
+      problems.error(Kind.INVALID, () -> "$", "expected a scene file, found none" + place);
       throw problems.exception();
     }
   }

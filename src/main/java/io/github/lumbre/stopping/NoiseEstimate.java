@@ -55,6 +55,11 @@ public record NoiseEstimate(
         relativeMse, Math.max(upperRelativeMse, upper), confidence, tailShare, pixels);
   }
 
+  /** Returns the number of pixels of the tail: 0.1 % of the pixels, at least one. */
+  public long tailPixels() {
+    return Math.max(1, pixels / 1000);
+  }
+
   /**
    * Returns whether more than half of the error comes from 0.1 % of the pixels. More such pixels
    * may still appear, and the bound does not account for them.

@@ -236,7 +236,7 @@ class BudgetTest {
   void adaptiveRendersThatEndInTheirFirstSamplesSaySo() {
     assertThat(render("a.png", "--adaptive", "-s", "32").err())
         .contains(
-            "--adaptive had no effect: all pixels get the first 32 samples",
+            "--adaptive had no effect: it chooses pixels after their first 32 samples",
             "the render ended with 32");
     assertThat(render("a.png", "--adaptive", "-s", "32", "--quiet").err()).isEmpty();
     Outcome more = render("a.png", "--adaptive", "-s", "33", "--json");

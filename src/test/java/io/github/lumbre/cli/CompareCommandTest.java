@@ -68,6 +68,8 @@ class CompareCommandTest {
         .isZero();
     assertThat(Outcome.of("compare", half, more, "--tolerance", "ssim=.999").out())
         .contains("outside the tolerance of 0.999");
+    assertThat(Outcome.of("compare", half, half, "--tolerance", "rmse=0.0001").out())
+        .contains("within the tolerance of 0.0001\n");
   }
 
   @Test

@@ -139,7 +139,7 @@ class FilmCommandsTest {
     assertThat(summary.get("rejected").getAsInt()).isEqualTo(2);
     assertThat(summary.get("first_rejected").toString()).isEqualTo("[[3,1,0],[2,5,1]]");
     assertThat(summary.get("saturated").getAsInt()).isEqualTo(4);
-    assertThat(outcome.err()).contains("warning: 2 samples are negative, NaN or infinite");
+    assertThat(outcome.err()).contains("warning: rejected 2 samples with negative, NaN or infinite values");
     assertThat(FilmFile.read(directory.resolve("a.film")).header().faults()).isEqualTo(faults);
   }
 
@@ -188,7 +188,10 @@ class FilmCommandsTest {
   void renderStoppedAtAnyTimeIsGoneOnWith() throws IOException {
     Outcome outcome =
         render("a.pfm", "-s", "20000", "--timeout", "1s", "--checkpoint", path("a.film"));
-    assertThat(outcome.err()).contains("stopped early");
+    assertThat(outcome.err())
+        .contains(
+            "stopped early",
+            "a.film: holds the samples so far; continue with: lumbre resume " + path("a.film"));
     assertDone(Outcome.of("resume", path("a.film"), "-s", "20000", "--timeout", "0.3s"));
     assertDone(Outcome.of("resume", path("a.film")));
     assertDone(render("whole.pfm", "-s", "20000"));
@@ -346,7 +349,7 @@ class FilmCommandsTest {
         .assertFailed(ExitCodes.OUTPUT, "a.film: already exists", "lumbre resume");
     assertThat(bytes("a.film")).isEqualTo(film);
     Outcome.of("resume", path("a.film"), "-s", "1")
-        .assertFailed(ExitCodes.USAGE, "at least the 2 samples per pixel already rendered");
+        .assertFailed(ExitCodes.USAGE, "at least the 2 samples per pixel already", ", found 1");
   }
 
   @Test

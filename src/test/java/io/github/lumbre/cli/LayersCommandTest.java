@@ -128,13 +128,15 @@ class LayersCommandTest {
   @Test
   void aFolderThatIsAFileIsAnError() throws IOException {
     Path own = Files.writeString(directory.resolve("notes"), "# notes");
-    layers(film, "--png", own.toString()).assertFailed(ExitCodes.OUTPUT, "notes");
+    layers(film, "--png", own.toString()).assertFailed(ExitCodes.OUTPUT, "notes: cannot be created: a file");
   }
 
   @Test
   void unknownLayersAreAnErrorWithASuggestion() {
     layers(picture, "--layer", "dept")
         .assertFailed(ExitCodes.USAGE, "dept", "did you mean depth", picture.toString());
+    layers(picture, "--layer", "CryptoObjec")
+        .assertFailed(ExitCodes.USAGE, "did you mean CryptoObject?", ", CryptoObject, ");
   }
 
   @ParameterizedTest

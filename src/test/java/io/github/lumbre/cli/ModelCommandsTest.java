@@ -294,7 +294,8 @@ class ModelCommandsTest {
 
   @Test
   void missingAndDamagedModelsAreLocated() throws IOException {
-    run("render T/none.glb -o T/a.png").assertFailed(ExitCodes.SCENE, "none.glb: ", "found none");
+    run("render T/none.glb -o T/a.png").assertFailed(
+        ExitCodes.SCENE, "none.glb: ", "found none at \"", directory.resolve("none.glb") + "\"");
     ModelSample.writeWith(directory, "\"mesh\": 0", "\"mesh\": 7");
     for (String command : new String[] {"render", "check", "audit", "import"}) {
       run(command + " T/sample.glb")

@@ -73,7 +73,7 @@ class StandardStreamsIT {
       throws IOException, InterruptedException {
     Outcome outcome =
         shell("LUMBRE render tiny.json -o - --format " + format + " --fallback-dir other > p");
-    assertThat(outcome.err()).startsWith("-: 16x12 pixels").hasLineCount(1);
+    assertThat(outcome.err()).startsWith("standard output: 16x12 pixels").hasLineCount(1);
     assertThat(outcome.exitCode()).isZero();
     String start = new String(bytes("p"), 0, 16, StandardCharsets.ISO_8859_1);
     assertThat(start).contains(magic);

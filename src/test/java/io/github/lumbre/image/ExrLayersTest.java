@@ -234,6 +234,8 @@ class ExrLayersTest {
   void otherFilesAreNoLayeredPictures() {
     assertThatThrownBy(() -> LayeredImage.of("hello, file".getBytes(StandardCharsets.UTF_8)))
         .isInstanceOf(ImageFormatException.class)
-        .hasMessageContaining("expected an OpenEXR file");
+        .hasMessageContaining("expected an OpenEXR file, found another kind of file");
+    assertThatThrownBy(() -> LayeredImage.of(picture().toPng()))
+        .hasMessageContaining("expected an OpenEXR file, found a PNG picture");
   }
 }

@@ -301,6 +301,9 @@ class ObjModelReaderTest {
   void filesWithoutSurfacesAreRefused() {
     assertThat(obj("p 1").refusal())
         .isEqualTo("MALFORMED line 5: expected at least one face, found the end of the file");
+    byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    assertThat(new ModelFixture("a.obj", png).refusal())
+        .isEqualTo("MALFORMED expected an OBJ file, found a PNG picture");
     assertThat(obj("f 1 1 1").refusal())
         .isEqualTo("MALFORMED expected at least one triangle with an area, found none");
     assertThat(new ModelFixture("a.obj", new byte[] {(byte) 0xfe, (byte) 0xff, 0, 'v'}).refusal())

@@ -74,6 +74,8 @@ class JsonTreeTest {
     assertThat(refusal("{\n \"a\": 1,\n \"b\": NaN\n}"))
         .hasMessage(
             "s.json: $.b: expected JSON (RFC 8259), found a syntax error at line 3, column 7");
+    assertThat(refusal("{\"camera\": {"))
+        .hasMessageContaining("s.json: $.camera: expected more JSON, found the end of the file");
   }
 
   @ParameterizedTest

@@ -56,7 +56,9 @@ class SceneParserTest {
     SceneFormatException refusal =
         catchThrowableOfType(
             SceneFormatException.class, () -> new SceneParser().parse(folder.resolve("no.json")));
-    assertThat(refusal).hasMessage("no.json: $: expected a scene file, found none");
+    String path = folder.resolve("no.json").toString();
+    assertThat(refusal)
+        .hasMessage("no.json: $: expected a scene file, found none at \"" + path + '"');
     assertThat(refusal.kind()).isEqualTo(Kind.INVALID);
   }
 

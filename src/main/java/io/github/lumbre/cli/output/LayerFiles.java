@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Cryptomatte;
 import io.github.lumbre.image.ImageLayer;
@@ -147,14 +148,15 @@ public final class LayerFiles {
     try {
       Files.createDirectories(folder);
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, folder + ": cannot be created: " + e.getMessage(), e);
+      throw new TaskException(
+          Kind.OUTPUT, folder + ": cannot be created: " + FileFailure.reason(e), e);
     }
     for (Map.Entry<Path, Content> file : files.entrySet()) {
       try (OutputFile out = OutputFile.open(file.getKey())) {
         file.getValue().write(out);
       } catch (IOException e) {
         throw new TaskException(
-            Kind.OUTPUT, file.getKey() + ": cannot be written: " + e.getMessage(), e);
+            Kind.OUTPUT, file.getKey() + ": cannot be written: " + FileFailure.reason(e), e);
       }
     }
   }

@@ -57,7 +57,8 @@ public record NoiseReport(
   public void printDoubts(Messages messages) {
     if (noise.filter(NoiseEstimate::hasHeavyTail).isPresent()) {
       messages.line(
-          "warning: 0.1 % of the pixels carry "
+          "warning: "
+              + tail(noise.get())
               + Markdown.percent(noise.get().tailShare())
               + " of the noise, so the noise may be underestimated; take more samples");
     }
@@ -68,6 +69,11 @@ public record NoiseReport(
               + " is not reached"
               + noise.map(n -> ": " + bound(n)).orElse(""));
     }
+  }
+
+  /** Returns which pixels carry the tail. */
+  private static String tail(NoiseEstimate noise) {
+    return noise.tailPixels() == 1 ? "one pixel carries " : "0.1 % of the pixels carry ";
   }
 
   /** Returns whether a target error was given but not reached. */
@@ -81,9 +87,11 @@ public record NoiseReport(
     noise.ifPresent(
         n -> {
           metadata.put("Noise", Markdown.percent(n.relativeRmse()));
-          metadata.put("NoiseBound", bound(n) + " with a confidence of " + Markdown.percent(n.confidence()));
+          metadata.put(
+              "NoiseBound", bound(n) + " with a confidence of " + Markdown.percent(n.confidence()));
           if (n.hasHeavyTail()) {
-            metadata.put("NoiseTail", Markdown.percent(n.tailShare()) + " of it in 0.1 % of the pixels");
+            String pixels = n.tailPixels() == 1 ? "one pixel" : "0.1 % of the pixels";
+            metadata.put("NoiseTail", Markdown.percent(n.tailShare()) + " of it in " + pixels);
           }
         });
   }

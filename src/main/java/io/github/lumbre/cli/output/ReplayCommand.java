@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** The command line that repeats one sample of a render, for warnings. */
-final class ReplayCommand {
+public final class ReplayCommand {
   private ReplayCommand() {}
 
   /** Returns the command with all flags that determine the sample. */
@@ -45,6 +45,11 @@ final class ReplayCommand {
         .filter(settings::isSet)
         .map(setting -> " " + setting.flag() + " " + settings.text(setting))
         .collect(Collectors.joining());
+  }
+
+  /** Returns the command that resumes a render. */
+  public static String resume(Path film) {
+    return "lumbre resume " + quoted(film.toString());
   }
 
   /** Returns a name, quoted for a shell if necessary. */

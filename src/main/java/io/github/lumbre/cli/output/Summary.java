@@ -52,15 +52,18 @@ public final class Summary {
 
   private void print(Path output, String samples, String noise, Messages messages) {
     Image image = result.image();
+    boolean isOne = samples.equals("1");
     messages.line(
         String.format(
             Locale.ROOT,
             "%s: %s%dx%d pixels, %s%s, %.2f s, %s samples/s",
-            output,
+            output.equals(PictureOutput.STANDARD) ? "standard output" : output,
             result.complete() ? "" : "stopped early, partial picture of ",
             image.width(),
             image.height(),
-            result.complete() ? samples + " samples per pixel" : progress(),
+            result.complete()
+                ? samples + (isOne ? " sample" : " samples") + " per pixel"
+                : progress(),
             noise,
             seconds,
             Markdown.rate(result.statistics().samples(), seconds)));
@@ -71,7 +74,7 @@ public final class Summary {
     Image image = result.image();
     long total = (long) image.width() * image.height() * settings.samples();
     return settings.samples() == RenderSettings.MAX_SAMPLES
-        ? samplesInAll + " samples"
+        ? Markdown.count(samplesInAll, "sample")
         : samplesInAll + " of " + total + " samples";
   }
 
@@ -96,10 +99,9 @@ public final class Summary {
       return;
     }
     messages.line(
-        "warning: "
-            + statistics.rejected()
-            + " samples are negative, NaN or infinite and were rejected (counted as black); the"
-            + " first are:");
+        "warning: rejected "
+            + Markdown.count(statistics.rejected(), "sample")
+            + " with negative, NaN or infinite values (counted as black); the first:");
     statistics
         .firstRejected()
         .forEach(

@@ -106,6 +106,11 @@ public final class FilmKeeper implements AutoCloseable {
     checkpoints.ifPresent(c -> c.saveLast(film, content -> save(content, statistics)));
   }
 
+  /** Returns the file that holds the film; empty if it is not saved, or saved elsewhere. */
+  public Optional<Path> saved() {
+    return file.filter(f -> failure.isEmpty() && instead.isEmpty()).map(CheckpointFile::path);
+  }
+
   /**
    * Saves a film that has samples. A failure is reported once and kept until a later save succeeds.
    */

@@ -80,8 +80,20 @@ public final class LayerInput {
    * @throws TaskException if it has no such layer
    */
   public static ImageLayer layer(LayeredImage file, String name, Path path) throws TaskException {
-    List<String> names =
-        file.layers().stream().map(ImageLayer::name).filter(n -> !n.isEmpty()).toList();
+    return layer(
+        file,
+        name,
+        path,
+        file.layers().stream().map(ImageLayer::name).filter(n -> !n.isEmpty()).toList());
+  }
+
+  /**
+   * Returns a layer of a file.
+   *
+   * @param names what to choose from, for messages
+   */
+  public static ImageLayer layer(LayeredImage file, String name, Path path, List<String> names)
+      throws TaskException {
     return file.layer(name)
         .orElseThrow(
             () ->

@@ -12,6 +12,7 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.NoiseReport;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageLayer;
@@ -238,9 +239,9 @@ public record RenderJob(
     return film.fewestSamples() == 0;
   }
 
-  private void warn(Optional<String> warning) {
+  private void warn(Optional<String> text) {
     if (!how.quiet()) {
-      warning.ifPresent(messages::line);
+      text.ifPresent(messages::line);
     }
   }
 
@@ -328,6 +329,7 @@ public record RenderJob(
             settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata);
     picture.write(result.image(), layers, options);
     tell(summary, noise, light);
+    warn(result.complete() ? Optional.empty() : keeper.saved().map(RenderJob::continuation));
     warn(coverage(film));
     warn(evenness(film));
     report.putScene(file);
@@ -357,6 +359,10 @@ public record RenderJob(
     denoised.write(noisy, options, name, how.quiet() ? Messages.NONE : messages, report);
   }
 
+  private static String continuation(Path film) {
+    return film + ": holds the samples so far; continue with: " + ReplayCommand.resume(film);
+  }
+
   /** Returns the warning that pixels have no sample, or only one because --time was short. */
   private Optional<String> coverage(Film film) {
     double share = film.shareWithoutSamples();
@@ -375,9 +381,10 @@ public record RenderJob(
   private Optional<String> evenness(Film film) {
     return file.settings().adaptive() && film.mostSamples() <= FilmRenderer.ADAPTIVE_PILOT
         ? Optional.of(
-            ("warning: --adaptive had no effect: all pixels get the first %d samples, and the"
-                    + " render ended with %d samples per pixel")
-                .formatted(FilmRenderer.ADAPTIVE_PILOT, film.mostSamples()))
+            ("warning: --adaptive had no effect: it chooses pixels after their first %d samples,"
+                    + " and the render ended with %s per pixel")
+                .formatted(
+                    FilmRenderer.ADAPTIVE_PILOT, Markdown.count(film.mostSamples(), "sample")))
         : Optional.empty();
   }
 

@@ -4,16 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.stopping.NoiseEstimate;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the summary of a render. */
 class SummaryTest {
@@ -42,11 +48,30 @@ class SummaryTest {
   }
 
   @Test
+  void countsAndStandardOutputReadWell() {
+    RenderSettings one = SETTINGS.toBuilder().samples(1).build();
+    RenderResult result = new RenderResult(Image.black(4, 2), true, RenderStatistics.ZERO);
+    Summary summary = new Summary(one, result, 2);
+    assertThat(lines(messages -> summary.print(Path.of("-"), messages)))
+        .startsWith("standard output: 4x2 pixels, 1 sample per pixel, 2.00 s");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"9, one pixel carries 60 %", "1999, one pixel carries 60 %", "2000, 0.1 % of the"})
+  void fewPixelsWithMostNoiseAreCounted(long pixels, String text) {
+    NoiseEstimate noise = new NoiseEstimate(.1, .2, .95, .6, pixels);
+    Film film = new Film(new RenderSettings.Crop(0, 0, 4, 2), false, 0);
+    NoiseReport report =
+        new NoiseReport(film, Optional.of(noise), OptionalDouble.empty(), false, "samples");
+    assertThat(lines(report::printDoubts)).startsWith("warning: " + text);
+  }
+
+  @Test
   void rejectedSamplesCanBeFoundAgain() {
     Summary summary = summary(true, List.of(new RejectedSample(3, 1, 9)));
     Path scene = Path.of("my scene.json");
     assertThat(lines(messages -> summary.printRejected(scene, messages)))
-        .contains("warning: 1 samples", "warning: pixel 3,1 sample 9: ")
+        .contains("warning: rejected 1 sample with", "warning: pixel 3,1 sample 9: ")
         .contains("lumbre pixel 'my scene.json' 3,1 --sample 9 --seed 5 --size 4x2 --mode path");
     Summary flawless = summary(true, List.of());
     assertThat(lines(messages -> flawless.printRejected(scene, messages))).isEmpty();
