@@ -5,6 +5,7 @@ import static java.util.stream.Collectors.joining;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.Model;
@@ -12,6 +13,7 @@ import io.github.lumbre.model.ModelCamera;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.scene.Setting;
 import io.github.lumbre.text.Spelling;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -82,7 +84,8 @@ record ModelStage(ModelSetup setup, Model model) {
     render.addProperty("width", ModelSetup.DEFAULT_WIDTH);
     render.addProperty("height", ModelSetup.DEFAULT_HEIGHT);
     render.addProperty("maxTraceDepth", 12);
-    render.addProperty("toneMap", "neutral");
+    ToneCurve curve = Setting.TONE_MAP.inModels().orElseThrow();
+    render.addProperty(Setting.TONE_MAP.name(), Setting.TONE_MAP.type().format(curve));
     if (setup.transparent()) {
       render.addProperty("background", "transparent");
     }

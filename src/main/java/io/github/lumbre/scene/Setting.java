@@ -14,6 +14,7 @@ import io.github.lumbre.scene.SettingType.LongType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -214,6 +215,7 @@ public final class Setting<T> {
               ToneCurve.SRGB,
               "Tone curve of a PNG: srgb, gamma22, reinhard, aces, neutral or agx.")
           .inScenes()
+          .inModels(ToneCurve.NEUTRAL)
           .withFlag("--tonemap", "NAME");
 
   /** What the render records besides the picture. */
@@ -258,6 +260,7 @@ public final class Setting<T> {
   private final T missing;
   private final String meaning;
   private boolean inScenes;
+  private Optional<T> inModels = Optional.empty();
   private boolean changesSamples;
   private String flag = "";
   private String label = "";
@@ -288,6 +291,11 @@ public final class Setting<T> {
 
   private Setting<T> inScenes() {
     inScenes = true;
+    return this;
+  }
+
+  private Setting<T> inModels(T value) {
+    inModels = Optional.of(value);
     return this;
   }
 
@@ -340,6 +348,11 @@ public final class Setting<T> {
   /** Returns whether scene files may contain this setting in {@code renderOptions}. */
   public boolean isInScenes() {
     return inScenes;
+  }
+
+  /** Returns the default value for models; empty if it is the one for scenes. */
+  public Optional<T> inModels() {
+    return inModels;
   }
 
   /**

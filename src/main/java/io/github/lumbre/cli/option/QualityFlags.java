@@ -19,8 +19,9 @@ public final class QualityFlags {
   @Option(
       names = "--adaptive",
       description =
-          "Give more samples to pixels where they reduce the noise most. --samples is then the mean"
-              + " and must exceed 32, the first samples of every pixel. Not with --checkpoint.")
+          "Give more samples to pixels where they reduce the noise most, after the first 32 of"
+              + " every pixel. --samples is then the mean; up to 32, the flag has no effect. Not"
+              + " with --checkpoint.")
   boolean adaptive;
 
   /** Returns whether noisy pixels get more samples. */

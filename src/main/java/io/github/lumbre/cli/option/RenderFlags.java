@@ -69,7 +69,7 @@ public final class RenderFlags {
       names = "--depth",
       paramLabel = "N",
       description = {
-        "Path mode: maximum number of scattering vertices of a path (scene or 5).",
+        "Path mode: maximum number of scattering vertices of a path (scene or 5; models: 12).",
         "Ray mode: maximum number of mirror hits, and of glass hits, of a path (scene or 2)."
       })
   Optional<Integer> depth;
@@ -82,7 +82,7 @@ public final class RenderFlags {
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
-      description = "Size of the full frame in pixels (scene or 1920x1080).")
+      description = "Size of the full frame in pixels (scene or 1920x1080; models: 1024x768).")
   Optional<Size> size;
 
   @Option(

@@ -107,10 +107,13 @@ public final class SettingFlags {
       return setting.meaning() + " Default: " + unlessGiven + ".";
     }
     String text = setting.type().format(setting.missing());
-    boolean isNone = text.isEmpty() || Double.valueOf(Double.POSITIVE_INFINITY).equals(setting.missing());
+    boolean isNone =
+        text.isEmpty() || Double.valueOf(Double.POSITIVE_INFINITY).equals(setting.missing());
     String missing = isNone ? "none" : text;
     String from = setting.isInScenes() ? "scene or " + missing : missing;
-    return setting.meaning() + " Default: " + from + ".";
+    String inModels =
+        setting.inModels().map(value -> "; models: " + setting.type().format(value)).orElse("");
+    return setting.meaning() + " Default: " + from + inModels + ".";
   }
 
   /** Converts the texts of a setting. */
