@@ -36,7 +36,7 @@ public record FilmReport(FilmHeader header, Film film) {
   }
 
   private String samples(NoiseReport noise) {
-    String each = noise.samples() + " samples per pixel";
+    String each = noise.perPixel();
     int first = header.parts().stream().mapToInt(FilmPart::first).min().orElse(0);
     return first == 0 ? each : each + " from sample " + first;
   }

@@ -23,6 +23,14 @@ public record NoiseReport(
     boolean reachedTarget,
     String end) {
   /**
+   * Returns {@code 64 samples per pixel}, or {@code 32 to 64 (median 64, mean 50.1) samples per
+   * pixel} if they differ between pixels.
+   */
+  String perPixel() {
+    return Summary.perPixel(samples());
+  }
+
+  /**
    * Returns the samples per pixel: {@code 64}, or {@code 32 to 64 (median 64, mean 50.1)} if they
    * differ between pixels.
    */

@@ -42,17 +42,16 @@ public final class Summary {
 
   /** Prints the picture's path, its size, its samples and the rendering time. */
   public void print(Path output, Messages messages) {
-    print(output, String.valueOf(settings.samples()), "", messages);
+    print(output, perPixel(String.valueOf(settings.samples())), "", messages);
   }
 
   /** Prints the picture's path, its size, its samples, its noise and the rendering time. */
   public void print(Path output, NoiseReport noise, Messages messages) {
-    print(output, noise.samples(), noise.line(), messages);
+    print(output, noise.perPixel(), noise.line(), messages);
   }
 
   private void print(Path output, String samples, String noise, Messages messages) {
     Image image = result.image();
-    boolean isOne = samples.equals("1");
     messages.line(
         String.format(
             Locale.ROOT,
@@ -61,12 +60,15 @@ public final class Summary {
             result.complete() ? "" : "stopped early, partial picture of ",
             image.width(),
             image.height(),
-            result.complete()
-                ? samples + (isOne ? " sample" : " samples") + " per pixel"
-                : progress(),
+            result.complete() ? samples : progress(),
             noise,
             seconds,
             Markdown.rate(result.statistics().samples(), seconds)));
+  }
+
+  /** Returns {@code 1 sample per pixel} or {@code 64 samples per pixel}. */
+  static String perPixel(String samples) {
+    return samples + (samples.equals("1") ? " sample" : " samples") + " per pixel";
   }
 
   /** Returns the number of finished samples: {@code 120 of 4800 samples}. */
