@@ -42,7 +42,12 @@ goto run
 
 rem One build at a time: whoever makes the directory builds, the others wait for it to vanish.
 :build
-if not exist "%LUMBRE_HOME%target\" mkdir "%LUMBRE_HOME%target"
+if not exist "%LUMBRE_HOME%target\" mkdir "%LUMBRE_HOME%target" 2>nul
+if exist "%LUMBRE_HOME%target\" goto turn
+echo lumbre: must be built first, but "%LUMBRE_HOME%target" cannot be written; make it writable, or use a copy of "%LUMBRE_HOME%">&2
+exit /b 6
+
+:turn
 set LUMBRE_WAITS=0
 :acquire
 mkdir "%LUMBRE_LOCK%" 2>nul && goto locked

@@ -78,6 +78,20 @@ class LauncherIT {
   }
 
   @Test
+  void aFolderThatCannotBeWrittenIsNamed() throws IOException, InterruptedException {
+    // Not even the superuser can create a folder in place of a file.
+    Files.writeString(home.resolve("target"), "");
+    Outcome outcome = launch();
+    assertThat(outcome.err())
+        .isEqualTo(
+            "lumbre: must be built first, but %1$s/target cannot be written; make it writable,"
+                    .formatted(home.toRealPath())
+                + " or use a copy of %s\n".formatted(home.toRealPath()));
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.OUTPUT);
+    assertThat(builds()).isZero();
+  }
+
+  @Test
   void programIsBuiltOnceAndAgainWhenItsSourcesChange() throws IOException, InterruptedException {
     Outcome first = launch();
     assertThat(first.err()).isEqualTo("lumbre: building, which takes a moment\n");
