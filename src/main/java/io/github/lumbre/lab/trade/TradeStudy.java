@@ -2,6 +2,7 @@ package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.metrics.StudentT;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -94,7 +95,7 @@ public final class TradeStudy {
     Film film = reference.film();
     planFor(film.totalSamples() / Math.max(1e-9, reference.seconds()));
     if (plan.referenceSamples() > reference.samples()) {
-      log.accept("reference: " + plan.referenceSamples() + " samples per pixel");
+      log.accept("reference: " + Markdown.count(plan.referenceSamples(), "sample") + " per pixel");
       reference.to(plan.referenceSamples());
     }
   }
@@ -132,7 +133,7 @@ public final class TradeStudy {
     TradeClimb climb = new TradeClimb(reference(), REFERENCE_SEED, cpuSeconds);
     double wanted = plan.targetRelativeMse() / TradePlan.REFERENCE_MARGIN;
     for (int goal = plan.referenceSamples(); ; goal = afterwards(goal)) {
-      log.accept("reference: " + goal + " samples per pixel");
+      log.accept("reference: " + Markdown.count(goal, "sample") + " per pixel");
       climb.to(goal);
       int next = afterwards(goal);
       double further = climb.seconds() * (next - goal) / goal;
@@ -194,10 +195,10 @@ public final class TradeStudy {
         plan.hasTarget() && samples <= TradePlan.LIMIT && !isReached(truthNoise);
         samples *= 2) {
       if (!fits(usual.stream().mapToDouble(TradeClimb::seconds).sum(), 1)) {
-        log.accept("no time for " + samples + " samples per pixel");
+        log.accept("no time for " + Markdown.count(samples, "sample") + " per pixel");
         return;
       }
-      log.accept("baseline: " + samples + " samples per pixel");
+      log.accept("baseline: " + Markdown.count(samples, "sample") + " per pixel");
       for (TradeClimb climb : usual) {
         climb.to(samples);
         trials.add(climb.against(truth));
