@@ -160,7 +160,7 @@ class BudgetTest {
 
   @Test
   void theTimeToAnErrorIsForecast() {
-    Outcome outcome = render("a.png", "--target-error", "4%");
+    Outcome outcome = render("a.png", "--target-error", "3%");
     assertThat(outcome.err())
         .containsPattern("forecast: the target error takes about \\d+ samples per pixel \\(");
     assertThat(render("a.png", "-s", "64").err()).doesNotContain("forecast");
