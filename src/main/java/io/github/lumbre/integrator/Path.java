@@ -14,6 +14,12 @@ final class Path {
   /** Part of the expected light, as a divisor, below which roulette may end a guided path. */
   private static final double SLACK = 3;
 
+  /**
+   * Number of the first vertex, from 0, at which roulette may end a path that has met mirrors and
+   * glass alone. What is seen through dark glass therefore has no noise by roulette.
+   */
+  private static final int FIRST_SPECULAR = 3;
+
   /** Part of the throughput behind the first surface, as a divisor, below which roulette begins. */
   private static final double SURFACE_SLACK = 2;
 
@@ -139,8 +145,13 @@ final class Path {
    * its throughput compared with that behind its first non-specular vertex. The pixel shows the
    * color of that surface, so that behind a dark one, weak paths count as much as strong ones
    * behind a bright one. The slack spares paths that would end often and save little.
+   *
+   * @param depth number of the vertex, from 0
    */
-  double survival() {
+  double survival(int depth) {
+    if (!isScattered) {
+      return depth < FIRST_SPECULAR ? 1 : Math.min(1, throughput());
+    }
     double now = SURFACE_SLACK * throughput();
     return now > 0 ? Math.min(1, now / first) : 0;
   }

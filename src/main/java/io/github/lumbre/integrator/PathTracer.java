@@ -323,7 +323,7 @@ public final class PathTracer implements Integrator {
 
     // Russian roulette: end weak paths at random and divide the others by their probability.
     if (depth >= firstRoulette && !vertex.isGuided()) {
-      survival = path.survival();
+      survival = path.survival(depth);
     }
     if (survival < 1) {
       if (sampler.get1d(dimension + Sampler.ROULETTE) >= survival) {

@@ -66,27 +66,23 @@ class PathTest {
   @Test
   void survivalIsTheThroughputComparedWithTheFirstSurface() {
     path.begin();
-    path.scale(.25, .5, .125);
+    // Nothing but mirrors and glass: not before the fourth vertex.
+    path.scale(.125, .25, .125);
     path.leave(Double.POSITIVE_INFINITY);
-    assertThat(path.survival()).isEqualTo(1);
-    path.scale(.5, .5, .5);
-    path.leave(Double.POSITIVE_INFINITY);
-    assertThat(path.survival()).isEqualTo(.5);
+    assertThat(path.survival(2)).isEqualTo(1);
+    assertThat(path.survival(3)).isEqualTo(.25);
     path.scale(.5, .25, .125);
     path.leave(7);
-    assertThat(path.survival()).isEqualTo(1);
+    assertThat(path.survival(1)).isEqualTo(1);
     path.scale(.5, .5, .5);
     path.leave(7);
-    assertThat(path.survival()).isEqualTo(1);
+    assertThat(path.survival(1)).isEqualTo(1);
     path.scale(.25, .25, .25);
     path.leave(Double.POSITIVE_INFINITY);
-    assertThat(path.survival()).isEqualTo(.25);
+    assertThat(path.survival(1)).isEqualTo(.25);
     path.scale(0, 0, 0);
     path.leave(7);
-    assertThat(path.survival()).isZero();
-    path.begin();
-    path.scale(.25, .25, .25);
-    assertThat(path.survival()).isEqualTo(.5);
+    assertThat(path.survival(1)).isZero();
   }
 
   /** A first surface that scatters nothing ends the path. */
@@ -95,7 +91,7 @@ class PathTest {
     path.begin();
     path.scale(0, 0, 0);
     path.leave(7);
-    assertThat(path.survival()).isZero();
+    assertThat(path.survival(1)).isZero();
   }
 
   /** Each branch has its own weight behind the surface where the path was split. */
@@ -107,9 +103,9 @@ class PathTest {
       path.returnToSplit();
       path.scale(weight, weight, weight);
       path.leave(7);
-      assertThat(path.survival()).isEqualTo(1);
+      assertThat(path.survival(1)).isEqualTo(1);
       path.scale(.25, .25, .25);
-      assertThat(path.survival()).isEqualTo(.5);
+      assertThat(path.survival(1)).isEqualTo(.5);
     }
   }
 }
