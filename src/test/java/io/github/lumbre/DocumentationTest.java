@@ -13,7 +13,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** All links in the documentation are valid, and the index lists every page. */
+/**
+ * All links in the documentation are valid, the index lists every page, and documentation comments
+ * in sources belong to a declaration.
+ */
 class DocumentationTest {
   private static final Path DOCS = Path.of("docs");
   private static final Pattern LINK =
@@ -68,6 +71,26 @@ class DocumentationTest {
   /** Returns the anchor that GitHub generates for a heading. */
   private static String anchor(String heading) {
     return heading.strip().toLowerCase(Locale.ROOT).replaceAll("[^\\w\\- ]", "").replace(' ', '-');
+  }
+
+  /** The compiler of JDK 25 rejects a documentation comment that another one follows. */
+  @Test
+  void documentationCommentsBelongToDeclarations() throws IOException {
+    Pattern detached = Pattern.compile("\\*/\\R\\s*/\\*\\*");
+    List<Path> found = new ArrayList<>();
+    int sources = 0;
+    for (String folder : List.of("src", "junit/src", "spark/src")) {
+      try (Stream<Path> files = Files.walk(Path.of(folder))) {
+        for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
+          sources++;
+          if (detached.matcher(Files.readString(file)).find()) {
+            found.add(file);
+          }
+        }
+      }
+    }
+    assertThat(found).isEmpty();
+    assertThat(sources).isGreaterThan(1000);
   }
 
   @Test

@@ -358,7 +358,6 @@ public record ModelSetup(
     return isBuiltIn() ? List.of(model) : List.of(model, Path.of(sky).toAbsolutePath().normalize());
   }
 
-  /** Returns whether the sky is no picture. */
   /** Requires the sky's picture, so that a problem names it as the setup does. */
   private void requireSky(String name) throws SceneFormatException {
     if (isBuiltIn() || Files.isRegularFile(Path.of(sky))) {
@@ -373,6 +372,7 @@ public record ModelSetup(
     throw problems.exception();
   }
 
+  /** Returns whether the sky is no picture. */
   private boolean isBuiltIn() {
     return sky.equals("studio") || sky.equals("white");
   }

@@ -273,7 +273,6 @@ class KernelTest {
     return a.plus(b1, b.minus(a)).plus(b2, c.minus(a));
   }
 
-  /** The counting traversal finds the hits of plain Java with a plausible number of node visits. */
   /** One ray object meets two hierarchies in turn, whose scales differ by a factor of 2^20. */
   @Test
   void hitsInHierarchiesInTurnAreTheSame() {
@@ -293,6 +292,7 @@ class KernelTest {
     assertThat(hits).isGreaterThan(200);
   }
 
+  /** The counting traversal finds the hits of plain Java with a plausible number of node visits. */
   @Test
   void countingFindsTheSameHitsAndFewNodes() {
     Random random = new Random(7);
