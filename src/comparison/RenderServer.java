@@ -6,7 +6,6 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Guiding;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -23,7 +22,7 @@ import java.util.Locale;
  * a JSON object in a line of standard output; nothing runs in between.
  *
  * <pre>
- * load PATH WIDTH HEIGHT DEPTH [SPLIT [GUIDE]]
+ * load PATH WIDTH HEIGHT DEPTH [SPLIT]
  * render SAMPLES SEED THREADS FILE    FILE gets the floats of the picture, or is -
  * </pre>
  */
@@ -56,18 +55,11 @@ final class RenderServer {
     int height = Integer.parseInt(words[3]);
     int depth = Integer.parseInt(words[4]);
     int split = words.length > 5 ? Integer.parseInt(words[5]) : 1;
-    Guiding guide = words.length > 6 ? Guiding.valueOf(words[6]) : Guiding.OFF;
     long start = System.nanoTime();
     scene =
         new SceneParser()
             .overriding(
-                s ->
-                    s.toBuilder()
-                        .size(width, height)
-                        .maxTraceDepth(depth)
-                        .split(split)
-                        .guiding(guide)
-                        .build())
+                s -> s.toBuilder().size(width, height).maxTraceDepth(depth).split(split).build())
             .parse(Path.of(words[1]));
     return String.format(Locale.ROOT, "{\"seconds\": %.6f}", seconds(start));
   }

@@ -26,8 +26,6 @@ TARGETS = (0.02, 0.002)
 COUNTS = (4, 16, 64)
 SEEDS = 3
 LIKE = 0.02
-# This program with --guide auto.
-GUIDED = "Lumbre guided"
 # The scalar variant takes the same samples as the other one.
 SAME_ERROR = {"Mitsuba scalar independent": "Mitsuba llvm_ad independent"}
 
@@ -37,8 +35,7 @@ class Suite:
         self.options = options
         self.work = os.path.join(HOME, "target", "comparison")
         os.makedirs(os.path.join(self.work, "suite"), exist_ok=True)
-        size = options.size
-        self.file = os.path.join(self.work, "suite", "results%s.json" % (size and "-" + size))
+        self.file = os.path.join(self.work, "suite", "results.json")
         self.results = {}
         if os.path.exists(self.file):
             with open(self.file, encoding="utf-8") as file:
@@ -46,10 +43,6 @@ class Suite:
         self.scenes = scenes.suite(HOME, self.work, self.bake)
         if options.scene:
             self.scenes = {name: self.scenes[name] for name in options.scene}
-        if size:
-            width, height = map(int, size.split("x"))
-            for name, (path, _, _, depth) in self.scenes.items():
-                self.scenes[name] = (path, width, height, depth)
 
     def keep(self, scene, part, name, value):
         self.results.setdefault(scene, {}).setdefault(part, {})[name] = value
@@ -73,7 +66,7 @@ class Suite:
         subprocess.run([*command, scene, folder], check=True)
 
     def contestants(self):
-        result = ["Lumbre", GUIDED] if self.options.guided else ["Lumbre"]
+        result = ["Lumbre"]
         if self.options.before:
             result.append("Lumbre before")
         samplers = ("llvm_ad independent", "llvm_ad multijitter", "llvm_ad orthogonal")
@@ -95,8 +88,7 @@ class Suite:
 
     def load(self, server, scene):
         path, width, height, depth = self.scenes[scene]
-        guide = (1, "AUTO") if server.name == GUIDED else ()
-        server.ask("load", path, width, height, depth, *guide)
+        server.ask("load", path, width, height, depth)
 
     def picture(self, server, samples, seed):
         """A picture, and how many samples a pixel it has."""
@@ -185,46 +177,6 @@ class Suite:
                 for name in names:
                     self.keep(scene, "time", name, costs[name])
         return self.part_table()
-
-    def part_guided(self):
-        """CPU time to an error of whole renders, in multiples of guided ones with their pilot."""
-        text = ""
-        for target in TARGETS:
-            rows = []
-            for scene in self.scenes:
-                errors = self.kept(scene, "error")
-                names = [GUIDED, "Lumbre", self.best_mitsuba(scene)]
-                needed = {name: samples_to(errors[name], target) for name in names}
-                times = self.whole(scene, needed)
-                for name, values in times.items():
-                    self.keep(scene, "whole %g" % target, name, values)
-                row = [scene, three_digits(needed[GUIDED])]
-                row.append(three_digits(np.median(times[GUIDED])) + " s")
-                for name in names[1:]:
-                    numbers = map(three_digits, ratio(times[name], times[GUIDED], 1))
-                    row.append("%s (%s to %s)" % tuple(numbers))
-                rows.append(row)
-            head = ["scene, relMSE %g" % target, "samples per pixel", "CPU time"]
-            text += table([*head, "Lumbre, not guided", "Mitsuba llvm"], rows) + "\n"
-        return text
-
-    def whole(self, scene, needed):
-        """CPU times of renders in turn; {name: samples per pixel}. A part of one counts as a part."""
-        progress("%s: %s" % (scene, needed))
-        times = {name: [] for name in needed}
-        with contextlib.ExitStack() as stack:
-            servers = {name: stack.enter_context(self.start(name)) for name in needed}
-            for server in servers.values():
-                self.load(server, scene)
-                self.warm(server)
-            for block in range(self.options.blocks):
-                order = list(needed) if block % 2 == 0 else list(needed)[::-1]
-                for name in [*order, *order[::-1]]:
-                    _, width, height, _ = self.scenes[scene]
-                    answer = servers[name].ask("render", max(1, round(needed[name])), block, 1, "-")
-                    taken = answer["samples"] / width / height
-                    times[name].append(answer["cpu"] * needed[name] / taken)
-        return times
 
     def warm(self, server, samples=8):
         """Warms up; returns how many samples a pixel take about the time of a turn."""
@@ -326,8 +278,6 @@ def main():
     parser.add_argument("--seconds", type=float, default=0.7, help="of a turn, about (0.7)")
     parser.add_argument("--warm", type=float, default=14, help="seconds to warm up Java (14)")
     parser.add_argument("--core", help="the processor to run on")
-    parser.add_argument("--size", default="", help="WIDTHxHEIGHT of all scenes")
-    parser.add_argument("--guided", action="store_true", help="also with --guide auto")
     parser.add_argument("--again", action="store_true", help="measure times again")
     options = parser.parse_args()
     suite = Suite(options)

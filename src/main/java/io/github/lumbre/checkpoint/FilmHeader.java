@@ -156,6 +156,14 @@ public record FilmHeader(
     return new FilmHeader(identity, hasAlpha, newWindow, layers, newParts, newFaults, notes);
   }
 
+  /**
+   * Returns whether samples are missing between those of the film: they are not consecutive, or
+   * some pixels of the window lack samples that others have.
+   */
+  public boolean hasGaps() {
+    return parts.size() != 1 || !parts.get(0).window().equals(window);
+  }
+
   /** Returns the same header with other notes. */
   public FilmHeader withNotes(Map<String, String> newNotes) {
     return new FilmHeader(identity, hasAlpha, window, layers, parts, faults, newNotes);

@@ -116,7 +116,7 @@ final class MergeCommand implements Callable<Integer> {
       FilmFile merged = merged();
       requireNothingLost(merged.header());
       target.save(new FilmFile(FilmNotes.ofMerged(merged.header()), merged.film()));
-      new FilmReport(merged.header(), merged.film()).print(output, messages());
+      new FilmReport(merged).print(output, messages());
     } catch (IOException e) {
       throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
     }

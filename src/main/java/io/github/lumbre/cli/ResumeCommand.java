@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
-import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.DisplayServerFlag;
@@ -156,7 +155,7 @@ final class ResumeCommand implements Callable<Integer> {
     try (FilmKeeper keeper = checkpoints.keeper(film, run.errors())) {
       CheckpointFile.Loaded loaded = FilmInput.load(film, run.errors());
       FilmHeader header = loaded.file().header();
-      requireOnePart(header);
+      requireNoGaps(header);
       FilmNotes notes = new FilmNotes(film, header);
       Path target = target(notes);
       Path path = scene.isPresent() ? scene.get() : notes.scene();
@@ -252,11 +251,11 @@ final class ResumeCommand implements Callable<Integer> {
                 film + ": has no picture yet, because it was merged; expected one with -o"));
   }
 
-  private void requireOnePart(FilmHeader header) throws TaskException {
-    List<FilmPart> parts = header.parts();
-    if (parts.size() != 1 || !parts.get(0).window().equals(header.window())) {
+  private void requireNoGaps(FilmHeader header) throws TaskException {
+    if (header.hasGaps()) {
       throw new TaskException(
-          Kind.SCENE, film + ": cannot be resumed, because its samples have gaps: " + parts);
+          Kind.SCENE,
+          film + ": cannot be resumed, because its samples have gaps: " + header.parts());
     }
   }
 

@@ -33,7 +33,7 @@ final class Path {
   /** Whether the path has left a non-specular vertex. */
   private boolean isScattered;
 
-  /** The throughput with which it left the first one, its largest component; 1 before. */
+  /** The largest component of the throughput with which it left the first one. */
   private double first;
 
   private int branches;
@@ -58,7 +58,6 @@ final class Path {
     pdf = Double.POSITIVE_INFINITY;
     expected = -1;
     isScattered = false;
-    first = 1;
     branches = 1;
   }
 

@@ -12,7 +12,8 @@ import java.util.Objects;
  * @param heuristic how light sampling and BSDF sampling are weighted
  * @param lightSampler how a vertex selects a light
  * @param firstRoulette number of the first vertex at which Russian roulette may end a path, at
- *     least 0; the vertex that the camera sees is 0
+ *     least 0; the vertex that the camera sees is 0. Paths that have met mirrors and glass alone
+ *     end from vertex 3 on at the earliest
  * @param split number of branches into which a path is split at its first non-specular vertex, at
  *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5). {@link
  *     #PLANNED} if it is that of {@link RenderContext#splitInto}

@@ -11,7 +11,7 @@ import java.util.function.DoubleSupplier;
  * 40&nbsp;% of the time of a render: short renders are over sooner without.
  *
  * <p>The thread ends soon after the last pass. What it has compiled stays, and later renders start
- * it again when they have earned the time it took.
+ * it again when they have taken four times as long as it took.
  */
 final class KernelUpgrade {
   /** With less experience, in processor seconds, the time left is unknown: the JIT compiles. */
@@ -20,7 +20,10 @@ final class KernelUpgrade {
   /** It pays from this many processor seconds on, either still to come or already spent. */
   private static final double PAYS_FROM = 8;
 
-  /** Seconds of renders that earn a second of a change: at first eight for about two. */
+  /**
+   * For each second that a stopped change took, renders must take so many before the next one. The
+   * first change begins after eight seconds and takes about two.
+   */
   private static final double PRICE = 4;
 
   /** The longest time between two passes of a render that continues. */
@@ -105,8 +108,9 @@ final class KernelUpgrade {
   }
 
   /**
-   * Takes note that a change was stopped between renders. The next one begins when its time has been
-   * earned again, not from zero: servers that render pictures with pauses between get there too.
+   * Takes note that a change was stopped between renders. The next one begins after {@link #PRICE}
+   * times as long, and not after {@link #PAYS_FROM} seconds again, so that servers that render
+   * pictures with pauses between change as well.
    *
    * @param seconds the time that the change took
    */

@@ -139,7 +139,8 @@ class FilmCommandsTest {
     assertThat(summary.get("rejected").getAsInt()).isEqualTo(2);
     assertThat(summary.get("first_rejected").toString()).isEqualTo("[[3,1,0],[2,5,1]]");
     assertThat(summary.get("saturated").getAsInt()).isEqualTo(4);
-    assertThat(outcome.err()).contains("warning: rejected 2 samples with negative, NaN or infinite values");
+    assertThat(outcome.err())
+        .contains("warning: rejected 2 samples with negative, NaN or infinite values");
     assertThat(FilmFile.read(directory.resolve("a.film")).header().faults()).isEqualTo(faults);
   }
 

@@ -128,7 +128,8 @@ class LayersCommandTest {
   @Test
   void aFolderThatIsAFileIsAnError() throws IOException {
     Path own = Files.writeString(directory.resolve("notes"), "# notes");
-    layers(film, "--png", own.toString()).assertFailed(ExitCodes.OUTPUT, "notes: cannot be created: a file");
+    layers(film, "--png", own.toString())
+        .assertFailed(ExitCodes.OUTPUT, "notes: cannot be created: a file");
   }
 
   @Test

@@ -5,15 +5,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 
 /** Starts other processes, as a user would, and waits for their end. */
 final class Program {
   /** The jar of the command line with all its dependencies. */
   static final Path JAR = Path.of("target", "lumbre-all.jar").toAbsolutePath();
 
-  private static final int SIGINT = 2;
+  /** The signals that end a render in a terminal, by their number. */
+  private static final Map<Integer, String> SIGNALS = Map.of(1, "HUP", 2, "INT");
+
   private static final long PATIENCE_SECONDS = 60;
 
   private Program() {}
@@ -47,8 +51,8 @@ final class Program {
   }
 
   /**
-   * Returns a command that handles SIGINT even if this process ignores it: shells make background
-   * processes ignore it, and children inherit that.
+   * Returns a command that handles SIGINT and SIGHUP even if this process ignores them: shells make
+   * background processes ignore the first one, {@code nohup} the second, and children inherit that.
    */
   static List<String> interruptible(List<String> command) throws IOException {
     Path status = Path.of("/proc/self/status");
@@ -59,10 +63,15 @@ final class Program {
         Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:")).findAny();
     long mask =
         ignored.map(line -> Long.parseUnsignedLong(line.substring(7).trim(), 16)).orElse(0L);
-    if ((mask >> SIGINT - 1 & 1) == 0) {
+    String names =
+        SIGNALS.entrySet().stream()
+            .filter(signal -> (mask >> signal.getKey() - 1 & 1) == 1)
+            .map(Map.Entry::getValue)
+            .collect(Collectors.joining(","));
+    if (names.isEmpty()) {
       return command;
     }
-    List<String> all = new ArrayList<>(List.of("env", "--default-signal=INT"));
+    List<String> all = new ArrayList<>(List.of("env", "--default-signal=" + names));
     all.addAll(command);
     return all;
   }

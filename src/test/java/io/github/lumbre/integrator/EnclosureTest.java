@@ -104,9 +104,9 @@ class EnclosureTest {
   /**
    * A path survives with certainty while its throughput is at least half of that behind the first
    * surface, ρ/2. Where it would fall below, roulette returns it to ρ/2, and from then on it
-   * survives with ρ, so that the number of further vertices has a geometric distribution. With probabilities
-   * of ρ² or less, the variance would be infinite. With this number of samples, the variance has a
-   * standard error of 1 %.
+   * survives with ρ, so that the number of further vertices has a geometric distribution. With
+   * probabilities of ρ² or less, the variance would be infinite. With this number of samples, the
+   * variance has a standard error of 1 %.
    */
   @ParameterizedTest
   @CsvSource({".5, 700000", ".8, 200000", ".95, 100000"})

@@ -30,7 +30,8 @@ class GuideTrialTest {
   void smallGainsAreNotTaken() {
     assertThat(GuideTrial.judge(all(1.29), all(1), 1, 1).isBetter()).isFalse();
     assertThat(GuideTrial.judge(all(1.31), all(1), 1, 1).isBetter()).isTrue();
-    assertThat(GuideTrial.judge(all(0), all(0), 1, 1)).isEqualTo(new GuideTrial.Outcome(1, false, 2));
+    assertThat(GuideTrial.judge(all(0), all(0), 1, 1))
+        .isEqualTo(new GuideTrial.Outcome(1, false, 2));
   }
 
   /** One pixel of a hundred is a thousand times as noisy without the guide. */

@@ -2,7 +2,7 @@ package io.github.lumbre.cli.option;
 
 import java.util.List;
 
-/** A converter of flag values some or all of which have names, for completion in shells. */
+/** A converter that lists the named values of a flag, which shells complete. */
 public interface Choices {
   /** Returns the names that the converter accepts. */
   List<String> choices();

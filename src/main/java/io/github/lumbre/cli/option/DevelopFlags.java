@@ -97,7 +97,7 @@ public final class DevelopFlags {
             messages,
             new JsonSummary("develop", name));
       }
-      new FilmReport(film.header(), film.film()).print(output, messages);
+      new FilmReport(film).print(output, messages);
     }
   }
 

@@ -33,7 +33,7 @@ public final class ModelMembers<T> {
     receiver.accept(arg);
   }
 
-  /** Adds a group of flags of which at most one may be given. */
+  /** Adds a group of flags that exclude each other. */
   public <G> void addGroup(CommandSpec spec, G group, CommandModel<G> groupModel) {
     ArgGroupSpec.Builder builder = ArgGroupSpec.builder();
     groupModel.describe(group, new ModelMembers<>(groupModel, group, builder::addArg), spec);

@@ -1,35 +1,35 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmPart;
-import io.github.lumbre.render.Film;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.stopping.Budget;
 import io.github.lumbre.stopping.NoiseEstimate;
 import java.nio.file.Path;
 import java.util.Comparator;
-import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 
 /**
  * Reports which samples a film has, when it becomes a picture or another film without a render.
  */
-public record FilmReport(FilmHeader header, Film film) {
+public record FilmReport(FilmFile file) {
   /** Prints the path that was written, the size, the samples and the noise, and what is missing. */
   public void print(Path written, Messages messages) {
+    FilmHeader header = file.header();
     Crop window = header.window();
     NoiseReport noise =
         new NoiseReport(
-            film,
-            NoiseEstimate.of(film, Budget.CONFIDENCE),
+            file.film(),
+            NoiseEstimate.of(file.film(), Budget.CONFIDENCE),
             OptionalDouble.empty(),
             false,
             "samples");
     messages.line(
         "%s: %dx%d pixels, %s%s"
             .formatted(written, window.width(), window.height(), samples(noise), noise.line()));
-    if (hasGaps()) {
+    if (header.hasGaps()) {
       messages.warning(written + ": samples are missing; it has " + parts());
     }
     noise.printDoubts(messages);
@@ -37,18 +37,12 @@ public record FilmReport(FilmHeader header, Film film) {
 
   private String samples(NoiseReport noise) {
     String each = noise.perPixel();
-    int first = header.parts().stream().mapToInt(FilmPart::first).min().orElse(0);
+    int first = file.header().parts().stream().mapToInt(FilmPart::first).min().orElse(0);
     return first == 0 ? each : each + " from sample " + first;
   }
 
-  /** Returns whether the samples are not consecutive, or parts of the window have others. */
-  private boolean hasGaps() {
-    List<FilmPart> parts = header.parts();
-    return parts.size() != 1 || !parts.get(0).window().equals(header.window());
-  }
-
   private String parts() {
-    return header.parts().stream()
+    return file.header().parts().stream()
         .sorted(Comparator.comparingInt(FilmPart::first))
         .map(FilmPart::toString)
         .collect(Collectors.joining(", and "));
