@@ -1,11 +1,13 @@
 """Renders Lumbre's scenes with Mitsuba 3 on command, in one thread.
 
-    python mitsuba_server.py VARIANT SAMPLER FOLDER
+    python mitsuba_server.py VARIANT SAMPLER FOLDER [avx2]
 
 Commands and answers are those of RenderServer.java. What Mitsuba has no equal of is refused with a
-message, never replaced in silence. FOLDER gets meshes that Mitsuba is to read.
+message, never replaced in silence. FOLDER gets meshes that Mitsuba is to read. With avx2, an llvm
+variant has vectors of eight lanes and no instructions of AVX-512.
 """
 
+import ctypes
 import json
 import os
 import sys
@@ -228,8 +230,21 @@ class Converter:
         return mi.load_dict(self.result)
 
 
-def main(variant, sampler, folder):
+def without_avx512():
+    """Compiles for AVX2; dr.jit has no function in Python for it."""
+    core = ctypes.CDLL(os.path.join(os.path.dirname(dr.__file__), "libdrjit-core.so"))
+    set_target = core["_Z19jit_llvm_set_targetPKcS0_j"]
+    set_target.argtypes = [ctypes.c_char_p, ctypes.c_char_p, ctypes.c_uint]
+    set_target.restype = None
+    set_target(b"znver3", b"+avx2,+fma,+f16c,+bmi,+bmi2,+lzcnt,+popcnt", 8)
+    if core["_Z21jit_llvm_vector_widthv"]() != 8:
+        raise RuntimeError("Mitsuba cannot be limited to AVX2")
+
+
+def main(variant, sampler, folder, limit=""):
     mi.set_variant(variant)
+    if limit == "avx2" and variant.startswith("llvm"):
+        without_avx512()
     mi.set_log_level(mi.LogLevel.Error)
     dr.set_thread_count(1)
     scene = None
@@ -259,4 +274,4 @@ def main(variant, sampler, folder):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:4])
+    main(*sys.argv[1:5])

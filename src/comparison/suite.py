@@ -28,11 +28,14 @@ SEEDS = 3
 LIKE = 0.02
 # The scalar variant takes the same samples as the other one.
 SAME_ERROR = {"Mitsuba scalar independent": "Mitsuba llvm_ad independent"}
+# They choose their instructions by themselves.
+UNLIMITED = ("Cycles", "LuxCore")
 
 
 class Suite:
     def __init__(self, options):
         self.options = options
+        self.timed = "time with AVX2" if options.avx2 else "time"
         self.work = os.path.join(HOME, "target", "comparison")
         os.makedirs(os.path.join(self.work, "suite"), exist_ok=True)
         self.file = os.path.join(self.work, "suite", "results.json")
@@ -57,6 +60,7 @@ class Suite:
 
     def java(self, home, source):
         command = [self.options.java, "@" + os.path.join(home, "src/main/jvm/options")]
+        command += ["-XX:UseAVX=2"] if self.options.avx2 else []
         command += ["--add-modules", "jdk.incubator.vector"]
         command += ["-cp", os.path.join(home, "target", "lumbre-all.jar")]
         return [*command, os.path.join(home, "src/comparison", source)]
@@ -71,7 +75,7 @@ class Suite:
             result.append("Lumbre before")
         samplers = ("llvm_ad independent", "llvm_ad multijitter", "llvm_ad orthogonal")
         result += ["Mitsuba " + s for s in samplers]
-        return [*result, "Mitsuba scalar independent", "Cycles", "LuxCore"]
+        return [*result, "Mitsuba scalar independent", *UNLIMITED]
 
     def start(self, name):
         python = self.options.python
@@ -81,6 +85,7 @@ class Suite:
             _, variant, sampler = name.split()
             script = os.path.join(FOLDER, "mitsuba_server.py")
             command = [python, script, variant + "_rgb", sampler, os.path.join(self.work, "suite")]
+            command += ["avx2"] if self.options.avx2 else []
         else:
             script = os.path.join(FOLDER, name.lower() + "_server.py")
             command = [python, script, os.path.join(self.work, "suite")]
@@ -147,7 +152,7 @@ class Suite:
     def racers(self, scene):
         means, errors = self.kept(scene, "mean"), self.kept(scene, "error")
         names = ["Lumbre", "Lumbre before", self.best_mitsuba(scene), "Mitsuba scalar independent"]
-        names += ["Cycles", "LuxCore"]
+        names += [] if self.options.avx2 else UNLIMITED
         result = []
         for name in names:
             like = SAME_ERROR.get(name, name)
@@ -158,7 +163,7 @@ class Suite:
     def part_time(self):
         """CPU time per sample, of contestants in turn."""
         for scene in self.scenes:
-            if self.kept(scene, "time") and not self.options.again:
+            if self.kept(scene, self.timed) and not self.options.again:
                 continue
             names = self.racers(scene)
             progress("%s: time of %s" % (scene, ", ".join(names)))
@@ -175,7 +180,7 @@ class Suite:
                         answer = servers[name].ask("render", samples[name], block, 1, "-")
                         costs[name].append(answer["cpu"] / answer["samples"])
                 for name in names:
-                    self.keep(scene, "time", name, costs[name])
+                    self.keep(scene, self.timed, name, costs[name])
         return self.part_table()
 
     def warm(self, server, samples=8):
@@ -186,7 +191,10 @@ class Suite:
             left -= answer["cpu"]
             if left <= 0:
                 again = server.ask("render", samples, 2, 1, "-")["cpu"]
-                return min(1024, max(samples, round(samples * self.options.seconds / again)))
+                turn = min(1024, max(samples, round(samples * self.options.seconds / again)))
+                # Mitsuba compiles for each number of samples.
+                server.ask("render", turn, 3, 1, "-")
+                return turn
 
     def part_table(self):
         """CPU time to an error, in multiples of Lumbre's."""
@@ -195,7 +203,7 @@ class Suite:
         for target in TARGETS:
             rows, ratios = [], {name: [] for name in names}
             for scene in self.scenes:
-                costs, errors = self.kept(scene, "time"), self.kept(scene, "error")
+                costs, errors = self.kept(scene, self.timed), self.kept(scene, "error")
                 if not costs:
                     continue
                 _, width, height, _ = self.scenes[scene]
@@ -278,6 +286,9 @@ def main():
     parser.add_argument("--seconds", type=float, default=0.7, help="of a turn, about (0.7)")
     parser.add_argument("--warm", type=float, default=14, help="seconds to warm up Java (14)")
     parser.add_argument("--core", help="the processor to run on")
+    parser.add_argument(
+        "--avx2", action="store_true", help="time Lumbre and Mitsuba without AVX-512"
+    )
     parser.add_argument("--again", action="store_true", help="measure times again")
     options = parser.parse_args()
     suite = Suite(options)

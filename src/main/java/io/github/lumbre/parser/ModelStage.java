@@ -33,6 +33,9 @@ record ModelStage(ModelSetup setup, Model model) {
   /** The path of the sky's light in the scene. */
   private static final String SKY = "$.objects[1]";
 
+  /** The name of the ground and of its material. */
+  private static final String GROUND = "ground";
+
   private static final double GROUND_GRAY = .6;
 
   /**
@@ -158,6 +161,7 @@ record ModelStage(ModelSetup setup, Model model) {
 
   private JsonObject dome(JsonArray assets, Path folder) {
     JsonObject dome = object("Light");
+    dome.addProperty("name", "sky");
     dome.addProperty("lightType", "Dome");
     dome.addProperty("intensity", setup.skyIntensity());
     dome.add("localRotation", Written.vector(new Vec3(0, setup.skyRotation(), 0)));
@@ -188,6 +192,7 @@ record ModelStage(ModelSetup setup, Model model) {
     JsonObject material = new JsonObject();
     material.addProperty("assetType", "Material");
     material.addProperty("id", 2);
+    material.addProperty("name", GROUND);
     material.addProperty("materialType", setup.transparent() ? "ShadowCatcher" : "Diffuse");
     material.add("color", Written.color(Rgb.grey(GROUND_GRAY)));
     return material;
@@ -195,6 +200,7 @@ record ModelStage(ModelSetup setup, Model model) {
 
   private static JsonObject floor(double y) {
     JsonObject floor = object("Shape");
+    floor.addProperty("name", GROUND);
     floor.addProperty("shapeType", "Plane");
     floor.addProperty("materialID", 2);
     floor.add("localPosition", Written.vector(new Vec3(0, y, 0)));

@@ -227,6 +227,11 @@ class ModelCommandsTest {
   void reportsNameNodesAndMaterials() {
     Outcome pixel = run("pixel T/sample.glb 12,9 --size 24x18 -s 4 --sample 0");
     assertThat(pixel.out()).contains("nodes[0]", "body", "materials[0]", "paint");
+    Outcome around = run("pixel T/sample.glb 12,17 --ground --size 24x18 -s 4 --sample 0");
+    assertThat(around.out())
+        .containsPattern("hits .*\"ground\"")
+        .containsPattern("material .*\"ground\"")
+        .containsPattern("light .*\"sky\"");
     Outcome audit = run("audit T/sample.glb --view front --camera close");
     assertThat(audit.exitCode()).isEqualTo(ExitCodes.USAGE);
     assertThat(run("audit T/sample.glb --camera close").exitCode()).isEqualTo(ExitCodes.OK);
