@@ -27,6 +27,8 @@ TRIANGLES = (1_000, 10_000, 100_000, 1_000_000, 10_000_000)
 RAYS_AT_BALL = 200_000
 MOST_TRIANGLES = 10_000_000
 LIKE = 0.02
+# Seconds to warm up a kernel, which is the vector kernel from the start.
+KERNEL_WARM = 4
 SUNFLOW = "/usr/share/java/sunflow.jar:/usr/share/java/janino.jar"
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 
@@ -118,7 +120,10 @@ class Comparison:
             answer = server.ask("render", samples, 1, 1, "-")
             left -= answer["cpu"]
             if left <= 0:
-                return max(samples, round(samples * self.options.seconds / answer["cpu"]))
+                turn = max(samples, round(samples * self.options.seconds / answer["cpu"]))
+                # Mitsuba compiles for each number of samples.
+                server.ask("render", turn, 2, 1, "-")
+                return turn
 
     # Pictures
 
@@ -333,7 +338,7 @@ class Comparison:
             counts[name] = server.ask("rays", file)["hits"]
         hits = {}
         for name, server in servers.items():
-            spent, seconds = 0, self.options.warm if name in self.javas else 0
+            spent, seconds = 0, KERNEL_WARM if name in self.javas else 0
             while spent <= seconds:
                 answer = server.ask(search, 1)
                 spent += answer["cpu"]
@@ -474,7 +479,8 @@ def main():
     parser.add_argument("--java", action="append", help="a Java to run; the first is the yardstick")
     parser.add_argument("--blocks", type=int, default=5, help="blocks of two turns each (5)")
     parser.add_argument("--seconds", type=float, default=1, help="of a turn, about (1)")
-    parser.add_argument("--warm", type=float, default=4, help="seconds to warm up (4)")
+    # Lumbre changes to its vector kernel after some seconds.
+    parser.add_argument("--warm", type=float, default=20, help="seconds to warm up (20)")
     parser.add_argument("--core", default="1", help="the processor to run on (1)")
     parser.add_argument("--sunflow", default=SUNFLOW, help="class path of Sunflow")
     options = parser.parse_args()
