@@ -35,8 +35,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 /**
  * Split paths find the same light, with less noise where most of it is indirect.
  *
- * <p>Each mean is accurate to 2 % or better. The test therefore detects a missing or extra branch,
- * and light that is counted twice.
+ * <p>Differences of means are accurate to 0.4 % or better. The test therefore detects a missing or
+ * extra branch, light that is counted twice, and weights from another vertex (1.3 % with near lamps).
  */
 class SplitPathsTest {
   private static final Ray VIEW = lookingDownAt(.3);
@@ -101,10 +101,10 @@ class SplitPathsTest {
   @ParameterizedTest(name = "{0}")
   @MethodSource("scenes")
   void splitPathsFindTheSameLight(String name, Scene scene, Ray view) {
-    int samples = Effort.count(64, 4096);
+    int samples = Effort.count(128, 4096);
     PathOptions plain = PathOptions.toDepth(6);
-    Estimate one = estimate(scene, plain, view, samples);
-    assertThat(one.error()).isLessThan(.02 * one.mean());
+    Estimate one = estimate(scene, plain, view, 4 * samples);
+    assertThat(one.error()).isLessThan(.002 * one.mean());
     for (int ways : new int[] {2, 3, 8}) {
       // Roulette from the first vertex on ends some of the branches.
       for (int firstRoulette : new int[] {0, PathOptions.FIRST_ROULETTE}) {
