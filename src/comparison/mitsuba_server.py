@@ -4,7 +4,7 @@
 
 Commands and answers are those of RenderServer.java. What Mitsuba has no equal of is refused with a
 message, never replaced in silence. FOLDER gets meshes that Mitsuba is to read. With avx2, an llvm
-variant has vectors of eight lanes and no instructions of AVX-512.
+variant is compiled for AVX2, with vectors of eight lanes; its Embree is not limited.
 """
 
 import ctypes

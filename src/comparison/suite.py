@@ -28,7 +28,7 @@ SEEDS = 3
 LIKE = 0.02
 # The scalar variant takes the same samples as the other one.
 SAME_ERROR = {"Mitsuba scalar independent": "Mitsuba llvm_ad independent"}
-# They choose their instructions by themselves.
+# Programs that choose their own instructions: nothing limits them to AVX2.
 UNLIMITED = ("Cycles", "LuxCore")
 
 
@@ -284,7 +284,7 @@ def main():
     parser.add_argument("--scene", action="append", help="only this one; more by more options")
     parser.add_argument("--blocks", type=int, default=4, help="blocks of two turns each (4)")
     parser.add_argument("--seconds", type=float, default=0.7, help="of a turn, about (0.7)")
-    parser.add_argument("--warm", type=float, default=14, help="seconds to warm up Java (14)")
+    parser.add_argument("--warm", type=float, default=20, help="seconds to warm up Java (20)")
     parser.add_argument("--core", help="the processor to run on")
     parser.add_argument(
         "--avx2", action="store_true", help="time Lumbre and Mitsuba without AVX-512"
