@@ -23,6 +23,7 @@ import java.util.Optional;
  *       {@code illum} 0 and 1, there is no reflection.
  *   <li>{@code illum} 6 and 7 refract: the transmission is 1 − d, or 1 if d = 1, with index {@code
  *       Ni} and color {@code Tf}. Otherwise, {@code d}, or 1 − {@code Tr}, is the opacity.
+ *       {@code Tr 1} without {@code d} is opaque, since several tools write it so.
  *   <li>A {@code map_Bump} with colors is a normal map; height maps are ignored.
  *   <li>A picture that is missing is left out with a warning.
  * </ul>
@@ -127,7 +128,12 @@ final class MtlConversion {
 
   private double opacity() {
     double opacity = in.number("d").orElseGet(() -> 1 - in.number("tr").orElse(0.));
-    return Math.max(0, Math.min(opacity, 1));
+    return isTrOpacity() ? 1 : Math.max(0, Math.min(opacity, 1));
+  }
+
+  /** Returns whether Tr states an opacity of 1: several tools write that instead of Tr 0. */
+  private boolean isTrOpacity() {
+    return in.number("d").isEmpty() && in.number("tr").orElse(0.) == 1;
   }
 
   private void setOpacity() throws ModelFormatException, IOException {
@@ -138,7 +144,14 @@ final class MtlConversion {
     if (map.isPresent()) {
       texture = Optional.of(textures.texture(map.get()));
       channel = alphaChannel(map.get());
+    }
+    if (in.map("map_d").isPresent()) {
+      // A factor of 0 is not meant, even if the picture is missing.
       opacity = opacity == 0 ? 1 : opacity;
+    } else if (isTrOpacity()) {
+      warnings.add(in.location(), "took Tr 1 for opaque, since there is no d");
+    } else if (opacity == 0) {
+      warnings.add(in.location(), "the material is invisible: its opacity, d or 1 - Tr, is 0");
     }
     if (opacity < 1 || map.isPresent()) {
       out.opacity(new ScalarInput(opacity, texture, channel));

@@ -1,6 +1,5 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.image.Srgb;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 
@@ -34,8 +33,7 @@ final class ObjFaces {
 
   private final boolean isModel;
 
-  /** Linear colors of the vertices; empty until a vertex has one. */
-  private double[] colors = {};
+  private final ObjColors colors;
 
   private final ObjSmoothing smoothing = new ObjSmoothing();
   private int[] face = new int[12];
@@ -56,6 +54,7 @@ final class ObjFaces {
     normals = new double[Math.multiplyExact(3, totals[NORMAL])];
     normalCount = totals[NORMAL];
     this.isModel = isModel;
+    colors = new ObjColors(totals[POSITION]);
     hasNormals = normalCount > 0 || isModel && census.hasSmoothing();
   }
 
@@ -74,7 +73,7 @@ final class ObjFaces {
     if (scanner.wordIs("v")) {
       readVector(positions, 3 * counts[POSITION]);
       if (isModel) {
-        readColor(3 * counts[POSITION]);
+        colors.read(scanner, counts[POSITION]);
       }
       counts[POSITION]++;
     } else if (scanner.wordIs("vn")) {
@@ -94,28 +93,6 @@ final class ObjFaces {
   private void readVector(double[] target, int to) throws ModelFormatException {
     for (int i = 0; i < 3; i++) {
       target[to + i] = scanner.nextNumber();
-    }
-  }
-
-  /**
-   * Reads an sRGB color in [0,1] after a position, which several tools write. A single number there
-   * is a weight, which has no effect on polygons.
-   */
-  private void readColor(int to) throws ModelFormatException {
-    double[] rgb = new double[3];
-    int count = 0;
-    while (count < 3 && scanner.nextWord()) {
-      rgb[count++] = scanner.number();
-    }
-    if (count < 3) {
-      return;
-    }
-    if (colors.length == 0) {
-      colors = new double[positions.length];
-      Arrays.fill(colors, 1);
-    }
-    for (int i = 0; i < 3; i++) {
-      colors[to + i] = Srgb.decode(Math.max(0, Math.min(rgb[i], 1)));
     }
   }
 
@@ -232,9 +209,10 @@ final class ObjFaces {
     return new Vec3(positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]);
   }
 
-  /** Computes the normals of smoothing groups, after the last face. */
-  void finish() {
+  /** Computes normals of smoothing groups and colors of vertices, after the last statement. */
+  void finish(Warnings warnings) {
     smoothing.store(normals);
+    colors.finish(warnings);
   }
 
   /** Returns a surface's arrays, after {@link #finish}. */
@@ -247,16 +225,12 @@ final class ObjFaces {
         surface.triangles().toArray());
   }
 
-  /** Returns four color components per vertex of a surface, or an empty array if none has any. */
-  float[] colors(ObjSurface surface) {
-    if (colors.length == 0) {
-      return new float[0];
-    }
-    double[] rgb = surface.corners().gather(POSITION, colors, 3);
-    float[] rgba = new float[Math.multiplyExact(4, rgb.length / 3)];
-    for (int i = 0; i < rgba.length; i++) {
-      rgba[i] = i % 4 == 3 ? 1 : (float) rgb[3 * (i / 4) + i % 4];
-    }
-    return rgba;
+  /**
+   * Returns four color components per vertex of a surface, or an empty array if none has a color.
+   *
+   * @param otherwise gray of vertices without a color
+   */
+  float[] colors(ObjSurface surface, double otherwise) {
+    return colors.of(surface.corners(), otherwise);
   }
 }

@@ -92,7 +92,7 @@ final class ObjModelReader {
     if (parts.isEmpty()) {
       throw ObjReader.noFaces(text, scanner);
     }
-    faces.finish();
+    faces.finish(warnings);
     faces.warnOfNarrowFaces(warnings);
     List<ModelPart> result = new ArrayList<>();
     Map<String, ModelMaterial> materials = readMaterials();
@@ -244,6 +244,7 @@ final class ObjModelReader {
               + PrintableText.quoted(key.material())
               + ", which is replaced by light gray");
     }
+    float[] colors = faces.colors(part.surface(), found == null ? PlainModel.ALBEDO : 1);
     double[] empty = {};
     result.add(
         new ModelPart(
@@ -255,9 +256,9 @@ final class ObjModelReader {
                 empty,
                 mesh.uvs(),
                 empty,
-                faces.colors(part.surface()),
+                colors,
                 part.surface().triangles().toArray()),
-            found == null ? PlainModel.defaultMaterial() : found,
+            found == null ? PlainModel.material(colors.length > 0) : found,
             options.toWorld()));
   }
 }

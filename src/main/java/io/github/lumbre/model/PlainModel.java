@@ -5,8 +5,11 @@ import java.util.List;
 
 /** What models without materials, cameras and lights have in common. Stateless. */
 final class PlainModel {
-  /** The reflectance of surfaces without a material: that of light gray paint, which leaves room for what is brighter. */
-  private static final double ALBEDO = .7;
+  /**
+   * The reflectance of surfaces without a material: that of light gray paint, which leaves room for
+   * what is brighter.
+   */
+  static final double ALBEDO = .7;
 
   private PlainModel() {}
 
@@ -15,6 +18,15 @@ final class PlainModel {
    */
   static ModelMaterial defaultMaterial() {
     return matte("", "").baseColor(ColorInput.of(Rgb.grey(ALBEDO))).build();
+  }
+
+  /**
+   * Returns the material of surfaces that have none.
+   *
+   * @param isColored whether its vertices have colors, which are its albedo then
+   */
+  static ModelMaterial material(boolean isColored) {
+    return isColored ? matte("", "").build() : defaultMaterial();
   }
 
   /** Returns a builder of a white diffuse material that is visible from both sides. */

@@ -136,12 +136,58 @@ class ObjModelReaderTest {
         .hasMessage("line 6: expected at least 3 corners per face, found 0");
   }
 
+  /** Colors are the albedo, as in a PLY file; parts without colors stay light gray. */
   @Test
   void verticesMayHaveColors() throws ModelFormatException {
-    ModelGeometry mesh =
-        new ModelFixture("a.obj", "v 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0 7\nf 1 2 3").geometry();
-    assertThat(mesh.colors()).startsWith(1, (float) Srgb.decode(.5), 0, 1, 1, 1, 1, 1);
-    assertThat(obj("f 1 2 3").geometry().colors()).isEmpty();
+    ModelPart part =
+        new ModelFixture("a.obj", "v 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0 7\nf 1 2 3").part();
+    float gray = (float) PlainModel.ALBEDO;
+    assertThat(part.material().baseColor().factor()).isEqualTo(Rgb.WHITE);
+    assertThat(part.geometry().colors())
+        .startsWith(1, (float) Srgb.decode(.5), 0, 1, gray, gray, gray, 1);
+    ModelPart plain = obj("v 0 0 1 1 1 1;o a;f 1 2 3").part();
+    assertThat(plain.geometry().colors()).isEmpty();
+    assertThat(plain.material().baseColor().factor()).isEqualTo(Rgb.grey(PlainModel.ALBEDO));
+  }
+
+  /** With a material of a library, colors are factors of its base color; others are 1. */
+  @Test
+  void colorsOfVerticesMultiplyTheMaterial() throws ModelFormatException {
+    ModelPart part =
+        new ModelFixture(
+                "a.obj",
+                "mtllib a.mtl\nusemtl m\nv 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")
+            .with("a.mtl", "newmtl m\nKd .5")
+            .part();
+    assertThat(part.material().baseColor().factor()).isEqualTo(Rgb.grey(.5));
+    assertThat(part.geometry().colors()).startsWith(1, (float) Srgb.decode(.5), 0, 1, 1, 1, 1, 1);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1 .5 0, 1, .5, ",
+    "1.0005 .5 -1, 1, .5, ",
+    "255 128 0, 1, .5019607843137255, took the colors of vertices for 0 to 255",
+    "2 127.5 0, .00784313725490196, .5, took the colors of vertices for 0 to 255",
+    "256 128 0, -1, -1, ignored the colors of vertices"
+  })
+  void colorsOfVerticesMayBeBytes(String color, double red, double green, String warning)
+      throws ModelFormatException {
+    Model model =
+        new ModelFixture("a.obj", "v 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0 " + color + "\nf 1 2 3").read();
+    float[] colors = model.parts().get(0).geometry().colors();
+    if (red < 0) {
+      assertThat(colors).isEmpty();
+      assertThat(model.parts().get(0).material().baseColor())
+          .isEqualTo(PlainModel.defaultMaterial().baseColor());
+    } else {
+      assertThat(colors[8]).isEqualTo((float) Srgb.decode(red));
+      assertThat(colors[9]).isEqualTo((float) Srgb.decode(green));
+      assertThat(colors[10]).isZero();
+    }
+    assertThat(model.warnings()).hasSize(warning == null ? 0 : 1);
+    assertThat(String.join("", model.warnings()))
+        .contains(warning == null ? "" : "line 3: " + warning);
   }
 
   /** Two faces at a right angle along an edge, within a group, share the mean normal. */
@@ -218,6 +264,44 @@ class ObjModelReaderTest {
     assertThat(glass.roughness().factor()).isZero();
     assertThat(glass.volume()).isPresent();
     assertThat(read("illum 6;d .25").transmission().factor()).isEqualTo(.75);
+  }
+
+  /** {@code Tr 1} without {@code d} is opaque; a material that shows nothing is reported. */
+  @ParameterizedTest
+  @CsvSource({
+    "Tr 1, 1, took Tr 1 for opaque",
+    "Tr 1.000, 1, took Tr 1 for opaque",
+    "map_Kd a.png;Tr 1, 1, took Tr 1 for opaque",
+    "Tr 1;map_Kd a.png;illum 2, 1, took Tr 1 for opaque",
+    "Tr 1;d 0, 0, invisible",
+    "d 0;Tr 1, 0, invisible",
+    "Tr 1;d .5, .5, ",
+    "d .5;Tr 1, .5, ",
+    "d 1;Tr 0, 1, ",
+    "Tr 0, 1, ",
+    "Tr .99, .01, ",
+    "Tr -1, 1, ",
+    "Tr 2, 0, invisible",
+    "d 0, 0, invisible",
+    "d -halo 0;map_Kd a.png, 0, invisible",
+    "d 0;map_d a.png, 1, ",
+    "map_d a.png;Tr 1, 1, ",
+    "d 0;map_d missing.png, 1, the picture is left out",
+    "d 0;map_Kd a.png, 0, invisible",
+    "illum 6;Tr 1, 1, ",
+    "illum 7;d 0, 1, "
+  })
+  void opacityOfZeroIsMeantOnlyIfDSaysSo(String statements, double opacity, String warning)
+      throws ModelFormatException {
+    Model model = material(statements).read();
+    ModelMaterial material = model.parts().get(0).material();
+    assertThat(material.opacity().factor()).isCloseTo(opacity, within(1e-12));
+    if (material.opacity().texture().isEmpty()) {
+      assertThat(material.alphaMode())
+          .isEqualTo(opacity < 1 ? AlphaMode.BLEND : AlphaMode.OPAQUE);
+    }
+    assertThat(model.warnings().isEmpty()).isEqualTo(warning == null);
+    assertThat(String.join("", model.warnings())).contains(warning == null ? "" : warning);
   }
 
   @Test
