@@ -109,6 +109,7 @@ final class GltfAnimations {
           document
               .warnings()
               .add(
+                  "an animation of an unknown property",
                   target.location("path"),
                   "expected translation, rotation, scale or weights, found "
                       + PrintableText.quoted(path)

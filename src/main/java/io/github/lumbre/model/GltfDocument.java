@@ -8,7 +8,7 @@ import java.util.Map;
 final class GltfDocument {
   private final GltfJson root;
   private final GltfBudget budget;
-  private final GltfWarnings warnings = new GltfWarnings();
+  private final Warnings warnings = new Warnings();
   private final Map<String, List<GltfJson>> sections = new HashMap<>();
 
   GltfDocument(GltfJson root, GltfBudget budget) {
@@ -27,7 +27,7 @@ final class GltfDocument {
   }
 
   /** Returns the warnings so far. */
-  GltfWarnings warnings() {
+  Warnings warnings() {
     return warnings;
   }
 

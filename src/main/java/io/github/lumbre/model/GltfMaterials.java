@@ -193,6 +193,7 @@ final class GltfMaterials {
       document
           .warnings()
           .add(
+              "a number of a material is out of range",
               json.location(member),
               "expected "
                   + (max == 1 ? "0 to 1" : "at least 0")

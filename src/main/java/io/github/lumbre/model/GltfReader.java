@@ -86,13 +86,28 @@ final class GltfReader {
         add(index, node, nodes.toWorld(index).toTransform());
       }
     }
+    if (parts.isEmpty()) {
+      warnOfUnusedMeshes();
+    }
     return new Model(
         parts,
         placedCameras,
         placedLights,
         variants.names(),
         animations.names(),
-        document.warnings().list());
+        document.warnings().all());
+  }
+
+  /** Adds a warning if the scene names none of the file's meshes. */
+  private void warnOfUnusedMeshes() throws ModelFormatException {
+    for (int index : nodes.visible()) {
+      if (nodes.get(index).mesh().isPresent()) {
+        return;
+      }
+    }
+    if (document.size("meshes") > 0) {
+      document.warnings().add("", "no node of the scene has a mesh; all meshes are left out");
+    }
   }
 
   private void add(int index, GltfNode node, Transform toWorld)

@@ -121,7 +121,9 @@ final class GltfTextures {
       if (!lenient || e.kind() != Kind.ASSET) {
         throw e;
       }
-      document.warnings().add(e.location(), e.detail() + "; the picture is left out");
+      document
+          .warnings()
+          .add("a picture is left out", e.location(), e.detail() + "; the picture is left out");
       return Optional.empty();
     }
   }

@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -22,6 +23,9 @@ public record Model(
     List<String> variants,
     List<String> animations,
     List<String> warnings) {
+  /** The number of warnings in the error of a model without surfaces. */
+  private static final int MAX_REASONS = 3;
+
   public Model {
     parts = List.copyOf(parts);
     cameras = List.copyOf(cameras);
@@ -29,5 +33,26 @@ public record Model(
     variants = List.copyOf(variants);
     animations = List.copyOf(animations);
     warnings = List.copyOf(warnings);
+  }
+
+  /**
+   * Checks that the model has a surface to show.
+   *
+   * @throws ModelFormatException if no triangle has an area; it states what was left out
+   */
+  public void requireSurface() throws ModelFormatException {
+    if (parts.stream().anyMatch(part -> part.geometry().hasArea())) {
+      return;
+    }
+    int shown = Math.min(warnings.size(), MAX_REASONS);
+    List<String> reasons = new ArrayList<>(warnings.subList(0, shown));
+    if (warnings.size() > shown) {
+      reasons.add("and " + (warnings.size() - shown) + " more");
+    }
+    throw new ModelFormatException(
+        ModelFormatException.Kind.MALFORMED,
+        "",
+        "expected at least one triangle with an area, found none"
+            + (reasons.isEmpty() ? "" : " (" + String.join("; ", reasons) + ")"));
   }
 }

@@ -29,6 +29,16 @@ public record ModelGeometry(
     return positions.length / 3;
   }
 
+  /** Returns whether any triangle has an area. */
+  boolean hasArea() {
+    for (int i = 0; i < indices.length; i += 3) {
+      if (TriangleList.hasArea(positions, indices[i], indices[i + 1], indices[i + 2])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Returns the number of triangles. */
   public int triangleCount() {
     return indices.length / 3;

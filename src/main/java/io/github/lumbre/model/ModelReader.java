@@ -16,7 +16,8 @@ public final class ModelReader {
   private ModelReader() {}
 
   /**
-   * Returns the content of a model file. The ending of its name chooses the format.
+   * Returns the content of a model file. The ending of its name chooses the format. The model has a
+   * triangle with an area, or a light.
    *
    * @param name of the file
    * @param content bytes of the file
@@ -47,6 +48,9 @@ public final class ModelReader {
       for (ModelPart part : model.parts()) {
         triangles += part.geometry().triangleCount();
         ModelLimits.requireTriangles(part.location(), triangles, options.limits());
+      }
+      if (model.lights().isEmpty()) {
+        model.requireSurface();
       }
       return model;
     } catch (CancellationException e) {

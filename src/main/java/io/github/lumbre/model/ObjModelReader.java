@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -7,6 +8,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -49,7 +51,6 @@ final class ObjModelReader {
   /** A part with its place in the file, and that of its material's name. */
   private record Part(String location, String materialLocation, ObjSurface surface) {}
 
-  private final byte[] text;
   private final TextScanner scanner;
   private final ObjFaces faces;
   private final ModelFolder folder;
@@ -66,7 +67,6 @@ final class ObjModelReader {
 
   private ObjModelReader(byte[] text, ModelFolder folder, ModelOptions options)
       throws ModelFormatException {
-    this.text = text;
     scanner = new TextScanner(text);
     faces = new ObjFaces(scanner, ObjCensus.of(text, options.limits()), true);
     this.folder = folder;
@@ -79,6 +79,11 @@ final class ObjModelReader {
     if (text.length >= 2 && (text[0] & text[1] & 0xff) >= 0xfe && text[0] != text[1]) {
       throw new ModelFormatException(Kind.UNSUPPORTED, "", "expected UTF-8 text, found UTF-16");
     }
+    Optional<String> picture = ImageFormat.describe(text);
+    if (picture.isPresent()) {
+      throw new ModelFormatException(
+          Kind.MALFORMED, "", "expected an OBJ file, found " + picture.get());
+    }
     return new ObjModelReader(text, folder, options).read();
   }
 
@@ -89,19 +94,12 @@ final class ObjModelReader {
       }
       scanner.endLine();
     }
-    if (parts.isEmpty()) {
-      throw ObjReader.noFaces(text, scanner);
-    }
     faces.finish(warnings);
     faces.warnOfNarrowFaces(warnings);
     List<ModelPart> result = new ArrayList<>();
     Map<String, ModelMaterial> materials = readMaterials();
     for (Map.Entry<Key, Part> entry : parts.entrySet()) {
       addPart(entry.getKey(), entry.getValue(), materials, result);
-    }
-    if (result.isEmpty()) {
-      throw new ModelFormatException(
-          Kind.MALFORMED, "", "expected at least one triangle with an area, found none");
     }
     return PlainModel.of(result, warnings.all());
   }
@@ -213,7 +211,7 @@ final class ObjModelReader {
         if (e.kind() != Kind.ASSET) {
           throw e;
         }
-        warnings.add(e.getMessage());
+        warnings.add("a material library is missing", e.location(), e.detail());
         continue;
       }
       for (MtlMaterial read : MtlReader.read(text, library.getKey(), warnings)) {
@@ -230,7 +228,10 @@ final class ObjModelReader {
     ObjMesh mesh = faces.mesh(part.surface());
     int dropped = part.surface().triangles().removeFlat(mesh.positions());
     if (dropped > 0) {
-      warnings.add(part.location(), "dropped triangles of zero area: " + dropped);
+      warnings.add(
+          "triangles of zero area",
+          part.location(),
+          "dropped triangles of zero area: " + dropped);
     }
     if (part.surface().triangles().count() == 0) {
       return;

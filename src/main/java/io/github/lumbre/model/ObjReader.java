@@ -40,8 +40,7 @@ public final class ObjReader {
     return faces.mesh(surface);
   }
 
-  /** Returns the error of a file without faces. */
-  static ModelFormatException noFaces(byte[] text, TextScanner scanner) {
+  private static ModelFormatException noFaces(byte[] text, TextScanner scanner) {
     Optional<String> picture = ImageFormat.describe(text);
     return picture.isPresent()
         ? new ModelFormatException(

@@ -25,7 +25,7 @@ record PlyHeader(Format format, List<PlyElement> elements, int bodyOffset, int b
    *
    * @param warnings receives those of unknown lines before the first element
    */
-  static PlyHeader read(byte[] file, List<String> warnings) throws ModelFormatException {
+  static PlyHeader read(byte[] file, Warnings warnings) throws ModelFormatException {
     TextScanner scanner = TextScanner.plain(file);
     if (!scanner.nextWord() || !scanner.wordIs("ply")) {
       throw scanner.error("expected \"ply\", found something else");
@@ -57,7 +57,7 @@ record PlyHeader(Format format, List<PlyElement> elements, int bodyOffset, int b
         count = readCount(scanner);
       } else if (element.isEmpty() && !word.equals("property")) {
         // Blender 2.4 omitted the word "comment".
-        warnings.add(scanner.location() + ": ignored a line that begins with an unknown word");
+        warnings.add(scanner.location(), "ignored a line that begins with an unknown word");
       } else {
         throw scanner.error(
             "expected \"element\", \"property\" or \"end_header\", found "

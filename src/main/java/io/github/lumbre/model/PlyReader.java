@@ -2,7 +2,6 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -18,7 +17,7 @@ final class PlyReader {
   private final ModelOptions options;
   private final PlyHeader header;
   private final PlyBody body;
-  private final List<String> warnings = new ArrayList<>();
+  private final Warnings warnings = new Warnings();
   private final PlyVertices vertices;
   private final int vertexCount;
   private TriangleList triangles = new TriangleList(0);
@@ -89,25 +88,21 @@ final class PlyReader {
       }
     }
     if (header.format() != PlyHeader.Format.TEXT && body.remainingBytes() > 0) {
-      warnings.add("ignored " + body.remainingBytes() + " bytes after the last element");
+      warnings.add("", "ignored " + body.remainingBytes() + " bytes after the last element");
     }
     int dropped = triangles.removeFlat(vertices.positions());
     if (dropped > 0) {
-      warnings.add("dropped triangles of zero area: " + dropped);
-    }
-    if (triangles.count() == 0) {
-      throw new ModelFormatException(
-          Kind.MALFORMED, "", "expected at least one triangle with an area, found none");
+      warnings.add("", "dropped triangles of zero area: " + dropped);
     }
     ModelMaterial material = material();
     ModelPart part =
         new ModelPart("", "", vertices.geometry(triangles.toArray()), material, options.toWorld());
-    return PlainModel.of(List.of(part), warnings);
+    return PlainModel.of(List.of(part), warnings.all());
   }
 
   private ModelMaterial material() {
     if (vertices.isInvisible()) {
-      warnings.add("element vertex: ignored alpha, which is 0 everywhere");
+      warnings.add("element vertex", "ignored alpha, which is 0 everywhere");
       vertices.makeOpaque();
     }
     ModelGeometry geometry = vertices.geometry(new int[0]);
@@ -221,12 +216,11 @@ final class PlyReader {
   }
 
   /** Adds a warning of properties that are not used. */
-  static void warnIgnored(PlyElement element, List<String> names, List<String> warnings) {
+  static void warnIgnored(PlyElement element, List<String> names, Warnings warnings) {
     if (!names.isEmpty()) {
       warnings.add(
-          "element "
-              + element.name()
-              + ": ignored the properties "
+          "element " + element.name(),
+          "ignored the properties "
               + PrintableText.shortened(String.join(", ", names)));
     }
   }

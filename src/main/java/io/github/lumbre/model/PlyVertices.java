@@ -46,7 +46,7 @@ final class PlyVertices {
   /**
    * @throws ModelFormatException if the element has no positions, or too many vertices
    */
-  PlyVertices(PlyElement element, Limits limits, List<String> warnings)
+  PlyVertices(PlyElement element, Limits limits, Warnings warnings)
       throws ModelFormatException {
     this.element = element;
     attributes = new int[element.properties().size()];
@@ -114,7 +114,7 @@ final class PlyVertices {
     }
   }
 
-  private void warnIgnored(List<String> warnings) {
+  private void warnIgnored(Warnings warnings) {
     List<String> ignored = new ArrayList<>();
     for (int i = 0; i < attributes.length; i++) {
       if (attributes[i] == NONE) {

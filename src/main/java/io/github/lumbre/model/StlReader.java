@@ -20,7 +20,7 @@ final class StlReader {
 
   /** Returns the triangles of an STL file. */
   static Model read(byte[] file, ModelOptions options) throws ModelFormatException {
-    List<String> warnings = new ArrayList<>();
+    Warnings warnings = new Warnings();
     long claimed = claimedBytes(file);
     List<StlSolid> solids =
         claimed != file.length && StlText.startsIn(file)
@@ -30,11 +30,7 @@ final class StlReader {
     for (StlSolid solid : solids) {
       solid.part(options, warnings).ifPresent(parts::add);
     }
-    if (parts.isEmpty()) {
-      throw new ModelFormatException(
-          Kind.MALFORMED, "", "expected at least one triangle with an area, found none");
-    }
-    return PlainModel.of(parts, warnings);
+    return PlainModel.of(parts, warnings.all());
   }
 
   /** Returns the size of a binary file by its header; 0 if the file has no header. */
@@ -47,7 +43,7 @@ final class StlReader {
   }
 
   private static StlSolid readBinary(
-      byte[] file, long claimed, ModelOptions options, List<String> warnings)
+      byte[] file, long claimed, ModelOptions options, Warnings warnings)
       throws ModelFormatException {
     if (claimed == 0) {
       throw new ModelFormatException(
@@ -64,7 +60,7 @@ final class StlReader {
               .formatted(claimed, triangles, file.length));
     }
     if (claimed < file.length) {
-      warnings.add("ignored " + (file.length - claimed) + " bytes after the last triangle");
+      warnings.add("", "ignored " + (file.length - claimed) + " bytes after the last triangle");
     }
     ModelLimits.requireTriangles("", triangles, options.limits());
     ModelLimits.requireMemory("", 12 * triangles, options.limits());

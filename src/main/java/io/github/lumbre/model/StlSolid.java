@@ -1,6 +1,5 @@
 package io.github.lumbre.model;
 
-import java.util.List;
 import java.util.Optional;
 
 /** Collects the facets of one solid of an STL file. Mutable. */
@@ -51,15 +50,18 @@ final class StlSolid {
   }
 
   /** Returns the part; empty if no triangle has an area. */
-  Optional<ModelPart> part(ModelOptions options, List<String> warnings) {
+  Optional<ModelPart> part(ModelOptions options, Warnings warnings) {
     double[] points = positions.positions();
     int dropped = triangles.removeFlat(points);
     if (dropped > 0) {
-      warn(warnings, "dropped triangles of zero area: " + dropped);
+      warnings.add(
+          "triangles of zero area", location, "dropped triangles of zero area: " + dropped);
     }
     if (contradictions > 0) {
-      warn(
-          warnings, "ignored normals that point to the back of their triangles: " + contradictions);
+      warnings.add(
+          "normals that point to the back",
+          location,
+          "ignored normals that point to the back of their triangles: " + contradictions);
     }
     if (triangles.count() == 0) {
       return Optional.empty();
@@ -68,9 +70,5 @@ final class StlSolid {
         new ModelGeometry(points, NONE, NONE, NONE, NONE, NO_COLORS, triangles.toArray());
     return Optional.of(
         new ModelPart(name, location, geometry, PlainModel.defaultMaterial(), options.toWorld()));
-  }
-
-  private void warn(List<String> warnings, String message) {
-    warnings.add(location.isEmpty() ? message : location + ": " + message);
   }
 }

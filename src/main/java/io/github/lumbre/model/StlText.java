@@ -7,10 +7,10 @@ import java.util.Locale;
 /** Reads the solids of an STL text, in any letter case and with any line breaks. Not reusable. */
 final class StlText {
   private final TextScanner scanner;
-  private final List<String> warnings;
+  private final Warnings warnings;
   private final List<StlSolid> solids = new ArrayList<>();
 
-  private StlText(byte[] text, List<String> warnings) {
+  private StlText(byte[] text, Warnings warnings) {
     scanner = TextScanner.plain(text);
     this.warnings = warnings;
   }
@@ -22,7 +22,7 @@ final class StlText {
   }
 
   /** Returns the solids of a text. */
-  static List<StlSolid> read(byte[] text, List<String> warnings) throws ModelFormatException {
+  static List<StlSolid> read(byte[] text, Warnings warnings) throws ModelFormatException {
     StlText reader = new StlText(text, warnings);
     while (reader.scanner.nextWordOfText()) {
       reader.requireWord("solid");
@@ -48,7 +48,7 @@ final class StlText {
 
   private boolean nextIsFacet() throws ModelFormatException {
     if (!scanner.nextWordOfText()) {
-      warnings.add(scanner.location() + ": expected \"endsolid\", found the end of the file");
+      warnings.add(scanner.location(), "expected \"endsolid\", found the end of the file");
       return false;
     }
     if (wordIs("endsolid")) {

@@ -51,7 +51,8 @@ final class TriangleList {
     return removed;
   }
 
-  private static boolean hasArea(double[] positions, int a, int b, int c) {
+  /** Returns whether a triangle between three vertices has an area. */
+  static boolean hasArea(double[] positions, int a, int b, int c) {
     if (a == b || b == c || c == a) {
       return false;
     }

@@ -60,10 +60,10 @@ record ModelStage(ModelSetup setup, Model model) {
    * @param name the path of the model from the folder
    * @param folder where asset paths start
    * @param aspect width of the frame over its height, to frame the model; empty for the default
-   * @throws ModelFormatException if the model does not have the camera
+   * @throws ModelFormatException if the model has no surface, or lacks the camera
    */
-  JsonObject scene(Path name, Path folder, OptionalDouble aspect)
-      throws ModelFormatException {
+  JsonObject scene(Path name, Path folder, OptionalDouble aspect) throws ModelFormatException {
+    model.requireSurface();
     JsonObject scene = new JsonObject();
     scene.addProperty("mainCameraId", 1);
     scene.add("renderOptions", renderOptions());

@@ -174,7 +174,7 @@ final class GltfFile {
   }
 
   Model read(ModelOptions options) throws ModelFormatException, IOException {
-    return ModelReader.read("a.glb", glb(), EMPTY, options);
+    return GltfReader.read(glb(), EMPTY, options);
   }
 
   /** Reads the mesh of the first part. */

@@ -381,15 +381,19 @@ class ObjModelReaderTest {
     assertThat(material(statements).refusal()).isEqualTo(message);
   }
 
+  private static final String NO_AREA =
+      "MALFORMED expected at least one triangle with an area, found none";
+
   @Test
   void filesWithoutSurfacesAreRefused() {
     assertThat(obj("p 1").refusal())
-        .isEqualTo("MALFORMED line 5: expected at least one face, found the end of the file");
+        .isEqualTo(
+            NO_AREA + " (line 5: ignored statements \"p\": only polygons are supported)");
     byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     assertThat(new ModelFixture("a.obj", png).refusal())
         .isEqualTo("MALFORMED expected an OBJ file, found a PNG picture");
     assertThat(obj("f 1 1 1").refusal())
-        .isEqualTo("MALFORMED expected at least one triangle with an area, found none");
+        .isEqualTo(NO_AREA + " (line 5: dropped triangles of zero area: 1)");
     assertThat(new ModelFixture("a.obj", new byte[] {(byte) 0xfe, (byte) 0xff, 0, 'v'}).refusal())
         .isEqualTo("UNSUPPORTED expected UTF-8 text, found UTF-16");
   }

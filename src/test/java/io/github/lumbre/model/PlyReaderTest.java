@@ -226,7 +226,8 @@ class PlyReaderTest {
         "0 0 0;1 0 0;0 1 0;3 0 1 2.0|line 14: expected an integer from -2147483648"
             + " to 2147483647, found \"2.0\"",
         "0 0 0;1 0 0;0 1 0 ;;|line 15: element face: expected 1 items, found 0",
-        "0 0 0;1 0 0;2 0 0;3 0 1 2|expected at least one triangle with an area, found none",
+        "0 0 0;1 0 0;2 0 0;3 0 1 2|expected at least one triangle with an area, found none (dropped"
+            + " triangles of zero area: 1)",
       })
   void errorsInTextsNameTheLine(String body, String message) {
     ModelFixture file = ascii("element vertex 3;" + XYZ + FACE, body);
