@@ -24,7 +24,11 @@ public interface Integrator {
     return switch (settings.mode()) {
       case PATH -> new PathTracer(scene, PathOptions.of(settings), guide);
       case RAY ->
-          new RayTracer(scene, settings.reflectionTraceDepth(), settings.refractionTraceDepth());
+          new RayTracer(
+              scene,
+              settings.reflectionTraceDepth(),
+              settings.refractionTraceDepth(),
+              settings.transparent());
     };
   }
 

@@ -4,8 +4,8 @@ import io.github.lumbre.scene.RenderSettings;
 import java.util.Objects;
 
 /**
- * The options of a {@link PathTracer}. Only the depth changes the expected image; the other options
- * change noise and render time.
+ * The options of a {@link PathTracer}. Only the depth and the transparent background change the
+ * expected image; the other options change noise and render time.
  *
  * @param maxDepth the largest number of scattering vertices of a path, at least 0: with 0 only
  *     emitters are visible, with 1 also direct light
@@ -17,8 +17,9 @@ import java.util.Objects;
  * @param split number of branches into which a path is split at its first non-specular vertex, at
  *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5). {@link
  *     #PLANNED} if it is that of {@link RenderContext#splitInto}
- * @param throughLens whether lights out of focus are also sampled through the lens. Not for
- *     pictures with a transparent background: their alpha counts the camera rays that hit something
+ * @param transparent whether the background is transparent: camera rays that hit nothing find no
+ *     light. Lights out of focus are not sampled through the lens then, because alpha counts the
+ *     camera rays that hit something
  * @param bySpecular whether surfaces also sample lamps by way of mirrors that are spheres, and
  *     through clear glass
  */
@@ -28,7 +29,7 @@ public record PathOptions(
     LightSamplerKind lightSampler,
     int firstRoulette,
     int split,
-    boolean throughLens,
+    boolean transparent,
     boolean bySpecular) {
   /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 1;
@@ -51,48 +52,49 @@ public record PathOptions(
   /** Returns the default options, for paths of at most {@code maxDepth} scattering vertices. */
   public static PathOptions toDepth(int maxDepth) {
     return new PathOptions(
-        maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1, true, true);
+        maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1, false, true);
   }
 
   /** Returns the options that a render with these settings uses. */
   public static PathOptions of(RenderSettings settings) {
-    PathOptions options = toDepth(settings.maxTraceDepth()).splitInto(settings.split());
-    return settings.transparent() ? options.withoutLensLights() : options;
+    return toDepth(settings.maxTraceDepth())
+        .splitInto(settings.split())
+        .transparent(settings.transparent());
   }
 
   /** Returns the same options with another heuristic. */
   public PathOptions by(MisHeuristic newHeuristic) {
     return new PathOptions(
-        maxDepth, newHeuristic, lightSampler, firstRoulette, split, throughLens, bySpecular);
+        maxDepth, newHeuristic, lightSampler, firstRoulette, split, transparent, bySpecular);
   }
 
   /** Returns the same options with another light sampler. */
   public PathOptions by(LightSamplerKind newSampler) {
     return new PathOptions(
-        maxDepth, heuristic, newSampler, firstRoulette, split, throughLens, bySpecular);
+        maxDepth, heuristic, newSampler, firstRoulette, split, transparent, bySpecular);
   }
 
   /** Returns the same options with another first vertex for Russian roulette. */
   public PathOptions rouletteFrom(int vertex) {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, vertex, split, throughLens, bySpecular);
+        maxDepth, heuristic, lightSampler, vertex, split, transparent, bySpecular);
   }
 
   /** Returns the same options with another number of branches. */
   public PathOptions splitInto(int ways) {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, firstRoulette, ways, throughLens, bySpecular);
+        maxDepth, heuristic, lightSampler, firstRoulette, ways, transparent, bySpecular);
   }
 
-  /** Returns the same options without lights that are sampled through the lens. */
-  public PathOptions withoutLensLights() {
+  /** Returns the same options for a background that is transparent, or is not. */
+  public PathOptions transparent(boolean isTransparent) {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, firstRoulette, split, false, bySpecular);
+        maxDepth, heuristic, lightSampler, firstRoulette, split, isTransparent, bySpecular);
   }
 
   /** Returns the same options without lamps that are sampled by way of specular surfaces. */
   public PathOptions withoutSpecularLinks() {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, firstRoulette, split, throughLens, false);
+        maxDepth, heuristic, lightSampler, firstRoulette, split, transparent, false);
   }
 }

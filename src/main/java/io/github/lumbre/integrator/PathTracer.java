@@ -75,7 +75,9 @@ public final class PathTracer implements Integrator {
 
   private final boolean hasAmbient;
 
-  /** Whether the camera sees a color instead of environment lights. */
+  /** What the camera sees instead of environment lights. */
+  private final Optional<Rgb> backplate;
+
   private final boolean hasBackplate;
 
   /** Whether rays may pass straight through some surface. */
@@ -136,11 +138,12 @@ public final class PathTracer implements Integrator {
     drawsLight = selector.isRandom();
     samplesLights = selector.canChoose() && heuristic.samplesLights(scene.emitters());
     hasAmbient = !scene.ambient().isBlack();
-    hasBackplate = scene.backplate().isPresent();
+    backplate = options.transparent() ? Optional.of(Rgb.BLACK) : scene.backplate();
+    hasBackplate = backplate.isPresent();
     hasTransparency = scene.hasTransparency();
     hasPassing = Passing.isNeeded(scene);
     lensLights =
-        samplesLights && options.throughLens()
+        samplesLights && !options.transparent()
             ? LensLights.of(scene, emitters, heuristic)
             : Optional.empty();
     mirrorLights =
@@ -520,7 +523,7 @@ public final class PathTracer implements Integrator {
 
   /** Adds what the camera sees instead of environment lights. */
   private void addBackplate(RenderContext context) {
-    Rgb light = scene.backplate().orElse(Rgb.BLACK);
+    Rgb light = backplate.orElse(Rgb.BLACK);
     if (context.isRecorded) {
       context.listener.lightFound(
           Source.ENVIRONMENT, -1, light.r(), light.g(), light.b(), 0, Double.POSITIVE_INFINITY, 1);

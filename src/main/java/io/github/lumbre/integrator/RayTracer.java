@@ -23,6 +23,7 @@ import io.github.lumbre.scene.Scene;
 import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A ray tracer after Whitted (1980): direct light from every light, mirrors and glass, but no light
@@ -41,6 +42,9 @@ public final class RayTracer implements Integrator {
   private final int maxReflections;
   private final int maxRefractions;
 
+  /** What the camera sees instead of environment lights. */
+  private final Optional<Rgb> backplate;
+
   /** Whether rays may pass straight through some surface or an absorbing medium. */
   private final boolean hasPassing;
 
@@ -51,10 +55,21 @@ public final class RayTracer implements Integrator {
    * @param maxRefractions the largest number of glass surfaces along a path, at least 0
    */
   public RayTracer(Scene scene, int maxReflections, int maxRefractions) {
+    this(scene, maxReflections, maxRefractions, false);
+  }
+
+  /**
+   * Creates a ray tracer.
+   *
+   * @param transparent whether the background is transparent: camera rays that hit nothing find no
+   *     light
+   */
+  RayTracer(Scene scene, int maxReflections, int maxRefractions, boolean transparent) {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.lights = scene.lights();
     this.maxReflections = maxReflections;
     this.maxRefractions = maxRefractions;
+    backplate = transparent ? Optional.of(Rgb.BLACK) : scene.backplate();
     hasPassing = Passing.isNeeded(scene);
   }
 
@@ -115,8 +130,8 @@ public final class RayTracer implements Integrator {
     }
     if (!isHit) {
       boolean isSeen = branch.reflections() == 0 && branch.refractions() == 0;
-      return isSeen && scene.backplate().isPresent()
-          ? backplate(context)
+      return isSeen && backplate.isPresent()
+          ? backplate(backplate.get(), context)
           : environment(hit.direction(), context);
     }
     context.hitSomething = true;
@@ -176,8 +191,7 @@ public final class RayTracer implements Integrator {
     return emitted;
   }
 
-  private Rgb backplate(RenderContext context) {
-    Rgb light = scene.backplate().orElse(Rgb.BLACK);
+  private static Rgb backplate(Rgb light, RenderContext context) {
     if (context.isRecorded) {
       reportFound(Source.ENVIRONMENT, -1, light, context);
       context.listener.lightAdded(light.r(), light.g(), light.b());

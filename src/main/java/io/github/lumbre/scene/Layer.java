@@ -67,7 +67,7 @@ public enum Layer {
 
   /**
    * The {@link #ALBEDO} for denoisers: seen through mirrors and clear glass, tinted by them. In the
-   * background, its color, at most 1.
+   * background, its color, at most 1; black if it is transparent.
    */
   DENOISING_ALBEDO("denoisingAlbedo", "R G B", Grid.GUIDE),
 

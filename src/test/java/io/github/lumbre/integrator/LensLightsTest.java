@@ -237,11 +237,10 @@ class LensLightsTest {
   @Test
   void transparentPicturesHaveNoLightThroughTheLens() {
     RenderSettings settings = RenderSettings.DEFAULT.toBuilder().transparent(true).build();
-    assertThat(PathOptions.of(settings).throughLens()).isFalse();
-    assertThat(PathOptions.of(settings.toBuilder().transparent(false).build()).throughLens())
-        .isTrue();
+    assertThat(PathOptions.of(settings).transparent()).isTrue();
+    assertThat(PathOptions.of(RenderSettings.DEFAULT).transparent()).isFalse();
     Moments found =
-        samples(lamp(), PathOptions.toDepth(3).withoutLensLights(), new RenderContext());
+        samples(lamp(), PathOptions.toDepth(3).transparent(true), new RenderContext());
     double chance = RADIANCE * RADIANCE * PART * (1 - PART);
     assertThat(found.variance()).isBetween(.8 * chance, 1.2 * chance);
   }

@@ -42,18 +42,18 @@ class PathOptionsTest {
             LightSamplerKind.PLACE,
             PathOptions.FIRST_ROULETTE,
             1,
-            true,
+            false,
             true);
     assertThat(PathOptions.toDepth(9)).isEqualTo(plain);
     PathOptions other =
-        new PathOptions(9, MisHeuristic.LIGHT, LightSamplerKind.POWER, 5, 4, false, false);
+        new PathOptions(9, MisHeuristic.LIGHT, LightSamplerKind.POWER, 5, 4, true, false);
     assertThat(
             plain
                 .by(MisHeuristic.LIGHT)
                 .by(LightSamplerKind.POWER)
                 .rouletteFrom(5)
                 .splitInto(4)
-                .withoutLensLights()
+                .transparent(true)
                 .withoutSpecularLinks())
         .isEqualTo(other);
     assertThat(other.by(MisHeuristic.LIGHT).splitInto(4).rouletteFrom(5)).isEqualTo(other);

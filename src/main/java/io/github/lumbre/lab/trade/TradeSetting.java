@@ -6,7 +6,6 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.PathOptions;
 import io.github.lumbre.integrator.PathTracer;
-import io.github.lumbre.integrator.RayTracer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.sampling.Sampler;
@@ -67,7 +66,7 @@ public record TradeSetting(
         flags,
         scene,
         settings,
-        s -> new PathTracer(s, options),
+        s -> new PathTracer(s, options.transparent(settings.transparent())),
         SobolSampler::new);
   }
 
@@ -80,7 +79,7 @@ public record TradeSetting(
         "--mode ray",
         scene,
         settings,
-        s -> new RayTracer(s, settings.reflectionTraceDepth(), settings.refractionTraceDepth()),
+        s -> Integrator.of(s, settings.toBuilder().mode(RenderSettings.Mode.RAY).build()),
         SobolSampler::new);
   }
 

@@ -123,7 +123,7 @@ public final class TradeSweep {
               "",
               scene,
               settings,
-              s -> new PathTracer(s, USUAL),
+              s -> new PathTracer(s, USUAL.transparent(settings.transparent())),
               IndependentSampler::new));
     }
     if (knobs.contains("lights") && scene.scene().emitters().size() > 1) {
