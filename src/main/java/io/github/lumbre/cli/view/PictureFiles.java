@@ -10,11 +10,13 @@ import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * Makes the files that the browser saves: the picture as PNG with the look of the page, or as
@@ -23,7 +25,7 @@ import java.util.Optional;
  * @param viewed the path of the file that is viewed
  */
 record PictureFiles(Path viewed) {
-  private static final double MOST_STOPS = 64;
+  private static final long MOST_STOPS = 64;
 
   /** Returns the file of a frame. */
   Answer of(Frame frame, Optional<SceneFile> scene, ViewSession session, Query query)
@@ -60,21 +62,23 @@ record PictureFiles(Path viewed) {
   }
 
   private static Exposure exposure(Query query) {
-    String text = query.text("exposure").orElse("0");
-    if (text.equals("auto")) {
-      return Exposure.AUTO;
-    }
-    double stops = Double.parseDouble(text);
-    if (!(Math.abs(stops) <= MOST_STOPS)) {
-      throw new IllegalArgumentException("exposure: expected -64 to 64, found " + text);
-    }
-    return Exposure.of(stops);
+    return query.text("exposure").equals(Optional.of("auto"))
+        ? Exposure.AUTO
+        : Exposure.of(query.decimal("exposure", -MOST_STOPS, MOST_STOPS, 0));
   }
 
   private static ToneCurve curve(Query query) {
     String text = query.text("tone").orElse(ToneCurve.SRGB.label());
     return ToneCurve.of(text)
-        .orElseThrow(() -> new IllegalArgumentException("tone: found an unknown curve"));
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    "tone: expected one of %s, found %s"
+                        .formatted(
+                            Arrays.stream(ToneCurve.values())
+                                .map(ToneCurve::label)
+                                .collect(Collectors.joining(", ")),
+                            text)));
   }
 
   private static byte[] exr(Frame frame, ImageWriter.Options options) throws IOException {

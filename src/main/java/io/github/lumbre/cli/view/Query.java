@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 
 /** The parameters of a request by name. */
 record Query(Map<String, String> values) {
@@ -35,17 +36,31 @@ record Query(Map<String, String> values) {
   /**
    * Returns a whole number.
    *
-   * @throws IllegalArgumentException if it is not a number in the range
+   * @throws IllegalArgumentException if it is not a whole number in the range
    */
   long number(String name, long low, long high, long fallback) {
+    return (long) value(name, low, high, fallback, Long::parseLong);
+  }
+
+  /**
+   * Returns a number.
+   *
+   * @throws IllegalArgumentException if it is not a number in the range
+   */
+  double decimal(String name, long low, long high, double fallback) {
+    return value(name, low, high, fallback, Double::parseDouble);
+  }
+
+  private double value(
+      String name, long low, long high, double fallback, ToDoubleFunction<String> parser) {
     if (!values.containsKey(name)) {
       return fallback;
     }
     String found = values.get(name);
     try {
-      long number = Long.parseLong(found);
-      if (number >= low && number <= high) {
-        return number;
+      double value = parser.applyAsDouble(found);
+      if (value >= low && value <= high) {
+        return value;
       }
     } catch (NumberFormatException e) {
       // The message below is about any wrong value.
@@ -56,6 +71,6 @@ record Query(Map<String, String> values) {
 
   private static IllegalArgumentException wrong(String name, long low, long high, String found) {
     return new IllegalArgumentException(
-        name + ": expected " + low + " to " + high + ", found " + found);
+        "%s: expected a number from %d to %d, found %s".formatted(name, low, high, found));
   }
 }

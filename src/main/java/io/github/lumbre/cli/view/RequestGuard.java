@@ -21,6 +21,7 @@ record RequestGuard(String token) {
   private static final Set<String> HOSTS = Set.of("127.0.0.1", "localhost", "[::1]");
 
   private static final Set<String> OWN_SITES = Set.of("same-origin", "none");
+  private static final Set<String> READING = Set.of("GET", "HEAD");
   private static final int TOKEN_BYTES = 16;
 
   /** A refusal: an HTTP status and a text for people. */
@@ -60,8 +61,8 @@ record RequestGuard(String token) {
       return refused(403, "expected a request of the page itself");
     }
     boolean isPost = request.method().equals("POST");
-    if (!isPost && !request.method().equals("GET")) {
-      return refused(405, "expected GET or POST");
+    if (!isPost && !READING.contains(request.method())) {
+      return refused(405, "expected GET, HEAD or POST");
     }
     if (isPost && request.origin().isEmpty()) {
       return refused(403, "expected an Origin");

@@ -82,7 +82,7 @@ final class ViewRoutes {
   }
 
   /** Work that takes time. */
-  private interface Work {
+  interface Work {
     Answer run() throws InterruptedException, IOException;
   }
 
@@ -217,7 +217,8 @@ final class ViewRoutes {
     try {
       act(object(body));
     } catch (UnsupportedOperationException | IllegalStateException e) {
-      throw new IllegalArgumentException("expected other kinds of values", e);
+      throw new IllegalArgumentException(
+          "action and layer: expected texts; still: expected true or false", e);
     }
     return Answer.json("{}");
   }

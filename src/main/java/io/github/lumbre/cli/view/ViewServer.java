@@ -11,7 +11,8 @@ import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
@@ -26,13 +27,23 @@ public final class ViewServer implements AutoCloseable {
   /** The longest address of a request. */
   static final int MAX_ADDRESS = 2048;
 
-  private static final int THREADS = 8;
-  private static final int QUEUE = 32;
-  private static final int BACKLOG = 16;
+  /**
+   * The largest number of connections whose request is read or answered; others are closed. The
+   * JDK's server reads a request in the thread that answers it, so that a client that sends half a
+   * request holds a thread until its time is over.
+   */
+  private static final int MAX_CONNECTIONS = 256;
+
+  /** The largest number of answers that are computed at once. */
+  private static final int MAX_WORK = 8;
+
+  private static final int BACKLOG = 128;
 
   static {
-    // Limits of the JDK's server, in seconds; without nodelay, each answer waits for 40 ms.
-    System.setProperty("sun.net.httpserver.maxReqTime", "20");
+    // Limits of the JDK's server, in seconds, and how often it checks those of requests and
+    // answers, in milliseconds. Without nodelay, each answer waits for 40 ms.
+    System.setProperty("sun.net.httpserver.maxReqTime", "1");
+    System.setProperty("sun.net.httpserver.timerMillis", "250");
     System.setProperty("sun.net.httpserver.maxRspTime", "120");
     System.setProperty("sun.net.httpserver.idleInterval", "60");
     System.setProperty("sun.net.httpserver.maxReqHeaders", "64");
@@ -43,6 +54,7 @@ public final class ViewServer implements AutoCloseable {
   private final ThreadPoolExecutor threads;
   private final RequestGuard guard;
   private final ViewRoutes routes;
+  private final Semaphore work = new Semaphore(MAX_WORK);
 
   private ViewServer(HttpServer server, RequestGuard guard, ViewRoutes routes) {
     this.server = server;
@@ -50,11 +62,11 @@ public final class ViewServer implements AutoCloseable {
     this.routes = routes;
     threads =
         new ThreadPoolExecutor(
-            THREADS,
-            THREADS,
+            0,
+            MAX_CONNECTIONS,
             1,
             TimeUnit.MINUTES,
-            new ArrayBlockingQueue<>(QUEUE),
+            new SynchronousQueue<>(),
             task -> {
               Thread thread = new Thread(task, "lumbre-page");
               thread.setDaemon(true);
@@ -104,10 +116,16 @@ public final class ViewServer implements AutoCloseable {
       exchange.getResponseHeaders().set("X-Content-Type-Options", "nosniff");
       exchange.getResponseHeaders().set("Referrer-Policy", "no-referrer");
       exchange.getResponseHeaders().set("Cross-Origin-Resource-Policy", "same-origin");
-      exchange.sendResponseHeaders(
-          answer.status(), answer.body().length == 0 ? -1 : answer.body().length);
-      try (OutputStream out = exchange.getResponseBody()) {
-        out.write(answer.body());
+      int length = answer.body().length;
+      boolean isHead = exchange.getRequestMethod().equals("HEAD");
+      if (isHead) {
+        exchange.getResponseHeaders().set("Content-Length", String.valueOf(length));
+      }
+      exchange.sendResponseHeaders(answer.status(), isHead || length == 0 ? -1 : length);
+      if (!isHead) {
+        try (OutputStream out = exchange.getResponseBody()) {
+          out.write(answer.body());
+        }
       }
     }
   }
@@ -133,19 +151,37 @@ public final class ViewServer implements AutoCloseable {
     if (body.length > MAX_BODY) {
       return Answer.refused(413, "expected at most " + MAX_BODY + " bytes");
     }
-    String rest = guard.rest(path);
+    return exchange.getRequestMethod().equals("POST")
+        ? computed(() -> routes.post(guard.rest(path), new String(body, StandardCharsets.UTF_8)))
+        : computed(
+            () ->
+                routes.get(
+                    guard.rest(path), Query.of(Optional.ofNullable(uri.getRawQuery()).orElse(""))));
+  }
+
+  /** Computes an answer to a request that is read and accepted, a few at a time. */
+  private Answer computed(ViewRoutes.Work question) throws IOException {
     try {
-      return exchange.getRequestMethod().equals("POST")
-          ? routes.post(rest, new String(body, StandardCharsets.UTF_8))
-          : routes.get(rest, Query.of(Optional.ofNullable(uri.getRawQuery()).orElse("")));
+      work.acquire();
+    } catch (InterruptedException e) {
+      return ended();
+    }
+    try {
+      return question.run();
     } catch (IllegalArgumentException e) {
       return Answer.refused(400, String.valueOf(e.getMessage()));
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return Answer.refused(503, "the program ends");
+      return ended();
     } catch (OutOfMemoryError e) {
       return Answer.refused(503, "not enough memory for this answer");
+    } finally {
+      work.release();
     }
+  }
+
+  private static Answer ended() {
+    Thread.currentThread().interrupt();
+    return Answer.refused(503, "the program ends");
   }
 
   private static Optional<String> header(HttpExchange exchange, String name) {
