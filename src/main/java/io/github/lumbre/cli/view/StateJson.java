@@ -5,6 +5,7 @@ import com.google.gson.JsonObject;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.List;
@@ -85,7 +86,23 @@ final class StateJson {
     json.addProperty("secondsLeft", state.secondsLeft().orElse(-1));
     json.add("recorded", texts(state.layers().stream()));
     json.add("errors", errors(state.errors()));
+    json.addProperty("estimatedAt", estimatedAt(state, pixels));
     return json;
+  }
+
+  /**
+   * Returns of how many samples per pixel the last error estimate is, as {@code at 4 samples};
+   * empty if the picture has no more than those. Errors are estimated between passes, and a pass
+   * may take minutes.
+   */
+  private static String estimatedAt(Snapshot state, long pixels) {
+    if (state.errors().isEmpty()) {
+      return "";
+    }
+    double samples = state.errors().get(state.errors().size() - 1).samples();
+    return Math.round(samples * pixels) < state.samples()
+        ? "at " + Markdown.count(Math.round(samples), "sample")
+        : "";
   }
 
   private static JsonArray errors(List<ErrorPoint> points) {

@@ -399,7 +399,7 @@
     $('time').textContent = duration(r.seconds);
     $('left').textContent = state.status === 'finished' ? '–' : r.secondsLeft < 0 ? '–' : duration(r.secondsLeft);
     const last = r.errors[r.errors.length - 1];
-    $('error').textContent = last ? percent(last[2]) : '–';
+    $('error').textContent = last ? `${percent(last[2])} ${r.estimatedAt}`.trim() : '–';
     $('bound').textContent = last ? percent(last[3]) : '–';
     drawChart($('chart'), r.errors);
   };
