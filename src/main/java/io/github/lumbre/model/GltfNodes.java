@@ -19,7 +19,7 @@ final class GltfNodes {
    * Reads the nodes.
    *
    * @param lights number of punctual lights in the file
-   * @throws ModelFormatException if a node has two parents, or is its own ancestor
+   * @throws ModelFormatException if a node is damaged
    */
   GltfNodes(GltfDocument document, int lights) throws ModelFormatException {
     this.document = document;
@@ -42,23 +42,27 @@ final class GltfNodes {
     return nodes.size();
   }
 
-  private int[] parents() throws ModelFormatException {
+  private int[] parents() {
     int[] found = new int[nodes.size()];
     Arrays.fill(found, NONE);
     for (int i = 0; i < found.length; i++) {
       int[] children = nodes.get(i).children();
       for (int k = 0; k < children.length; k++) {
         int child = children[k];
-        if (found[child] != NONE) {
-          throw new ModelFormatException(
-              Kind.MALFORMED,
-              nodes.get(i).location() + ".children[" + k + "]",
-              "expected a node without a parent, found "
-                  + child
-                  + ", a child of node "
-                  + found[child]);
+        if (found[child] == NONE) {
+          found[child] = i;
+        } else {
+          document
+              .warnings()
+              .add(
+                  "a node is listed as a child again",
+                  nodes.get(i).location() + ".children[" + k + "]",
+                  "expected a node without a parent, found "
+                      + child
+                      + ", a child of node "
+                      + found[child]
+                      + "; it is shown there");
         }
-        found[child] = i;
       }
     }
     return found;
@@ -74,10 +78,11 @@ final class GltfNodes {
     GltfMatrix[] placed = new GltfMatrix[nodes.size()];
     int[] depths = new int[nodes.size()];
     int[] queue = new int[nodes.size()];
+    boolean[] seen = new boolean[nodes.size()];
     int end = 0;
     for (int i = 0; i < queue.length; i++) {
       if (parents[i] == NONE) {
-        queue[end++] = i;
+        end = append(i, queue, end, seen);
       }
     }
     for (int begin = 0; begin < end; begin++) {
@@ -87,9 +92,7 @@ final class GltfNodes {
       placed[node] = parent == NONE ? local : placed[parent].times(local);
       depths[node] = parent == NONE ? 1 : depths[parent] + 1;
       GltfBudget.require(nodes.get(node).location(), "levels", GltfBudget.MAX_DEPTH, depths[node]);
-      for (int child : nodes.get(node).children()) {
-        queue[end++] = child;
-      }
+      end = appendChildren(node, queue, end, seen);
     }
     for (int i = 0; i < placed.length; i++) {
       if (placed[i] == null) {
@@ -110,19 +113,40 @@ final class GltfNodes {
 
   /** Returns the nodes of the default scene, else of the first one, else all, by their indices. */
   int[] visible() throws ModelFormatException {
-    int[] roots = roots();
-    int[] queue = Arrays.copyOf(roots, nodes.size());
-    int end = roots.length;
+    int[] queue = new int[nodes.size()];
+    boolean[] seen = new boolean[nodes.size()];
+    int end = 0;
+    for (int root : roots()) {
+      end = append(root, queue, end, seen);
+    }
     for (int begin = 0; begin < end; begin++) {
-      for (int child : nodes.get(queue[begin]).children()) {
-        queue[end++] = child;
-      }
+      end = appendChildren(queue[begin], queue, end, seen);
     }
     int[] visible = Arrays.copyOf(queue, end);
     Arrays.sort(visible);
     return visible;
   }
 
+  /** Adds a node to a queue unless it was there, and returns the new end of the queue. */
+  private static int append(int node, int[] queue, int end, boolean[] seen) {
+    if (seen[node]) {
+      return end;
+    }
+    seen[node] = true;
+    queue[end] = node;
+    return end + 1;
+  }
+
+  private int appendChildren(int node, int[] queue, int end, boolean[] seen) {
+    int newEnd = end;
+    for (int child : nodes.get(node).children()) {
+      // A node is shown below its first parent alone.
+      newEnd = parents[child] == node ? append(child, queue, newEnd, seen) : newEnd;
+    }
+    return newEnd;
+  }
+
+  /** Returns the nodes that the scene lists; some exporters also list the children of others. */
   private int[] roots() throws ModelFormatException {
     List<GltfJson> scenes = document.section("scenes");
     OptionalInt number = document.root().index("scene", scenes.size());
@@ -135,11 +159,15 @@ final class GltfNodes {
     for (int i = 0; i < roots.length; i++) {
       int node = roots[i];
       if (parents[node] != NONE || seen[node]) {
-        throw scene.malformed(
-            "nodes[" + i + "]",
-            seen[node]
-                ? "expected each node once, found " + node + " again"
-                : "expected a root node, found " + node + ", a child of node " + parents[node]);
+        document
+            .warnings()
+            .add(
+                "a node is listed that is shown anyway",
+                scene.location("nodes[" + i + "]"),
+                seen[node]
+                    ? "expected each node once, found " + node + " again; it is shown once"
+                    : "expected a root node, found %d, a child of node %d; it is shown once"
+                        .formatted(node, parents[node]));
       }
       seen[node] = true;
     }

@@ -127,16 +127,6 @@ class GltfErrorsTest {
             + " | nodes[0]: expected a node that is not below itself, found a cycle",
         "'nodes': [{'children': [0]}]"
             + " | nodes[0]: expected a node that is not below itself, found a cycle",
-        "'nodes': [{'children': [2]}, {'children': [2]}, {}]"
-            + " | nodes[1].children[0]: expected a node without a parent, found 2, a child of node"
-            + " 0",
-        "'nodes': [{'children': [1, 1]}, {}]"
-            + " | nodes[0].children[1]: expected a node without a parent, found 1, a child of node"
-            + " 0",
-        "'nodes': [{'children': [1]}, {}], 'scenes': [{'nodes': [0, 1]}]"
-            + " | scenes[0].nodes[1]: expected a root node, found 1, a child of node 0",
-        "'nodes': [{}], 'scenes': [{'nodes': [0, 0]}]"
-            + " | scenes[0].nodes[1]: expected each node once, found 0 again",
         "'scenes': [{}], 'scene': 1 | scene: expected 0 to 0, found 1",
         "'nodes': [{'rotation': [0, 0, 0, 0]}]"
             + " | nodes[0].rotation: expected a unit quaternion, found zeros",

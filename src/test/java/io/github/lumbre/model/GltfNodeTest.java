@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the hierarchy of nodes in glTF. */
@@ -72,6 +73,37 @@ class GltfNodeTest {
     List<ModelPart> parts = file.read().parts();
     assertThat(parts.get(0).geometry()).isSameAs(parts.get(1).geometry());
     assertThat(parts.get(0).material()).isSameAs(parts.get(1).material());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        // UniGLTF lists all nodes.
+        "[1]|[]|[0, 1, 2]|scenes[0].nodes[1]: expected a root node, found 1, a child of node 0;",
+        "[1]|[]|[2, 1, 0]|scenes[0].nodes[1]: expected a root node, found 1, a child of node 0;",
+        "[1]|[]|[1, 2]|scenes[0].nodes[0]: expected a root node, found 1, a child of node 0;",
+        "[1]|[]|[0, 2, 0]|scenes[0].nodes[2]: expected each node once, found 0 again;",
+        "[1, 1]|[]|[0, 2]|nodes[0].children[1]: expected a node without a parent, found 1, a child"
+            + " of node 0;",
+        "[1]|[1]|[0, 2]|nodes[2].children[0]: expected a node without a parent, found 1, a child"
+            + " of node 0;"
+      })
+  void nodesThatAreListedAgainAreShownOnce(
+      String children, String others, String roots, String warning)
+      throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'translation': [5, 0, 0], 'children': " + children + "}");
+    node("{'mesh': 0, 'translation': [1, 0, 0]}");
+    node("{'mesh': 0, 'translation': [0, 2, 0], 'children': " + others + "}");
+    file.add("scenes", "{'nodes': " + roots + "}");
+    Model model = file.read();
+    assertThat(model.parts())
+        .extracting(part -> part.toWorld().point(Vec3.ZERO))
+        .containsExactly(new Vec3(6, 0, 0), new Vec3(0, 2, 0));
+    assertThat(model.warnings()).hasSize(1);
+    assertThat(model.warnings().get(0)).startsWith(warning);
   }
 
   private void threeScenes() {
