@@ -24,11 +24,11 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.StandardOutput;
 import io.github.lumbre.cli.run.Deadline;
-import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
@@ -46,7 +46,6 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.stopping.Budget;
-import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -54,6 +53,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -97,7 +97,7 @@ import picocli.CommandLine.Spec;
       "2:The command line is invalid",
       "3:The scene is missing, unreadable or invalid",
       "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the memory is exceeded, or --timeout ended before anything was rendered",
+      "5:A limit or the memory is exceeded, or --timeout ended before a picture was begun",
       "6:The picture or the checkpoint file cannot be written",
       "7:Internal error, or rejected samples under --strict",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; a started render is saved"
@@ -196,23 +196,50 @@ final class RenderCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    if (turntable.isEmpty()) {
-      JsonSummary report = new JsonSummary("render", options.scene());
-      return run.summarized(report, () -> run(report));
+    Instant start = BudgetFlags.start();
+    Duration startup = Duration.between(start, Instant.now());
+    Deadline deadline = run.deadline();
+    List<Path> targets = targets();
+    int code = ExitCodes.OK;
+    try (Interruption interruption = Interruption.listen();
+        Frames frames = new Frames(targets, interruption, deadline)) {
+      Course course = new Course(start, startup, deadline, interruption, frames);
+      for (int i = 0; i < targets.size() && code <= ExitCodes.WARNINGS; i++) {
+        if (turntable.isPresent()) {
+          options.turn(360. * i / turntable.get());
+        }
+        JsonSummary report = new JsonSummary("render", options.scene());
+        JsonSummary.Action frame = () -> frames.render(report, () -> run(report, course));
+        code = Math.max(code, run.summarized(report, frame));
+      }
     }
-    new FlagChecks(spec).requireIn("--turntable", 1, 10_000, turntable.get());
+    return code;
+  }
+
+  /**
+   * What the frames of the command share.
+   *
+   * @param startup time between the start and the first line of the command
+   */
+  private record Course(
+      Instant start,
+      Duration startup,
+      Deadline deadline,
+      Interruption interruption,
+      Frames frames) {}
+
+  /** Returns the paths of all pictures. */
+  private List<Path> targets() {
+    if (turntable.isEmpty()) {
+      return List.of(target());
+    }
+    int count = turntable.get();
+    new FlagChecks(spec).requireIn("--turntable", 1, 10_000, count);
     require(
         ModelSetup.isModel(options.scene()) && checkpoint.isEmpty() && !isStandardOutput(),
         "--turntable: requires a model file, and cannot be combined with --checkpoint or -o -");
     Path first = target();
-    int code = ExitCodes.OK;
-    for (int i = 0; i < turntable.get() && code <= ExitCodes.WARNINGS; i++) {
-      options.turn(360. * i / turntable.get());
-      output = Optional.of(numbered(first, i));
-      JsonSummary report = new JsonSummary("render", options.scene());
-      code = Math.max(code, run.summarized(report, () -> run(report)));
-    }
-    return code;
+    return IntStream.range(0, count).mapToObj(i -> numbered(first, i)).toList();
   }
 
   private static Path numbered(Path path, int number) {
@@ -222,12 +249,53 @@ final class RenderCommand implements Callable<Integer> {
         "%s-%03d%s".formatted(name.substring(0, dot), number, name.substring(dot)));
   }
 
-  private int run(JsonSummary report) throws SceneFormatException, TaskException {
+  /** Renders one frame. */
+  private int run(JsonSummary report, Course course) throws SceneFormatException, TaskException {
+    Frames frames = course.frames;
+    if (frames.isEmpty()) {
+      validate();
+      requireStreams();
+      reserve(frames);
+    }
+    Instant begin = frames.isSingle() ? course.start : Instant.now();
+    Messages messages = run.errors();
+    try (FilmKeeper keeper = keeper(messages);
+        RenderMonitor monitor = run.monitor(course.interruption, course.deadline)) {
+      SceneFile file = monitor.reading(options.scene(), () -> options.load(parser(), messages));
+      if (dryRun) {
+        return estimate(file, report);
+      }
+      MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+      frames.picture().requireFits(file.settings());
+      require(
+          file.settings().samples() > 1 || !frames.denoised().needsNoise(),
+          "--denoise: the built-in denoiser expects at least 2 samples per pixel (-s), found 1");
+      // The first frame of several takes longest to read: all of them share that time.
+      Instant from = frames.isFirst() && !frames.isSingle() ? Instant.now() : begin;
+      RunBudget budget =
+          budgets.since(
+              from,
+              course.startup,
+              budgets.share(course.start, from, frames.left()),
+              file.settings(),
+              quality.targetError(),
+              Budget.CONFIDENCE);
+      RenderJob job = job(file, frames.picture(), keeper, monitor, budget, report);
+      course.interruption.requireRender();
+      return DisplayedEngine.showing(
+          display.address(),
+          job.denoising(frames.denoised()),
+          shown -> shown.run(flags.firstSample()));
+    }
+  }
+
+  /** Checks all flags before anything is read. */
+  private void validate() {
     flags.validate();
     budgets.validate();
     checkpoints.validate();
     kernel.validate();
-    Optional<InetSocketAddress> viewer = display.address();
+    display.address();
     require(
         !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
         "--adaptive: cannot be combined with --checkpoint, --samples-from or --samples-to, because"
@@ -244,38 +312,24 @@ final class RenderCommand implements Callable<Integer> {
         "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"
             + " the clamped energy");
     require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
-    Deadline deadline = run.deadline();
-    Instant start = BudgetFlags.start();
-    Duration startup = Duration.between(start, Instant.now());
     new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
-    requireStreams();
-    Path target = target();
+  }
+
+  /** Checks and reserves the files of all pictures. */
+  private void reserve(Frames frames) throws TaskException {
+    Path target = frames.targets().get(0);
     require(
         !flags.hasLayers() || checkpoint.isPresent() || holdsLayers(target),
         "--layers: expected an .exr picture (-o) or --checkpoint, which hold layers, found "
             + target);
     requireDenoising(target);
-    checkOutputs(target);
+    checkOutputs(frames.targets());
     Optional<Denoising> denoising = denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
-    Messages messages = run.errors();
-    try (PictureOutput picture = picture(target);
-        DenoisedPicture denoised =
-            DenoisedPicture.reserve(denoising, target, checkpoints.fallback());
-        FilmKeeper keeper = keeper(messages);
-        Interruption interruption = Interruption.listen();
-        RenderMonitor monitor = run.monitor(interruption, deadline)) {
-      SceneFile file = monitor.reading(options.scene(), () -> options.load(parser(), messages));
-      if (dryRun) {
-        return estimate(file, report);
-      }
-      MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
-      picture.requireFits(file.settings());
-      requireNoise(denoising, file);
-      RunBudget budget =
-          budgets.since(start, startup, file.settings(), quality.targetError(), Budget.CONFIDENCE);
-      RenderJob job = job(file, picture, keeper, monitor, budget, report).denoising(denoised);
-      interruption.requireRender();
-      return DisplayedEngine.showing(viewer, job, shown -> shown.run(flags.firstSample()));
+    if (isStandardOutput()) {
+      frames.reserve(
+          PictureOutput.toStandardOutput(format.orElse(ImageFormat.PNG), checkpoints.fallback()));
+    } else {
+      frames.reserve(denoising, checkpoints.fallback());
     }
   }
 
@@ -286,13 +340,6 @@ final class RenderCommand implements Callable<Integer> {
           "--denoise: expected a file (-o), found " + target + "; the noisy picture is kept too");
       flags.recordForDenoising();
     }
-  }
-
-  private void requireNoise(Optional<Denoising> denoising, SceneFile file) {
-    boolean hasHalves = file.settings().samples() > 1;
-    require(
-        hasHalves || denoising.filter(Denoising::needsNoise).isEmpty(),
-        "--denoise: the built-in denoiser expects at least 2 samples per pixel (-s), found 1");
   }
 
   private SceneParser parser() {
@@ -378,19 +425,15 @@ final class RenderCommand implements Callable<Integer> {
         "-o -: standard output is a terminal; expected a file or a pipe");
   }
 
-  private PictureOutput picture(Path target) throws TaskException {
-    return isStandardOutput()
-        ? PictureOutput.toStandardOutput(format.orElse(ImageFormat.PNG), checkpoints.fallback())
-        : PictureOutput.reserve(target, checkpoints.fallback());
-  }
-
-  private void checkOutputs(Path target) throws TaskException {
+  private void checkOutputs(List<Path> targets) throws TaskException {
     OutputGuard guard = options.guardedBy(overwrite.guard());
-    if (!isStandardOutput()) {
-      guard.writes("-o", target, OutputContent.PICTURE);
-    }
-    if (denoise) {
-      guard.writes("-o", Denoising.beside(target), OutputContent.PICTURE);
+    for (Path target : targets) {
+      if (!isStandardOutput()) {
+        guard.writes("-o", target, OutputContent.PICTURE);
+      }
+      if (denoise) {
+        guard.writes("-o", Denoising.beside(target), OutputContent.PICTURE);
+      }
     }
     // An existing checkpoint file is rejected later, with the advice to resume it.
     checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));

@@ -239,7 +239,7 @@ final class ResumeCommand implements Callable<Integer> {
               + ": was rendered without a sample limit; expected --samples, --time or"
               + " --target-error");
     }
-    return budgets.since(start, startup, settings, error, notes.confidence());
+    return budgets.since(start, startup, budgets.time(), settings, error, notes.confidence());
   }
 
   private Path target(FilmNotes notes) throws TaskException {

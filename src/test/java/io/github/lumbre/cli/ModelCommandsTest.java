@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.parser.ModelSetup.View;
 import java.awt.image.BufferedImage;
@@ -224,6 +225,48 @@ class ModelCommandsTest {
   }
 
   @Test
+  void framesShareTheTimeOfTheCommand() {
+    Outcome outcome =
+        run("render T/sample.glb --turntable 4 --size 24x18 --time 4s --json -o T/a.pfm");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    double[] seconds =
+        outcome
+            .out()
+            .lines()
+            .map(line -> JsonParser.parseString(line).getAsJsonObject())
+            .mapToDouble(frame -> frame.get("seconds").getAsDouble())
+            .toArray();
+    assertThat(seconds).hasSize(4);
+    assertThat(Arrays.stream(seconds).min().orElseThrow())
+        .isGreaterThan(Arrays.stream(seconds).max().orElseThrow() / 10);
+  }
+
+  @Test
+  void oneTimeoutEndsAllFrames() throws IOException {
+    Outcome outcome =
+        run("render T/sample.glb --turntable 3 --size 24x18 -s 100000000 --timeout 2s -o T/a.pfm");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.LIMIT);
+    assertThat(outcome.err().replace(directory + "/", ""))
+        .endsWith(
+            "lumbre: --timeout: the time ended after 0 of 3 frames: a-000.pfm is partial,"
+                + " a-001.pfm to a-002.pfm are not rendered\n");
+    assertThat(directory.resolve("a-000.pfm")).exists();
+    assertThat(directory.resolve("a-001.pfm")).doesNotExist();
+  }
+
+  @Test
+  void foreignFilesAmongTheFramesAreFoundFirst() throws IOException {
+    Files.writeString(directory.resolve("a-002.pfm"), "a letter");
+    run("render T/sample.glb --turntable 3 -o T/a.pfm" + SMALL)
+        .assertFailed(ExitCodes.OUTPUT, "a-002.pfm: exists and is not a PNG");
+    Files.delete(directory.resolve("a-002.pfm"));
+    Files.createDirectory(directory.resolve("a-002.pfm"));
+    run("render T/sample.glb --turntable 3 -o T/a.pfm" + SMALL)
+        .assertFailed(ExitCodes.OUTPUT, "a-002.pfm: is a directory");
+    assertThat(directory.resolve("a-000.pfm")).doesNotExist();
+  }
+
+  @Test
   void reportsNameNodesAndMaterials() {
     Outcome pixel = run("pixel T/sample.glb 12,9 --size 24x18 -s 4 --sample 0");
     assertThat(pixel.out()).contains("nodes[0]", "body", "materials[0]", "paint");
@@ -299,8 +342,12 @@ class ModelCommandsTest {
 
   @Test
   void missingAndDamagedModelsAreLocated() throws IOException {
-    run("render T/none.glb -o T/a.png").assertFailed(
-        ExitCodes.SCENE, "none.glb: ", "found none at \"", directory.resolve("none.glb") + "\"");
+    run("render T/none.glb -o T/a.png")
+        .assertFailed(
+            ExitCodes.SCENE,
+            "none.glb: ",
+            "found none at \"",
+            directory.resolve("none.glb") + "\"");
     ModelSample.writeWith(directory, "\"mesh\": 0", "\"mesh\": 7");
     for (String command : new String[] {"render", "check", "audit", "import"}) {
       run(command + " T/sample.glb")

@@ -19,6 +19,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the launcher in a terminal: the progress bar, Ctrl-C, Ctrl-Z and a closed window. */
 class TerminalIT {
@@ -298,6 +300,26 @@ class TerminalIT {
       assertThat(String.join("\n", terminal.screen())).contains("a.png: stopped early");
     }
     assertThat(directory.resolve("a.png")).exists();
+    assertNothingLeftBehind();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"INT, 130", "TERM, 143", "HUP, 129"})
+  void signalsEndATurntableAfterThePartialFrame(String name, int code)
+      throws IOException, InterruptedException {
+    ModelSample.write(directory);
+    String frames = " --turntable 3 --size 64x48 -s " + ENDLESS + " -o a.png";
+    try (PseudoTerminal terminal = lumbre(200, "render sample.glb" + frames)) {
+      awaitBar(terminal);
+      signal(name);
+      assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(code);
+      assertThat(terminal.screen())
+          .contains(
+              "lumbre: stopped after 0 of 3 frames: a-000.png is partial,"
+                  + " a-001.png to a-002.png are not rendered");
+    }
+    assertThat(directory.resolve("a-000.png")).exists();
+    assertThat(directory.resolve("a-001.png")).doesNotExist();
     assertNothingLeftBehind();
   }
 

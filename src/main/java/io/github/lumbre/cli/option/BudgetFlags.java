@@ -27,8 +27,8 @@ public final class BudgetFlags {
       converter = FlagConverters.OfDuration.class,
       description =
           "Take as many samples as fit into this time, loading and saving included (in 'view':"
-              + " rendering alone), but at least 1 per pixel: 90s, 5m, 2h. Without --samples, the"
-              + " number of samples is unlimited.")
+              + " rendering alone), but at least 1 per pixel: 90s, 5m, 2h. Frames share the time."
+              + " Without --samples, the number of samples is unlimited.")
   Optional<Duration> time = Optional.empty();
 
   @Option(
@@ -74,6 +74,17 @@ public final class BudgetFlags {
     return time;
   }
 
+  /**
+   * Returns the share of one of the frames of this command in what is left of its time limit.
+   *
+   * @param start of the command
+   * @param begin start of the frame
+   * @param frames number of frames that are left, at least 1
+   */
+  public Optional<Duration> share(Instant start, Instant begin, int frames) {
+    return time.map(t -> t.minus(Duration.between(start, begin)).dividedBy(frames));
+  }
+
   /** Returns the target error; empty if there is none. */
   public OptionalDouble targetError() {
     return targetError.isPresent() ? OptionalDouble.of(targetError.get()) : OptionalDouble.empty();
@@ -93,19 +104,22 @@ public final class BudgetFlags {
    * Returns the budget of a command that has already started.
    *
    * @param startup time between the start and the first line of the command
+   * @param limit time limit from the start; empty if there is none
    * @param error target error if the flags set none
    * @param confidence confidence level if the flags set none
    */
   public RunBudget since(
       Instant start,
       Duration startup,
+      Optional<Duration> limit,
       RenderSettings settings,
       OptionalDouble error,
       double confidence) {
     OptionalDouble target = targetError.isPresent() ? OptionalDouble.of(targetError.get()) : error;
     Budget budget = new Budget(settings.samples(), target, sureness.orElse(confidence));
     Duration spent = Duration.between(start, Instant.now());
-    Optional<Duration> left = time.map(t -> RunBudget.rendering(t, startup, settings).minus(spent));
+    Optional<Duration> left =
+        limit.map(t -> RunBudget.rendering(t, startup, settings).minus(spent));
     return new RunBudget(budget, Deadline.after(left));
   }
 }

@@ -31,7 +31,7 @@ public final class RunFlags {
       description = {
         "Stop after this time, loading included: 90s, 5m, 2h. The unfinished picture is written"
             + " and",
-        "marked as partial; exit code 5 if nothing was rendered."
+        "marked as partial; exit code 5 if a picture was not begun."
       })
   Optional<Duration> timeout;
 
@@ -103,7 +103,9 @@ public final class RunFlags {
   /** Runs a command, prints its JSON summary under {@code --json}, and returns its exit code. */
   public int summarized(JsonSummary report, JsonSummary.Action action)
       throws SceneFormatException, TaskException {
-    return json ? report.around(() -> printed(report, action.run()), out()) : action.run();
+    return json
+        ? report.around(() -> printed(report, action.run()), out(), Interruption::exitCode)
+        : action.run();
   }
 
   private int printed(JsonSummary report, int ofCommand) {

@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntUnaryOperator;
 import java.util.function.Supplier;
 import picocli.CommandLine.ParameterException;
 
@@ -61,12 +62,22 @@ public final class JsonSummary {
    * @throws ParameterException without a summary, if the command line is invalid
    */
   public int around(Action action, Messages out) throws SceneFormatException, TaskException {
+    return around(action, out, IntUnaryOperator.identity());
+  }
+
+  /**
+   * Runs a command as {@link #around(Action, Messages)} does.
+   *
+   * @param ofProgram exit code of the program, given that of the failure
+   */
+  public int around(Action action, Messages out, IntUnaryOperator ofProgram)
+      throws SceneFormatException, TaskException {
     try {
       return action.run();
     } catch (ParameterException e) {
       throw e;
     } catch (SceneFormatException | TaskException | RuntimeException | Error e) {
-      values.put("exit_code", Failures.exitCode(e));
+      values.put("exit_code", ofProgram.applyAsInt(Failures.exitCode(e)));
       values.put("problems", Failures.problems(e));
       print(out);
       throw e;
@@ -129,6 +140,11 @@ public final class JsonSummary {
     values.put("checkpoint_copy_bytes", estimate.copyBytes());
     values.put("max_heap_bytes", estimate.maxHeapBytes());
     values.put("fits", estimate.fits());
+  }
+
+  /** Returns whether the added result is a partial picture. */
+  public boolean isPartial() {
+    return Boolean.FALSE.equals(values.get("complete"));
   }
 
   /**

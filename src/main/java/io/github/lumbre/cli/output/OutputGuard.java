@@ -9,7 +9,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -116,9 +119,10 @@ public final class OutputGuard {
         requireDifferent(output, input);
       }
     }
-    for (int i = 1; i < outputs.size(); i++) {
-      for (Output other : outputs.subList(0, i)) {
-        requireDifferent(outputs.get(i), other);
+    Map<Object, Output> written = new HashMap<>();
+    for (Output output : outputs) {
+      for (Object identity : PictureOutput.identities(output.path)) {
+        requireFirst(output, Optional.ofNullable(written.putIfAbsent(identity, output)));
       }
     }
     checkAssets();
@@ -163,14 +167,17 @@ public final class OutputGuard {
     }
   }
 
-  private static void requireDifferent(Output output, Output other) throws TaskException {
-    if (PictureOutput.isSame(output.path, other.path)) {
+  /**
+   * @param other output that leads to the same file
+   */
+  private static void requireFirst(Output output, Optional<Output> other) throws TaskException {
+    if (other.isPresent() && other.get() != output) {
       throw refused(
           output.path
               + ": is written twice, by "
-              + other.flag
+              + other.get().flag
               + " ("
-              + other.path
+              + other.get().path
               + ") and by "
               + output.flag
               + "; "

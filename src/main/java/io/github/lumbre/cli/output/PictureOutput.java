@@ -13,6 +13,8 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -53,6 +55,22 @@ public final class PictureOutput implements AutoCloseable {
     } catch (IOException e) {
       return real(one).equals(real(other));
     }
+  }
+
+  /**
+   * Returns what two paths have in common if they denote the same file: the path without symbolic
+   * links, and the key of an existing file where the file system has one.
+   */
+  static List<Object> identities(Path path) {
+    List<Object> identities = new ArrayList<>(List.of(real(path)));
+    try {
+      Object key = Files.readAttributes(path, BasicFileAttributes.class).fileKey();
+      Optional.ofNullable(key).ifPresent(identities::add);
+    } catch (IOException e) {
+      // The file does not exist.
+      return identities;
+    }
+    return identities;
   }
 
   /** Returns a path with symbolic links resolved; the file itself need not exist. */

@@ -226,7 +226,7 @@ public final class Interruption implements AutoCloseable {
   }
 
   /** Requests the end of the command. Returns whether it has a result to save. */
-  private synchronized boolean request() {
+  synchronized boolean request() {
     requested = true;
     interruptWaiting();
     return rendering;

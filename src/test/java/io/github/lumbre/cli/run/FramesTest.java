@@ -1,0 +1,169 @@
+package io.github.lumbre.cli.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.lumbre.cli.output.Fallback;
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.parser.SceneFormatException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests the end of a sequence of pictures, with a simulated clock. */
+class FramesTest {
+  private static final int COUNT = 4;
+
+  @TempDir private Path directory;
+
+  private final AtomicLong nanos = new AtomicLong();
+  private final Interruption interruption = Interruption.listen();
+  private final Deadline deadline = Deadline.after(Optional.of(Duration.ofNanos(1)), nanos::get);
+
+  @AfterEach
+  void stopListening() {
+    interruption.close();
+  }
+
+  private Frames frames(int count) throws TaskException {
+    List<Path> targets =
+        IntStream.range(0, count)
+            .mapToObj(i -> directory.resolve("a-%03d.png".formatted(i)))
+            .toList();
+    Frames frames = new Frames(targets, interruption, deadline);
+    frames.reserve(Optional.empty(), Fallback.TEMPORARY);
+    return frames;
+  }
+
+  private interface Event {
+    void happen() throws TaskException;
+  }
+
+  /** Renders a frame during which something happens. */
+  private int render(Frames frames, boolean complete, Event event)
+      throws TaskException, SceneFormatException {
+    JsonSummary report = new JsonSummary("render", Path.of("a.glb"));
+    return frames.render(
+        report,
+        () -> {
+          event.happen();
+          report.put("complete", complete);
+          return 0;
+        });
+  }
+
+  private Frames after(int complete) throws TaskException, SceneFormatException {
+    Frames frames = frames(COUNT);
+    for (int i = 0; i < complete; i++) {
+      render(frames, true, () -> {});
+    }
+    return frames;
+  }
+
+  private void assertEnds(Kind kind, String message, Frames frames, boolean complete, Event event) {
+    assertThatThrownBy(() -> render(frames, complete, event))
+        .isInstanceOfSatisfying(TaskException.class, e -> assertThat(e.kind()).isEqualTo(kind))
+        .hasMessage(message.replace("a-", directory.resolve("a-").toString()));
+  }
+
+  @Test
+  void signalsEndTheSequenceAndNameTheCompleteFrames() throws Exception {
+    assertEnds(
+        Kind.STOPPED,
+        "stopped after 1 of 4 frames: a-000.png is complete, a-001.png is partial,"
+            + " a-002.png to a-003.png are not rendered",
+        after(1),
+        false,
+        interruption::request);
+  }
+
+  @Test
+  void signalsBetweenTwoFramesEndIt() throws Exception {
+    assertEnds(
+        Kind.STOPPED,
+        "stopped after 3 of 4 frames: a-000.png to a-002.png are complete, a-003.png is not"
+            + " rendered",
+        after(2),
+        true,
+        interruption::request);
+  }
+
+  @Test
+  void signalsInTheLastFrameNameItOnlyIfItIsPartial() throws Exception {
+    assertEnds(
+        Kind.STOPPED,
+        "stopped after 3 of 4 frames: a-000.png to a-002.png are complete, a-003.png is partial",
+        after(3),
+        false,
+        interruption::request);
+  }
+
+  @Test
+  void signalsAtTheVeryEndChangeNothing() throws Exception {
+    assertThat(render(after(3), true, interruption::request)).isZero();
+  }
+
+  @Test
+  void signalsDuringReadingNameTheFrames() throws Exception {
+    assertEnds(
+        Kind.STOPPED,
+        "stopped after 2 of 4 frames: a-000.png to a-001.png are complete, a-002.png to a-003.png"
+            + " are not rendered",
+        after(2),
+        false,
+        () -> {
+          throw new TaskException(Kind.STOPPED, "stopped before anything was rendered");
+        });
+  }
+
+  @Test
+  void passedDeadlinesEndItBeforeTheNextFrame() throws Exception {
+    assertEnds(
+        Kind.LIMIT,
+        "--timeout: the time ended after 2 of 4 frames: a-000.png to a-001.png are complete,"
+            + " a-002.png is partial, a-003.png is not rendered",
+        after(2),
+        false,
+        () -> nanos.set(1));
+  }
+
+  @Test
+  void deadlinesInTheLastFrameLeaveItPartial() throws Exception {
+    assertThat(render(after(3), false, () -> nanos.set(1))).isZero();
+  }
+
+  @Test
+  void otherLimitsKeepTheirMessage() throws Exception {
+    assertThatThrownBy(
+            () ->
+                render(
+                    after(1),
+                    false,
+                    () -> {
+                      throw new TaskException(Kind.LIMIT, "too large");
+                    }))
+        .hasMessage("too large");
+  }
+
+  @Test
+  void singlePicturesAreNoSequence() throws Exception {
+    assertThat(render(frames(1), false, interruption::request)).isZero();
+  }
+
+  @Test
+  void allFilesAreReservedAtTheBeginning() throws Exception {
+    try (Frames frames = frames(COUNT)) {
+      assertThat(directory.toFile().list()).hasSize(COUNT);
+      assertThatThrownBy(() -> frames(COUNT)).hasMessageContaining("another run is writing");
+    }
+    assertThat(directory).isEmptyDirectory();
+  }
+}
