@@ -12,7 +12,8 @@ import java.util.OptionalDouble;
  *     noisy)²/(denoised² + 0.01) over pixels and channels
  * @param relativeError the denoiser's own estimate of the relative RMSE that is left: root of the
  *     mean of squared errors divided by squared light + 0.01; empty if it makes none. It is an
- *     estimate, not a bound.
+ *     estimate, not a bound, and not comparable with the noise estimate of a render, which is made
+ *     in another way: it may be the larger one although the error is the smaller one.
  */
 public record Denoised(Image image, String engine, double change, OptionalDouble relativeError) {
   /** Keeps dark pixels from dominating; in units of squared light. */

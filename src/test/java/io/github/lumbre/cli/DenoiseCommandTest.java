@@ -46,7 +46,18 @@ class DenoiseCommandTest {
     Outcome outcome = run("render", scene, "-s", "8", "-o", path("x.pfm"), "--denoise");
     assertThat(bytes("x.pfm")).isEqualTo(bytes("plain.pfm"));
     assertThat(bytes("x.denoised.pfm")).isNotEqualTo(bytes("plain.pfm"));
-    assertThat(outcome.err()).contains("x.denoised.pfm: denoised (built-in)", "an estimate");
+    assertThat(outcome.err()).contains("x.denoised.pfm: denoised (built-in)");
+  }
+
+  @Test
+  void anErrorOnAnotherScaleThanTheNoiseOfTheRenderIsSaidToBe() {
+    String said =
+        "denoised \\(built-in\\): \\d+\\.\\d\\d % changed, error left roughly [0-9.]+ %;"
+            + " not comparable with the noise of the render";
+    Outcome render =
+        run("render", scene, "-s", "8", "-o", path("x.exr"), "--denoise", "--size", "32x32");
+    assertThat(render.err()).containsPattern("noise about [0-9.]+ %").containsPattern(said);
+    assertThat(run("denoise", path("x.exr"), "-o", path("y.png")).err()).containsPattern(said);
   }
 
   @Test

@@ -9,6 +9,7 @@ import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.denoise.OpenImageDenoise;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
@@ -93,7 +94,8 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
             metadata));
     String error =
         denoised.relativeError().isPresent()
-            ? ", " + percent(denoised.relativeError().getAsDouble()) + " noise left (an estimate)"
+            ? ", error left roughly %s; not comparable with the noise of the render"
+                .formatted(Markdown.percent(denoised.relativeError().getAsDouble()))
             : "";
     messages.line(
         "%s: denoised (%s): %s changed%s"
