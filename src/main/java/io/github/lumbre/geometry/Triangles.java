@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.math.FusedMultiplyAdd;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -191,8 +192,8 @@ final class Triangles {
    */
   private static double differenceOfProducts(double a, double b, double c, double d) {
     double cd = c * d;
-    double error = Math.fma(-c, d, cd);
-    return Math.fma(a, b, -cd) + error;
+    double error = FusedMultiplyAdd.of(-c, d, cd);
+    return FusedMultiplyAdd.of(a, b, -cd) + error;
   }
 
   private boolean isBefore(int i, NearestHit nearest) {

@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.math.FusedMultiplyAdd;
 import java.util.Optional;
 
 /** The number of floats that a vector of this processor holds in this JVM. */
@@ -18,11 +19,17 @@ final class VectorLanes {
 
   private VectorLanes() {}
 
-  /** Returns the reason why vectors with so many floats are of no use; empty if they are. */
+  /**
+   * Returns the reason why vectors with so many floats are of no use; empty if they are. Without
+   * fused multiply-add, Java would compute with objects instead.
+   */
   static Optional<String> obstacle(int lanes) {
-    return lanes >= WideTree.WIDTH
+    if (lanes < WideTree.WIDTH) {
+      return Optional.of("this processor's vectors hold " + lanes + " floats, but 8 are needed");
+    }
+    return FusedMultiplyAdd.isFast()
         ? Optional.empty()
-        : Optional.of("this processor's vectors hold " + lanes + " floats, but 8 are needed");
+        : Optional.of("Java uses no fused multiply-add (FMA) on this processor");
   }
 
   /** Loads none of the module's classes of vectors, which take long to load. */

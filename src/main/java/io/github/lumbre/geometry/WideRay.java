@@ -1,5 +1,7 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.math.FusedMultiplyAdd;
+
 /**
  * A ray in the space of a {@link WideTree}, as floats for its box and triangle tests. Mutable; each
  * traversal sets it again.
@@ -197,7 +199,7 @@ final class WideRay extends ShearedRay {
 
   /** Sets the end of the ray to t, with a margin that covers rounding errors. */
   void endAt(double t) {
-    double nearer = Math.fma(t, tScale, tOffset);
+    double nearer = FusedMultiplyAdd.of(t, tScale, tOffset);
     end = nearer < FAR ? (float) nearer : FAR;
     last = Float.floatToRawIntBits(end);
   }

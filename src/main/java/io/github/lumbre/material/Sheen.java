@@ -23,12 +23,21 @@ record Sheen(Rgb color, double roughness) implements Lobe {
   private static final int POINTS = 24;
 
   private static final double MIN_ROUGHNESS = .07;
+
+  /** Cosines and sines of the azimuths of the quadrature. */
+  private static final double[] COSINES = new double[POINTS];
+  private static final double[] SINES = new double[POINTS];
+
   private static final double[] ALBEDO = new double[ROWS * COLUMNS];
 
   /** The largest albedo of each row, at least 1. */
   private static final double[] MOST = new double[ROWS];
 
   static {
+    for (int j = 0; j < POINTS; j++) {
+      COSINES[j] = Elementary.cosTurns(.5 * (j + .5) / POINTS);
+      SINES[j] = Elementary.sinTurns(.5 * (j + .5) / POINTS);
+    }
     for (int r = 0; r < ROWS; r++) {
       double roughness = MIN_ROUGHNESS + square((double) r / (ROWS - 1)) * (1 - MIN_ROUGHNESS);
       MOST[r] = 1;
@@ -57,9 +66,7 @@ record Sheen(Rgb color, double roughness) implements Lobe {
       double z = square(root);
       double across = Math.sqrt((1 - z) * (1 + z));
       for (int j = 0; j < POINTS; j++) {
-        double turns = .5 * (j + .5) / POINTS;
-        Vec3 wi =
-            new Vec3(across * Elementary.cosTurns(turns), across * Elementary.sinTurns(turns), z);
+        Vec3 wi = new Vec3(across * COSINES[j], across * SINES[j], z);
         sum += 2 * root * unscaled(wo, wi, roughness);
       }
     }

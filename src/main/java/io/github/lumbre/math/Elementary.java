@@ -5,7 +5,7 @@ package io.github.lumbre.math;
  *
  * <p>{@link Math#sin} and similar methods may differ by an ulp between machines, and between
  * interpreted and compiled code. All code that computes samples uses this class instead. Functions
- * for inner loops use only + − × ÷ and {@link Math#fma}; the others call {@link StrictMath}.
+ * for inner loops use only + − × ÷ and {@link FusedMultiplyAdd}; the others call {@link StrictMath}.
  */
 public final class Elementary {
   public static final double TWO_PI = 2 * Math.PI;
@@ -38,13 +38,13 @@ public final class Elementary {
    */
   public static double sinSmall(double x) {
     double s = x * x;
-    double p = Math.fma(-1.0 / 1307674368000.0, s, 1.0 / 6227020800.0);
-    p = Math.fma(p, s, -1.0 / 39916800.0);
-    p = Math.fma(p, s, 1.0 / 362880.0);
-    p = Math.fma(p, s, -1.0 / 5040.0);
-    p = Math.fma(p, s, 1.0 / 120.0);
-    p = Math.fma(p, s, -1.0 / 6.0);
-    return Math.fma(x, s * p, x);
+    double p = FusedMultiplyAdd.of(-1.0 / 1307674368000.0, s, 1.0 / 6227020800.0);
+    p = FusedMultiplyAdd.of(p, s, -1.0 / 39916800.0);
+    p = FusedMultiplyAdd.of(p, s, 1.0 / 362880.0);
+    p = FusedMultiplyAdd.of(p, s, -1.0 / 5040.0);
+    p = FusedMultiplyAdd.of(p, s, 1.0 / 120.0);
+    p = FusedMultiplyAdd.of(p, s, -1.0 / 6.0);
+    return FusedMultiplyAdd.of(x, s * p, x);
   }
 
   /**
@@ -53,14 +53,14 @@ public final class Elementary {
    */
   public static double cosSmall(double x) {
     double s = x * x;
-    double p = Math.fma(1.0 / 20922789888000.0, s, -1.0 / 87178291200.0);
-    p = Math.fma(p, s, 1.0 / 479001600.0);
-    p = Math.fma(p, s, -1.0 / 3628800.0);
-    p = Math.fma(p, s, 1.0 / 40320.0);
-    p = Math.fma(p, s, -1.0 / 720.0);
-    p = Math.fma(p, s, 1.0 / 24.0);
-    p = Math.fma(p, s, -.5);
-    return Math.fma(p, s, 1);
+    double p = FusedMultiplyAdd.of(1.0 / 20922789888000.0, s, -1.0 / 87178291200.0);
+    p = FusedMultiplyAdd.of(p, s, 1.0 / 479001600.0);
+    p = FusedMultiplyAdd.of(p, s, -1.0 / 3628800.0);
+    p = FusedMultiplyAdd.of(p, s, 1.0 / 40320.0);
+    p = FusedMultiplyAdd.of(p, s, -1.0 / 720.0);
+    p = FusedMultiplyAdd.of(p, s, 1.0 / 24.0);
+    p = FusedMultiplyAdd.of(p, s, -.5);
+    return FusedMultiplyAdd.of(p, s, 1);
   }
 
   /**
@@ -163,13 +163,13 @@ public final class Elementary {
     }
     int k = (int) Math.rint(x * STEPS_PER_UNIT);
     // The product of k and the high part is exact.
-    double r = Math.fma(-k, STEP_LOW, Math.fma(-k, STEP_HIGH, x));
-    double series = Math.fma(r, 1.0 / 720, 1.0 / 120);
-    series = Math.fma(r, series, 1.0 / 24);
-    series = Math.fma(r, series, 1.0 / 6);
-    series = Math.fma(r * r, Math.fma(r, series, .5), r);
+    double r = FusedMultiplyAdd.of(-k, STEP_LOW, FusedMultiplyAdd.of(-k, STEP_HIGH, x));
+    double series = FusedMultiplyAdd.of(r, 1.0 / 720, 1.0 / 120);
+    series = FusedMultiplyAdd.of(r, series, 1.0 / 24);
+    series = FusedMultiplyAdd.of(r, series, 1.0 / 6);
+    series = FusedMultiplyAdd.of(r * r, FusedMultiplyAdd.of(r, series, .5), r);
     double power = POWERS[k & STEPS - 1];
-    double value = Math.fma(power, series, power);
+    double value = FusedMultiplyAdd.of(power, series, power);
     int exponent = k >> LOG_STEPS;
     return Math.abs(exponent) < Double.MAX_EXPONENT
         ? value * Double.longBitsToDouble((long) (exponent + Double.MAX_EXPONENT) << 52)

@@ -7,10 +7,17 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MicrofacetDistribution.Kind;
 import io.github.lumbre.math.Vec3;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 /** Tests the tables of directional albedos against quadratures. */
 class GgxAlbedoTest {
+  private static final Path RESOURCES =
+      Path.of("src/main/resources/io/github/lumbre/material");
+
   private static final double ERROR = 2e-3;
   private static final double[] COSINES = {1, .93, .7, .45, .3, .2, .11, .06, .03, .01};
   private static final double[] ALPHAS = {1e-3, .004, .01, .03, .1, .2, .33, .5, .71, .9, 1};
@@ -20,6 +27,18 @@ class GgxAlbedoTest {
     Bsdf bsdf = new SchlickReflection(Rgb.grey(f0), f90, new Ggx(alpha));
     Vec3 wo = direction(cosine);
     return map.integral(wo, 0, 200, wi -> bsdf.evaluate(wo, wi).f().g());
+  }
+
+  /** To compute the resource again: {@code ./mvnw test -Dtest=GgxAlbedoTest -Dlumbre.write=true}. */
+  @Test
+  void resourceHasTheBitsOfTheQuadrature() throws IOException {
+    byte[] expected = GgxAlbedoQuadrature.table();
+    if (Boolean.getBoolean("lumbre.write")) {
+      Files.write(RESOURCES.resolve(GgxAlbedo.RESOURCE), expected);
+    }
+    try (InputStream in = GgxAlbedo.class.getResourceAsStream(GgxAlbedo.RESOURCE)) {
+      assertThat(in.readAllBytes()).isEqualTo(expected);
+    }
   }
 
   @Test
