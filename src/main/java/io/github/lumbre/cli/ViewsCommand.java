@@ -6,16 +6,20 @@ import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Fallback;
+import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
-import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.ContactSheet;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -30,11 +34,13 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -73,6 +79,9 @@ import picocli.CommandLine.Spec;
 final class ViewsCommand implements Callable<Integer> {
   private static final String SHEET = "views.png";
   private static final int SHEET_COLUMNS = 4;
+
+  /** The gaps of the contact sheet are narrower than a picture by this factor. */
+  private static final int GAPS_PER_WIDTH = 64;
 
   @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
   Path model;
@@ -118,19 +127,33 @@ final class ViewsCommand implements Callable<Integer> {
     guard(setup).check();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (Interruption interruption = Interruption.listen();
-        RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"))) {
+        RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
+        Frames frames = new Frames(targets(), interruption, Deadline.after(Optional.empty()))) {
       ModelViews views = monitor.reading(model, () -> read(setup));
       messages.warnings(views.first().warnings());
       RenderSettings settings = views.first().settings();
       MemoryCheck.require(settings, FilmLayers.of(settings, views.first().scene()));
       makeFolder();
-      return interruption.beginRender() && render(views, settings, monitor)
-          ? ExitCodes.OK
-          : ExitCodes.INTERRUPTED;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return ExitCodes.INTERRUPTED;
+      frames.reserve(Optional.empty(), Fallback.TEMPORARY);
+      interruption.requireRender();
+      long start = System.nanoTime();
+      render(views, frames, monitor);
+      messages.line(summary(settings, (System.nanoTime() - start) * 1e-9));
+      return ExitCodes.OK;
     }
+  }
+
+  private String summary(RenderSettings settings, double seconds) {
+    return String.format(
+        Locale.ROOT,
+        "%s: %d views and a contact sheet, %s; %dx%d pixels, %s per pixel, %.2f s",
+        folder,
+        View.standard().size(),
+        SHEET,
+        settings.width(),
+        settings.height(),
+        Markdown.count(settings.samples(), "sample"),
+        seconds);
   }
 
   private ModelSetup checkedSetup() {
@@ -153,19 +176,21 @@ final class ViewsCommand implements Callable<Integer> {
   private OutputGuard guard(ModelSetup setup) {
     OutputGuard guard =
         overwrite.guard().reads(model, "the model").readsAssets(model, () -> assets(setup));
-    for (String name : View.standard().keySet()) {
-      guard.writes("-o", picture(name), OutputContent.PICTURE);
-    }
-    return guard.writes("-o", folder.resolve(SHEET), OutputContent.PICTURE);
+    targets().forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
+    return guard;
+  }
+
+  /** Returns the paths of the views in their order, and of the contact sheet. */
+  private List<Path> targets() {
+    List<Path> targets = new ArrayList<>();
+    View.standard().keySet().forEach(name -> targets.add(folder.resolve(name + ".png")));
+    targets.add(folder.resolve(SHEET));
+    return targets;
   }
 
   private Set<Path> assets(ModelSetup setup) throws SceneFormatException, IOException {
     SceneText scene = setup.sceneOf(model, flags.aspect());
     return SceneParser.files(scene.json(), scene.path());
-  }
-
-  private Path picture(String view) {
-    return folder.resolve(view + ".png");
   }
 
   private void makeFolder() throws TaskException {
@@ -194,26 +219,40 @@ final class ViewsCommand implements Callable<Integer> {
     return builder.build();
   }
 
-  /** Renders all views; returns false if stopped. */
-  private boolean render(ModelViews views, RenderSettings settings, RenderMonitor monitor)
-      throws TaskException, InterruptedException {
+  /**
+   * Renders all views and the contact sheet.
+   *
+   * @throws TaskException if a picture cannot be written, or a signal ends the command
+   */
+  private void render(ModelViews views, Frames frames, RenderMonitor monitor)
+      throws SceneFormatException, TaskException {
+    RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
     List<Image> pictures = new ArrayList<>();
-    for (String name : View.standard().keySet()) {
-      try (PictureOutput output = PictureOutput.reserve(picture(name))) {
-        RenderResult result =
-            new BucketRenderer(settings).render(views.scenes().get(pictures.size()), monitor);
-        if (!result.complete()) {
-          return false;
-        }
-        output.write(result.image(), options);
-        pictures.add(result.image());
+    for (Scene view : views.scenes()) {
+      frames.render(
+          new JsonSummary("views", model),
+          () -> {
+            pictures.add(rendered(settings, view, monitor));
+            frames.picture().write(pictures.get(pictures.size() - 1), options);
+            return ExitCodes.OK;
+          });
+    }
+    int gap = Math.max(1, settings.width() / GAPS_PER_WIDTH);
+    frames.picture().write(ContactSheet.of(pictures, SHEET_COLUMNS, gap), options);
+  }
+
+  private static Image rendered(RenderSettings settings, Scene view, RenderMonitor monitor)
+      throws TaskException {
+    try {
+      RenderResult result = new BucketRenderer(settings).render(view, monitor);
+      if (result.complete()) {
+        return result.image();
       }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
-    try (PictureOutput output = PictureOutput.reserve(folder.resolve(SHEET))) {
-      output.write(ContactSheet.of(pictures, SHEET_COLUMNS), options);
-    }
-    return true;
+    throw new TaskException(Kind.STOPPED, "stopped before the views were complete");
   }
 
   private void require(boolean condition, String message) {

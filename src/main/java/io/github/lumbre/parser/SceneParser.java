@@ -193,9 +193,7 @@ public final class SceneParser {
     return timed(
         problems,
         () -> {
-          SceneText text = configured(setup).sceneOf(model, modelAspect());
-          return parse(
-              text.path(), text.json(), Optional.of(text), Map.of(), Optional.empty(), problems);
+          return parse(configured(setup).sceneOf(model, modelAspect()), problems);
         });
   }
 
@@ -244,16 +242,20 @@ public final class SceneParser {
    */
   public ModelViews parse(Path model, ModelSetup setup, List<ModelSetup.View> views)
       throws SceneFormatException, IOException {
-    List<SceneText> texts =
-        configured(setup).scenesOf(model, modelAspect(), List.copyOf(views));
-    SceneFile first = parse(texts.get(0).json(), texts.get(0).path());
-    List<Scene> scenes = new ArrayList<>();
-    scenes.add(first.scene());
-    for (SceneText text : texts.subList(1, texts.size())) {
-      SceneText camera = text.withoutAllButTheCamera();
-      scenes.add(first.scene().seenBy(parse(camera.json(), camera.path()).scene().camera()));
-    }
-    return new ModelViews(first, scenes);
+    Problems problems = new Problems(String.valueOf(model.getFileName()));
+    return timed(
+        problems,
+        () -> {
+          List<SceneText> texts =
+              configured(setup).scenesOf(model, modelAspect(), List.copyOf(views));
+          SceneFile first = parse(texts.get(0), problems);
+          List<Scene> scenes = new ArrayList<>(List.of(first.scene()));
+          for (SceneText text : texts.subList(1, texts.size())) {
+            SceneFile other = parse(text.withoutAllButTheCamera(), problems);
+            scenes.add(first.scene().seenBy(other.scene().camera()));
+          }
+          return new ModelViews(first, scenes);
+        });
   }
 
   /** Returns a setup with the limits and the leniency of this parser. */
@@ -308,12 +310,12 @@ public final class SceneParser {
 
   /** A way to read a scene. */
   @FunctionalInterface
-  private interface Reading {
-    SceneFile read() throws SceneFormatException, IOException;
+  private interface Reading<T> {
+    T read() throws SceneFormatException, IOException;
   }
 
   /** Reads a scene within the time limit, and turns exceptions into those of this class. */
-  private SceneFile timed(Problems problems, Reading reading)
+  private <T> T timed(Problems problems, Reading<T> reading)
       throws SceneFormatException, IOException {
     try (TimeLimit time = TimeLimit.start(limits.time())) {
       try {
@@ -386,6 +388,10 @@ public final class SceneParser {
       problems.error(Kind.INVALID, () -> "$", "expected a scene file, found none" + place);
       throw problems.exception();
     }
+  }
+
+  private SceneFile parse(SceneText text, Problems problems) throws SceneFormatException {
+    return parse(text.path(), text.json(), Optional.of(text), Map.of(), Optional.empty(), problems);
   }
 
   private SceneFile parse(

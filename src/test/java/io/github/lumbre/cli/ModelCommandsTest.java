@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.parser.ModelSetup.View;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -55,7 +56,12 @@ class ModelCommandsTest {
   @Test
   void viewsAreThoseOfRender() throws IOException {
     String flags = " --ground --sky white --background #8080ff --size 24x18 -s 2";
-    runs("views T/sample.glb -o T/views/new" + flags);
+    Outcome outcome = run("views T/sample.glb -o T/views/new" + flags);
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(outcome.err())
+        .matches(
+            ".*/views/new: 7 views and a contact sheet, views.png; 24x18 pixels, 2 samples per"
+                + " pixel, [0-9.]+ s\n");
     for (String view : View.standard().keySet()) {
       runs("render T/sample.glb -o T/one.png --quiet --view " + view + flags);
       BufferedImage all = picture("views/new/" + view + ".png");
@@ -65,13 +71,23 @@ class ModelCommandsTest {
           .isEqualTo(one.getRGB(0, 0, 24, 18, null, 0, 24));
     }
     BufferedImage sheet = picture("views/new/views.png");
-    assertThat(sheet.getWidth()).isEqualTo(4 * 24);
-    assertThat(sheet.getHeight()).isEqualTo(2 * 18);
-    assertThat(sheet.getRGB(48, 18, 24, 18, null, 0, 24))
+    assertThat(sheet.getWidth()).isEqualTo(4 * 24 + 3);
+    assertThat(sheet.getHeight()).isEqualTo(2 * 18 + 1);
+    assertThat(sheet.getRGB(50, 19, 24, 18, null, 0, 24))
         .isEqualTo(picture("views/new/iso.png").getRGB(0, 0, 24, 18, null, 0, 24));
-    int[] free = sheet.getRGB(72, 18, 24, 18, null, 0, 24);
+    int[] free = sheet.getRGB(75, 19, 24, 18, null, 0, 24);
     assertThat(free).containsOnly(free[0]);
     assertThat(free[0] & 255).as("a light background").isGreaterThan(200);
+  }
+
+  @Test
+  void viewsReserveAllPicturesBeforeTheFirst() throws IOException {
+    Path folder = Files.createDirectory(directory.resolve("v"));
+    try (OutputFile other = OutputFile.open(folder.resolve("views.png"))) {
+      run("views T/sample.glb --size 24x18 -s 1 -o T/v")
+          .assertFailed(ExitCodes.OUTPUT, "views.png: another run is writing this file");
+    }
+    assertThat(folder).isEmptyDirectory();
   }
 
   @Test
@@ -241,6 +257,14 @@ class ModelCommandsTest {
         .isGreaterThan(Arrays.stream(seconds).max().orElseThrow() / 10);
   }
 
+  /** The timer interrupts reading as a signal does. */
+  @Test
+  void resumedReadingOfAModelEnds() {
+    runs("render T/sample.glb --checkpoint T/a.film -o T/a.pfm" + SMALL);
+    run("resume T/a.film -s 8 --timeout 0.000001s")
+        .assertFailed(ExitCodes.LIMIT, "--timeout: the time ended before anything was rendered");
+  }
+
   @Test
   void oneTimeoutEndsAllFrames() throws IOException {
     Outcome outcome =
@@ -248,7 +272,7 @@ class ModelCommandsTest {
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.LIMIT);
     assertThat(outcome.err().replace(directory + "/", ""))
         .endsWith(
-            "lumbre: --timeout: the time ended after 0 of 3 frames: a-000.pfm is partial,"
+            "lumbre: --timeout: the time ended after 0 of 3 pictures: a-000.pfm is partial,"
                 + " a-001.pfm to a-002.pfm are not rendered\n");
     assertThat(directory.resolve("a-000.pfm")).exists();
     assertThat(directory.resolve("a-001.pfm")).doesNotExist();

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the launcher in a terminal: the progress bar, Ctrl-C, Ctrl-Z and a closed window. */
 class TerminalIT {
@@ -156,6 +157,23 @@ class TerminalIT {
         awaitMillis(terminal, millis);
         assertInterrupted(terminal);
       }
+    }
+  }
+
+  /** Commands that read a model; the keys are pressed while it is read or soon after. */
+  @ParameterizedTest
+  @ValueSource(strings = {"views large.obj --size 64x48 -o .", "view large.obj --no-open"})
+  void interruptedReadingOfAModelEnds(String command) throws IOException, InterruptedException {
+    writeLargeScene();
+    Random random = new Random(Effort.seed(204));
+    for (int i = 0; i < Effort.count(2, 20); i++) {
+      try (PseudoTerminal terminal = lumbre(120, command)) {
+        awaitMillis(terminal, 500 + random.nextInt(2000));
+        terminal.control('C');
+        assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(ExitCodes.INTERRUPTED);
+        assertThat(terminal.printed()).doesNotContain("internal error");
+      }
+      assertNothingLeftBehind();
     }
   }
 
@@ -315,7 +333,7 @@ class TerminalIT {
       assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(code);
       assertThat(terminal.screen())
           .contains(
-              "lumbre: stopped after 0 of 3 frames: a-000.png is partial,"
+              "lumbre: stopped after 0 of 3 pictures: a-000.png is partial,"
                   + " a-001.png to a-002.png are not rendered");
     }
     assertThat(directory.resolve("a-000.png")).exists();

@@ -25,6 +25,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.imageio.ImageIO;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -43,7 +44,7 @@ class InterruptedReadingTest {
     Thread.interrupted();
   }
 
-  private static void assertCancelled(org.assertj.core.api.ThrowableAssert.ThrowingCallable work) {
+  private static void assertCancelled(ThrowingCallable work) {
     Thread.currentThread().interrupt();
     assertThatThrownBy(work).isInstanceOf(CancellationException.class);
     assertThat(Thread.currentThread().isInterrupted()).isTrue();
@@ -60,6 +61,31 @@ class InterruptedReadingTest {
     assertThatThrownBy(() -> new SceneParser().parse(scene))
         .isInstanceOf(InterruptedIOException.class);
     assertThat(Thread.currentThread().isInterrupted()).isTrue();
+  }
+
+  /** Also when the interrupt comes after the model itself is read. */
+  @Test
+  void interruptedThreadReadsNoModel() throws IOException {
+    Path model =
+        Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
+    byte[] bytes = Files.readAllBytes(model);
+    ModelSetup setup = ModelSetup.DEFAULT;
+    List<ModelSetup.View> views = List.copyOf(ModelSetup.View.standard().values());
+    SceneParser late =
+        new SceneParser()
+            .overriding(
+                settings -> {
+                  Thread.currentThread().interrupt();
+                  return settings;
+                });
+    for (ThrowingCallable reading :
+        List.<ThrowingCallable>of(
+            () -> late.parse(model, setup),
+            () -> late.parse("a.obj", bytes, setup),
+            () -> late.parse(model, setup, views))) {
+      assertThatThrownBy(reading).isInstanceOf(InterruptedIOException.class);
+      assertThat(Thread.interrupted()).isTrue();
+    }
   }
 
   @Test

@@ -136,8 +136,8 @@ public final class Frames implements AutoCloseable {
     if (complete + partial < targets.size()) {
       states.add(names(complete + partial, targets.size()) + " not rendered");
     }
-    String frames = complete + " of " + Markdown.count(targets.size(), "frame");
-    return new TaskException(kind, what + frames + ": " + String.join(", ", states));
+    String done = complete + " of " + Markdown.count(targets.size(), "picture");
+    return new TaskException(kind, what + done + ": " + String.join(", ", states));
   }
 
   /** Returns the names of the frames from a first one to before a last one, with a verb. */

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -48,7 +49,10 @@ public final class Interruption implements AutoCloseable {
 
   private Interruption() {}
 
-  /** An action that reads a scene and throws an exception when its thread is interrupted. */
+  /**
+   * An action that reads a scene. When its thread is interrupted, it throws a {@link
+   * CancellationException} or an exception whose cause is an {@link InterruptedIOException}.
+   */
   @FunctionalInterface
   public interface Reading<T> {
     T read() throws TaskException, SceneFormatException;
@@ -136,6 +140,8 @@ public final class Interruption implements AutoCloseable {
     Optional<Thread> alarm = beginWaiting(deadline);
     try {
       return action.read();
+    } catch (CancellationException e) {
+      throw stoppedReading();
     } catch (TaskException e) {
       throw e.getCause() instanceof InterruptedIOException ? stoppedReading() : e;
     } finally {

@@ -78,7 +78,7 @@ class FramesTest {
   void signalsEndTheSequenceAndNameTheCompleteFrames() throws Exception {
     assertEnds(
         Kind.STOPPED,
-        "stopped after 1 of 4 frames: a-000.png is complete, a-001.png is partial,"
+        "stopped after 1 of 4 pictures: a-000.png is complete, a-001.png is partial,"
             + " a-002.png to a-003.png are not rendered",
         after(1),
         false,
@@ -89,7 +89,7 @@ class FramesTest {
   void signalsBetweenTwoFramesEndIt() throws Exception {
     assertEnds(
         Kind.STOPPED,
-        "stopped after 3 of 4 frames: a-000.png to a-002.png are complete, a-003.png is not"
+        "stopped after 3 of 4 pictures: a-000.png to a-002.png are complete, a-003.png is not"
             + " rendered",
         after(2),
         true,
@@ -100,7 +100,7 @@ class FramesTest {
   void signalsInTheLastFrameNameItOnlyIfItIsPartial() throws Exception {
     assertEnds(
         Kind.STOPPED,
-        "stopped after 3 of 4 frames: a-000.png to a-002.png are complete, a-003.png is partial",
+        "stopped after 3 of 4 pictures: a-000.png to a-002.png are complete, a-003.png is partial",
         after(3),
         false,
         interruption::request);
@@ -115,7 +115,7 @@ class FramesTest {
   void signalsDuringReadingNameTheFrames() throws Exception {
     assertEnds(
         Kind.STOPPED,
-        "stopped after 2 of 4 frames: a-000.png to a-001.png are complete, a-002.png to a-003.png"
+        "stopped after 2 of 4 pictures: a-000.png to a-001.png are complete, a-002.png to a-003.png"
             + " are not rendered",
         after(2),
         false,
@@ -128,7 +128,7 @@ class FramesTest {
   void passedDeadlinesEndItBeforeTheNextFrame() throws Exception {
     assertEnds(
         Kind.LIMIT,
-        "--timeout: the time ended after 2 of 4 frames: a-000.png to a-001.png are complete,"
+        "--timeout: the time ended after 2 of 4 pictures: a-000.png to a-001.png are complete,"
             + " a-002.png is partial, a-003.png is not rendered",
         after(2),
         false,
