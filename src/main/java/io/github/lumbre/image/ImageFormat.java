@@ -56,28 +56,6 @@ public enum ImageFormat {
         || (start.length >= 2 && start[0] == '#' && start[1] == '?');
   }
 
-  /**
-   * Returns a description of the picture that a file holds, such as {@code a PNG picture}; empty if
-   * it holds none.
-   *
-   * @param start the first bytes of the file, as for {@link #startsPicture}
-   */
-  public static Optional<String> describe(byte[] start) {
-    if (!startsPicture(start)) {
-      return Optional.empty();
-    }
-    if (PngFile.startsIn(start)) {
-      return Optional.of("a PNG picture");
-    }
-    if (JpegFile.startsIn(start)) {
-      return Optional.of("a JPEG picture");
-    }
-    if (ExrReader.startsIn(start)) {
-      return Optional.of("an OpenEXR picture");
-    }
-    return Optional.of(PfmReader.startsIn(start) ? "a PFM picture" : "a Radiance HDR picture");
-  }
-
   /** Returns whether the format is for display, so that exposure and tone curve are applied. */
   public boolean isForScreen() {
     return this == PNG || this == JPG;

@@ -2,6 +2,7 @@ package io.github.lumbre.image;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
+import io.github.lumbre.file.FileContent;
 import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -31,6 +32,26 @@ public final class ImageReader {
   public static final int MAX_SIDE = 65535;
 
   private ImageReader() {}
+
+  /**
+   * Checks the structure of a file without decoding the picture.
+   *
+   * @throws ImageFormatException if it is not that of a PNG or JPEG file, or the picture is too large
+   */
+  public static void requireIntact(byte[] file) throws ImageFormatException {
+    if (PngFile.startsIn(file)) {
+      PngFile.read(file);
+    } else if (JpegFile.startsIn(file)) {
+      JpegFile.read(file);
+    } else {
+      throw unknown(file);
+    }
+  }
+
+  private static ImageFormatException unknown(byte[] file) {
+    String found = FileContent.describe(file).orElse("neither");
+    return malformed("expected a PNG or JPEG picture, found " + found);
+  }
 
   /**
    * Returns the picture in a file's bytes.
@@ -69,7 +90,7 @@ public final class ImageReader {
                   ? jpeg.inks(reader.readRaster(0, null))
                   : Pixels.of(reader.read(0)));
     }
-    throw malformed("expected a PNG or JPEG picture, found neither");
+    throw unknown(file);
   }
 
   /**

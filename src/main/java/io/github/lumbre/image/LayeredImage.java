@@ -1,5 +1,6 @@
 package io.github.lumbre.image;
 
+import io.github.lumbre.file.FileContent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -45,7 +46,7 @@ public record LayeredImage(
    */
   public static LayeredImage of(byte[] file) throws ImageFormatException {
     if (!ExrReader.startsIn(file)) {
-      String found = ImageFormat.describe(file).orElse("another kind of file");
+      String found = FileContent.describe(file).orElse("another kind of file");
       throw ImageFormatException.malformed("expected an OpenEXR file, found " + found);
     }
     return ExrReader.readLayers(file);

@@ -2,6 +2,7 @@ package io.github.lumbre.image;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
+import io.github.lumbre.file.FileContent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -71,7 +72,8 @@ public final class LinearReader {
       return decoded(ImageReader.decode(file, maxPixels));
     }
     throw malformed(
-        "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found none of them");
+        "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found "
+            + FileContent.describe(file).orElse("none of them"));
   }
 
   private static Image decoded(Pixels pixels) throws ImageFormatException {

@@ -85,7 +85,9 @@ final class GltfMaterials {
     double strength =
         extension.isPresent() ? atLeastZero(extension.get(), "emissiveStrength", 1) : 1;
     ColorInput plain = color(json, "emissiveFactor", "emissiveTexture", Rgb.BLACK, false);
-    Rgb radiance = plain.factor().times(strength);
+    // Without its texture, a surface would glow all over.
+    boolean isLost = json.has("emissiveTexture") && plain.texture().isEmpty();
+    Rgb radiance = isLost ? Rgb.BLACK : plain.factor().times(strength);
     if (!radiance.isFinite()) {
       throw json.malformed("emissiveFactor", "expected a finite radiance, found an infinite one");
     }

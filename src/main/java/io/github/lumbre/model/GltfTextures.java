@@ -51,8 +51,13 @@ final class GltfTextures {
     }
     OptionalInt source = texture.index("source", document.size("images"));
     if (uvSet > 1 || source.isEmpty()) {
-      String what = uvSet > 1 ? "TEXCOORD_" + uvSet + " is" : "its image format is";
-      document.warnings().add(info.location(), what + " not supported; the texture is left out");
+      String what =
+          uvSet > 1
+              ? "TEXCOORD_" + uvSet + " is not supported"
+              : "expected a PNG or JPEG picture, found " + unknownSource(texture);
+      document
+          .warnings()
+          .add("a texture is left out", info.location(), what + "; the texture is left out");
       return Optional.empty();
     }
     Optional<ModelImage> image = usable(source.getAsInt());
@@ -65,6 +70,14 @@ final class GltfTextures {
             image.get(),
             (int) uvSet,
             transform.isPresent() ? transform(transform.get()) : UvTransform.IDENTITY));
+  }
+
+  /** Returns the extensions that give a texture a picture in another format. */
+  private static String unknownSource(GltfJson texture) throws ModelFormatException {
+    Optional<GltfJson> extensions = texture.object("extensions");
+    return extensions.isEmpty() || extensions.get().keys().isEmpty()
+        ? "none"
+        : PrintableText.shortened(String.join(", ", extensions.get().keys()));
   }
 
   private ModelTexture sampled(GltfJson texture, ModelImage image, int uvSet, UvTransform transform)

@@ -35,6 +35,13 @@ public record Model(
     warnings = List.copyOf(warnings);
   }
 
+  /** Returns this model with more warnings. */
+  Model warning(List<String> more) {
+    List<String> all = new ArrayList<>(warnings);
+    all.addAll(more);
+    return new Model(parts, cameras, lights, variants, animations, all);
+  }
+
   /**
    * Checks that the model has a surface to show.
    *

@@ -25,7 +25,7 @@ public final class ModelFile implements SceneContent {
   /**
    * @param content bytes of the file; not copied
    * @param files bytes of the files that it names, by their names; not copied
-   * @throws ModelFormatException if a texture cannot be decoded
+   * @throws ModelFormatException if a texture is too large
    */
   ModelFile(
       String name, byte[] content, Map<String, byte[]> files, ModelOptions options, Model model)
@@ -34,9 +34,9 @@ public final class ModelFile implements SceneContent {
     this.content = content;
     this.files = new TreeMap<>(files);
     this.options = options;
-    this.model = model;
     local = new ModelScene(model, ModelScene.TO_LEFT_HANDED, Kernel.AUTO, Long.MAX_VALUE, false);
     local.decode();
+    this.model = model.warning(local.warnings());
     movable = false;
     usesLights = true;
   }

@@ -22,6 +22,7 @@ import io.github.lumbre.texture.TexturePoint;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
@@ -30,7 +31,11 @@ final class ModelMaterials {
   private final double unit;
   private final long maxTexels;
   private long texels;
-  private final Map<ModelImage, Pixels> pictures;
+  private final Warnings warnings;
+
+  /** Empty for pictures that cannot be decoded. */
+  private final Map<ModelImage, Optional<Pixels>> pictures;
+
   private final Map<ModelMaterial, Map<Boolean, Material>> made = new IdentityHashMap<>();
 
   /**
@@ -38,25 +43,34 @@ final class ModelMaterials {
    * @param maxTexels the largest number of texels of all pictures
    */
   ModelMaterials(Transform toWorld, long maxTexels) {
-    this(toWorld, maxTexels, Collections.synchronizedMap(new IdentityHashMap<>()));
+    this(
+        toWorld,
+        maxTexels,
+        Collections.synchronizedMap(new IdentityHashMap<>()),
+        new Warnings());
   }
 
-  private ModelMaterials(Transform toWorld, long maxTexels, Map<ModelImage, Pixels> pictures) {
+  private ModelMaterials(
+      Transform toWorld,
+      long maxTexels,
+      Map<ModelImage, Optional<Pixels>> pictures,
+      Warnings warnings) {
     unit = toWorld.vector(Vec3.X).length();
     this.maxTexels = maxTexels;
     this.pictures = pictures;
+    this.warnings = warnings;
   }
 
   /** Returns the materials of the model at another place, with the same textures. */
   ModelMaterials at(Transform toWorld) {
-    return new ModelMaterials(toWorld, maxTexels, pictures);
+    return new ModelMaterials(toWorld, maxTexels, pictures, warnings);
   }
 
   /**
    * Returns the scattering of a material.
    *
    * @param isClosed whether its surface is closed, so that rays from outside meet no back face
-   * @throws ModelFormatException if a texture cannot be decoded
+   * @throws ModelFormatException if a texture is too large
    */
   Material of(ModelMaterial material, boolean isClosed) throws ModelFormatException {
     Map<Boolean, Material> both = made.computeIfAbsent(material, m -> new HashMap<>());
@@ -75,7 +89,12 @@ final class ModelMaterials {
 
   /** Returns the number of pictures decoded so far. */
   int pictures() {
-    return pictures.size();
+    return (int) pictures.values().stream().filter(Optional::isPresent).count();
+  }
+
+  /** Returns warnings of the pictures that cannot be decoded; materials are made without them. */
+  List<String> warnings() {
+    return warnings.all();
   }
 
   private Material material(ModelMaterial m, boolean isClosed) throws ModelFormatException {
@@ -101,10 +120,10 @@ final class ModelMaterials {
               volume.attenuationColor(), volume.attenuationDistance() * unit));
     }
     Material material = builder.build();
-    if (m.normalMap().isPresent() && !m.unlit()) {
-      return mapped(material, m.normalMap().get());
-    }
-    return material;
+    Optional<NormalInput> map = m.normalMap();
+    return map.isPresent() && !m.unlit() && usable(Optional.of(map.get().texture())).isPresent()
+        ? mapped(material, map.get())
+        : material;
   }
 
   private void addLobes(ModelMaterial m, MetallicRoughness.Builder builder)
@@ -150,16 +169,21 @@ final class ModelMaterials {
   /**
    * Returns the emission of a material; empty if it emits nothing.
    *
-   * @throws ModelFormatException if a texture cannot be decoded
+   * @throws ModelFormatException if a texture is too large
    */
   Optional<Emission> emission(ModelMaterial m) throws ModelFormatException {
     ColorInput input = m.unlit() ? m.baseColor() : m.emission();
     if (input.factor().isBlack()) {
       return Optional.empty();
     }
+    Optional<ModelTexture> source = usable(input.texture());
+    if (input.texture().isPresent() && source.isEmpty() && !m.unlit()) {
+      // Without its texture, a surface would glow all over.
+      return Optional.empty();
+    }
     Texture<Rgb> radiance = Texture.constant(input.factor());
-    if (input.texture().isPresent()) {
-      Texture<Rgb> texture = texture(input.texture().get(), ImageTexture.Role.COLOUR);
+    if (source.isPresent()) {
+      Texture<Rgb> texture = texture(source.get(), ImageTexture.Role.COLOUR);
       radiance = (u, v) -> texture.at(u, v).times(input.factor());
     }
     if (m.alphaMode() == ModelMaterial.AlphaMode.OPAQUE) {
@@ -178,20 +202,22 @@ final class ModelMaterials {
   }
 
   private ColorChannel color(ColorInput input) throws ModelFormatException {
-    if (input.texture().isEmpty()) {
+    Optional<ModelTexture> usable = usable(input.texture());
+    if (usable.isEmpty()) {
       return ColorChannel.of(input.factor());
     }
-    ModelTexture source = input.texture().get();
+    ModelTexture source = usable.get();
     Texture<Rgb> texture = texture(source, ImageTexture.Role.COLOUR);
     Rgb factor = input.factor();
     return ColorChannel.of((u, v) -> texture.at(u, v).times(factor), source.uvSet());
   }
 
   private ScalarChannel scalar(ScalarInput input) throws ModelFormatException {
-    if (input.texture().isEmpty()) {
+    Optional<ModelTexture> usable = usable(input.texture());
+    if (usable.isEmpty()) {
       return ScalarChannel.of(input.factor());
     }
-    ModelTexture source = input.texture().get();
+    ModelTexture source = usable.get();
     SampledTexture texture = sampled(source, ImageTexture.Role.DATA);
     UvTransform map = source.uvTransform();
     double factor = input.factor();
@@ -209,28 +235,47 @@ final class ModelMaterials {
         : (u, v) -> texture.at(map.u(u, v), map.v(u, v));
   }
 
+  /** Returns a texture, unless its picture cannot be decoded. */
+  private Optional<ModelTexture> usable(Optional<ModelTexture> texture)
+      throws ModelFormatException {
+    return texture.isPresent() && pixels(texture.get().image()).isPresent()
+        ? texture
+        : Optional.empty();
+  }
+
   private SampledTexture sampled(ModelTexture source, ImageTexture.Role role)
       throws ModelFormatException {
-    Pixels pixels = pictures.get(source.image());
-    if (pixels == null) {
-      try {
-        pixels = ImageReader.decode(source.image().encoded(), maxTexels - texels);
-      } catch (ImageFormatException e) {
-        boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-        throw new ModelFormatException(
-            tooLarge ? ModelFormatException.Kind.TOO_LARGE : ModelFormatException.Kind.ASSET,
-            source.image().location(),
-            e.getMessage());
-      }
-      texels += (long) pixels.width() * pixels.height();
-      pictures.put(source.image(), pixels);
-    }
     return new SampledTexture(
-        pixels,
+        pixels(source.image()).orElseThrow(),
         role,
         source.nearest() ? ImageTexture.Filter.NEAREST : ImageTexture.Filter.BILINEAR,
         wrap(source.wrapU()),
         wrap(source.wrapV()));
+  }
+
+  private Optional<Pixels> pixels(ModelImage image) throws ModelFormatException {
+    Optional<Pixels> known = pictures.get(image);
+    if (known == null) {
+      known = decoded(image);
+      pictures.put(image, known);
+    }
+    return known;
+  }
+
+  private Optional<Pixels> decoded(ModelImage image) throws ModelFormatException {
+    try {
+      Pixels pixels = ImageReader.decode(image.encoded(), maxTexels - texels);
+      texels += (long) pixels.width() * pixels.height();
+      return Optional.of(pixels);
+    } catch (ImageFormatException e) {
+      if (e.kind() == ImageFormatException.Kind.TOO_LARGE) {
+        throw new ModelFormatException(
+            ModelFormatException.Kind.TOO_LARGE, image.location(), e.getMessage());
+      }
+      warnings.add(
+          "a picture is left out", image.location(), e.getMessage() + "; the picture is left out");
+      return Optional.empty();
+    }
   }
 
   private static SampledTexture.Wrap wrap(ModelTexture.Wrap wrap) {

@@ -101,7 +101,7 @@ public final class ModelScene {
   /**
    * Decodes the textures of all parts.
    *
-   * @throws ModelFormatException if one cannot be decoded
+   * @throws ModelFormatException if one is too large
    */
   void decode() throws ModelFormatException {
     for (ModelPart part : model.parts()) {
@@ -112,9 +112,9 @@ public final class ModelScene {
 
   /**
    * Returns the surfaces, in the order of the model's parts. Parts without a triangle of positive
-   * area are left out.
+   * area are left out, and so are pictures that cannot be decoded.
    *
-   * @throws ModelFormatException if a texture cannot be decoded
+   * @throws ModelFormatException if a picture is too large
    */
   public List<ModelSurface> surfaces() throws ModelFormatException {
     Map<ModelGeometry, Integer> uses = new IdentityHashMap<>();
@@ -138,6 +138,11 @@ public final class ModelScene {
       }
     }
     return surfaces;
+  }
+
+  /** Returns warnings of the pictures that {@link #surfaces} has left out. */
+  public List<String> warnings() {
+    return materials.warnings();
   }
 
   /** Returns the number of texels of the pictures that {@link #surfaces} has decoded. */

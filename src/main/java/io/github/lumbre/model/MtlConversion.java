@@ -180,8 +180,13 @@ final class MtlConversion {
 
   private ColorInput color(String key, Rgb otherwise) throws ModelFormatException, IOException {
     Optional<MtlMap> map = map("map_" + key);
+    boolean isMapped = in.map("map_" + key).isPresent();
+    if (key.equals("ke") && isMapped && map.isEmpty()) {
+      // Without its picture, a surface would glow all over.
+      return ColorInput.of(Rgb.BLACK);
+    }
     // A factor of 0 is not meant, even if the picture is missing.
-    boolean isBlackMeant = in.map("map_" + key).isEmpty();
+    boolean isBlackMeant = !isMapped;
     Rgb factor =
         in.color(key)
             .filter(color -> isBlackMeant || !color.isBlack())

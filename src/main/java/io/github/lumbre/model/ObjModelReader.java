@@ -1,6 +1,6 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -79,7 +79,7 @@ final class ObjModelReader {
     if (text.length >= 2 && (text[0] & text[1] & 0xff) >= 0xfe && text[0] != text[1]) {
       throw new ModelFormatException(Kind.UNSUPPORTED, "", "expected UTF-8 text, found UTF-16");
     }
-    Optional<String> picture = ImageFormat.describe(text);
+    Optional<String> picture = FileContent.describe(text);
     if (picture.isPresent()) {
       throw new ModelFormatException(
           Kind.MALFORMED, "", "expected an OBJ file, found " + picture.get());

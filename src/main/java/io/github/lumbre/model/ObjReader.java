@@ -1,6 +1,6 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.util.Optional;
@@ -41,7 +41,7 @@ public final class ObjReader {
   }
 
   private static ModelFormatException noFaces(byte[] text, TextScanner scanner) {
-    Optional<String> picture = ImageFormat.describe(text);
+    Optional<String> picture = FileContent.describe(text);
     return picture.isPresent()
         ? new ModelFormatException(
             Kind.MALFORMED, "", "expected an OBJ file, found " + picture.get())

@@ -40,6 +40,14 @@ final class ObjTextures {
       throw new ModelFormatException(
           Kind.TOO_LARGE, map.location(), "expected pictures that fit into memory");
     }
+    try {
+      ImageReader.requireIntact(encoded);
+    } catch (ImageFormatException e) {
+      throw new ModelFormatException(
+          e.kind() == ImageFormatException.Kind.TOO_LARGE ? Kind.TOO_LARGE : Kind.ASSET,
+          map.location(),
+          PrintableText.quoted(map.file()) + ": " + e.getMessage());
+    }
     ModelImage image = new ModelImage(PrintableText.escaped(map.file()), encoded);
     images.put(map.file(), image);
     return image;

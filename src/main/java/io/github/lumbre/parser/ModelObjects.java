@@ -159,6 +159,7 @@ final class ModelObjects {
       throws ModelFormatException {
     List<Part> parts = new ArrayList<>();
     List<ModelSurface> surfaces = scene.surfaces();
+    scene.warnings().forEach(warning -> warn(node, name, warning));
     data.allowance().addTexels(scene.texels());
     pictures += scene.pictures();
     for (ModelSurface surface : surfaces) {

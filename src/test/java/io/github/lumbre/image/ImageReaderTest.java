@@ -409,9 +409,11 @@ class ImageReaderTest {
     ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "gif", gif);
     byte[] garbage = new byte[1000];
     new SplittableRandom(1).nextBytes(garbage);
-    for (byte[] file : new byte[][] {gif.toByteArray(), garbage, {}, {(byte) 0xff}}) {
-      assertMalformed(file, "expected a PNG or JPEG picture, found neither");
-    }
+    String expected = "expected a PNG or JPEG picture, found ";
+    assertMalformed(gif.toByteArray(), expected + "a GIF picture");
+    assertMalformed(new byte[0], expected + "an empty file");
+    assertMalformed(garbage, expected + "neither");
+    assertMalformed(new byte[] {(byte) 0xff}, expected + "neither");
   }
 
   @Test

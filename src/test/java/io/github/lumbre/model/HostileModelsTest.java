@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.testing.Effort;
@@ -114,6 +115,8 @@ class HostileModelsTest {
       map_Bump -bm .5 a.png
       map_d -imfchan m a.png
       """;
+
+  private static final byte[] PNG = Pixels.of(1, 1, 3, new byte[] {1, 2, 3}).toPng();
 
   private static final String[] OBJ_WORDS = {
     "f",
@@ -279,7 +282,7 @@ class HostileModelsTest {
         return mtl;
       }
       if (name.endsWith(".png")) {
-        return new byte[8];
+        return PNG;
       }
       throw new ModelFormatException(Kind.ASSET, location, "expected a file, found none");
     };

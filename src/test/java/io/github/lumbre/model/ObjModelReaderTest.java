@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.Srgb;
 import io.github.lumbre.math.Vec3;
@@ -22,7 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Tests the reading of OBJ files with objects, groups and materials. */
 class ObjModelReaderTest {
   private static final String CORNERS = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  private static final byte[] PICTURE = {1, 2, 3};
+  private static final byte[] PICTURE = Pixels.of(1, 1, 3, new byte[] {1, 2, 3}).toPng();
 
   private static ModelFixture obj(String text) {
     return new ModelFixture("a.obj", (CORNERS + text).replace(';', '\n'));
