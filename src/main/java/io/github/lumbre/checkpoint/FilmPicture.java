@@ -115,12 +115,15 @@ public record FilmPicture(Image image, List<ImageLayer> layers, Map<String, Stri
         pixel -> {
           int x = film.window().x() + pixel % width;
           int y = film.window().y() + pixel / width;
-          float samples = film.samples(x, y);
-          Map<String, Float> shares = new LinkedHashMap<>();
+          // Whole numbers, because sums of shares would depend on the order of the primitives.
+          Map<String, Integer> hits = new LinkedHashMap<>();
           for (int i = 0; i < counts.size(pixel); i++) {
             String name = names.apply(counts.primitive(pixel, i));
-            shares.merge(name, counts.count(pixel, i) / samples, Float::sum);
+            hits.merge(name, counts.count(pixel, i), Integer::sum);
           }
+          float samples = film.samples(x, y);
+          Map<String, Float> shares = new LinkedHashMap<>();
+          hits.forEach((name, count) -> shares.put(name, count / samples));
           return shares;
         });
   }

@@ -8,17 +8,22 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -226,6 +231,59 @@ class FilmCommandsTest {
     assertSamePicture("developed.pfm");
     assertDone(Outcome.of("resume", path("all"), "-o", path("resumed.pfm")));
     assertSamePicture("resumed.pfm");
+  }
+
+  /** Many balls of a pixel have one name, and 12 samples give rounded shares of it. */
+  @Test
+  void everyLayerOfSharesAndOfResumedRendersHasTheSameBits() throws IOException {
+    StringBuilder balls = new StringBuilder();
+    for (int i = 0; i < 300; i++) {
+      balls.append(
+          """
+          {"name": "ball", "type": "Shape", "shapeType": "Sphere", "materialID": 1, "radius": 0.1,
+           "localPosition": {"x": %s, "y": %s, "z": -1}},
+          """
+              .formatted(.13 * (i % 20) - 1.3, .13 * (i / 20)));
+    }
+    Path scene =
+        Files.writeString(
+            directory.resolve("balls.json"),
+            TinyScene.with("{\"id\": 2, \"type\"", balls + "{\"id\": 2, \"type\""));
+    String[] all = {"render", scene.toString(), "--layers", "all", "-o"};
+    assertDone(Outcome.of(with(all, path("whole.exr"), "-s", "12")));
+    for (int i = 0; i < 3; i++) {
+      String film = path("part-" + i);
+      String share = i + "/3";
+      assertDone(
+          Outcome.of(
+              with(all, path("p.exr"), "-s", "12", "--share", share, "--checkpoint", film)));
+    }
+    String[] parts = {path("part-2"), path("part-0"), path("part-1")};
+    assertDone(Outcome.of("merge", parts[0], parts[1], parts[2], "-o", path("merged.exr")));
+    assertSameLayers("merged.exr");
+    assertDone(Outcome.of("merge", parts[0], parts[1], parts[2], "-o", path("merged.film")));
+    assertDone(Outcome.of("develop", path("merged.film"), "-o", path("developed.exr")));
+    assertSameLayers("developed.exr");
+    assertDone(
+        Outcome.of(with(all, path("resumed.exr"), "--checkpoint", path("a.film"), "-s", "5")));
+    assertDone(Outcome.of("resume", path("a.film"), "-s", "12"));
+    assertSameLayers("resumed.exr");
+  }
+
+  private static String[] with(String[] args, String... more) {
+    return Stream.concat(Arrays.stream(args), Arrays.stream(more)).toArray(String[]::new);
+  }
+
+  private void assertSameLayers(String name) throws IOException {
+    List<ImageLayer> layers = LayeredImage.read(directory.resolve(name)).layers();
+    List<ImageLayer> expected = LayeredImage.read(directory.resolve("whole.exr")).layers();
+    assertThat(layers).hasSameSizeAs(expected).hasSizeGreaterThan(Layer.values().length);
+    for (int i = 0; i < expected.size(); i++) {
+      assertThat(layers.get(i).name()).isEqualTo(expected.get(i).name());
+      assertThat(layers.get(i).values())
+          .as(name + ": " + expected.get(i).name())
+          .isEqualTo(expected.get(i).values());
+    }
   }
 
   @Test
