@@ -20,6 +20,7 @@ final class MeshSurface {
   private final boolean isInWorld;
   private final boolean hasAttributes;
   private final boolean hasTangents;
+  private final boolean isWound;
 
   /** The triangles' areas in world space; computed on first use, because few meshes are lights. */
   private volatile Distribution1d areas;
@@ -30,6 +31,7 @@ final class MeshSurface {
     isInWorld = toWorld == Transform.IDENTITY;
     hasAttributes = mesh.attributes() != MeshAttributes.NONE;
     hasTangents = mesh.attributes().tangents().length > 0;
+    isWound = mesh.front() == TriangleMesh.Front.WINDING;
   }
 
   /**
@@ -65,11 +67,12 @@ final class MeshSurface {
     Vec3 a = position(triangle, 0);
     Vec3 e1 = position(triangle, 1).minus(a);
     Vec3 e2 = position(triangle, 2).minus(a);
-    Vec3 n = normal(triangle, 0);
-    Vec3 n1 = normal(triangle, 1).minus(n);
-    Vec3 n2 = normal(triangle, 2).minus(n);
+    Vec3 normal = geometricNormal(triangle, e1, e2);
+    Vec3 n = normal(triangle, 0, normal);
+    Vec3 n1 = normal(triangle, 1, normal).minus(n);
+    Vec3 n2 = normal(triangle, 2, normal).minus(n);
     Vec3 sum = n.plus(hit.b1, n1).plus(hit.b2, n2);
-    if (!(sum.dot(geometricNormal(triangle, e1, e2)) > 0)) {
+    if (!isShading(sum, normal)) {
       return NormalGradient.FLAT;
     }
     // The gradients of the barycentric weights.
@@ -96,8 +99,11 @@ final class MeshSurface {
     return new Vec3(x, y, z);
   }
 
-  /** Returns what {@link TriangleMesh#mappedNormal} does, without allocating a vector. */
-  private Vec3 normal(int triangle, int corner) {
+  /**
+   * Returns the vertex normal at a corner in world space, for shading. It does what {@link
+   * TriangleMesh#mappedNormal} does, without allocating a vector.
+   */
+  private Vec3 normal(int triangle, int corner, Vec3 geometricNormal) {
     Vec3 local = mesh.normal(mesh.vertex(triangle, corner));
     double x = local.x();
     double y = local.y();
@@ -108,7 +114,24 @@ final class MeshSurface {
       y = world.y();
       z = world.z();
     }
+    if (mesh.hasNormalsBehind(triangle)) {
+      Vec3 raised = raised(triangle, new Vec3(x, y, z), geometricNormal);
+      x = raised.x();
+      y = raised.y();
+      z = raised.z();
+    }
     return new Vec3(x, y, z);
+  }
+
+  /** Returns a vertex normal moved to the front, as {@link TriangleMesh.Front#WINDING} says. */
+  private Vec3 raised(int triangle, Vec3 normal, Vec3 geometricNormal) {
+    Vec3 n = mesh.hasReversedNormals(triangle) ? normal.negated() : normal;
+    return n.plus(-2 * Math.min(0, n.dot(geometricNormal)), geometricNormal);
+  }
+
+  /** Returns whether a sum of vertex normals is on the front, or at its edge if none is behind. */
+  private boolean isShading(Vec3 sum, Vec3 geometricNormal) {
+    return sum.dot(geometricNormal) > 0 || isWound && sum.maxAbs() > 0;
   }
 
   private Vec3 geometricNormal(int triangle, Vec3 e1, Vec3 e2) {
@@ -126,14 +149,14 @@ final class MeshSurface {
       return geometricNormal;
     }
     Vec3 sum =
-        normal(hit.element, 0)
+        normal(hit.element, 0, geometricNormal)
             .times(1 - hit.b1 - hit.b2)
-            .plus(hit.b1, normal(hit.element, 1))
-            .plus(hit.b2, normal(hit.element, 2));
+            .plus(hit.b1, normal(hit.element, 1, geometricNormal))
+            .plus(hit.b2, normal(hit.element, 2, geometricNormal));
     double x = geometricNormal.x();
     double y = geometricNormal.y();
     double z = geometricNormal.z();
-    if (sum.dot(geometricNormal) > 0) {
+    if (isShading(sum, geometricNormal)) {
       Vec3 smooth = sum.normalized();
       x = smooth.x();
       y = smooth.y();

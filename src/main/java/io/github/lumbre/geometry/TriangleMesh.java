@@ -9,10 +9,36 @@ import java.util.Arrays;
 /**
  * The data of a triangle mesh in its local space. Immutable.
  *
- * <p>The geometric normal of a triangle (a, b, c) points along (b − a) × (c − a). If there are
- * vertex normals, it is flipped where needed to the side of their sum.
+ * <p>The geometric normal of a triangle (a, b, c) points to its front: along (b − a) × (c − a), or
+ * against it; see {@link Front}.
  */
 public final class TriangleMesh {
+  /** What decides which side of a triangle (a, b, c) is its front. */
+  public enum Front {
+    /** The sum of the vertex normals points to the front; without them, {@link #WINDING}. */
+    NORMALS,
+
+    /**
+     * (b − a) × (c − a) points to the front, also in a mirroring transform. If the vertex normals
+     * are reversed, so that their sum points to the back within 45° of the triangle's normal, all
+     * three are negated for shading. Any other vertex normal on the back is reflected at the
+     * triangle's plane.
+     */
+    WINDING
+  }
+
+  /** All vertex normals of a triangle are on its front. */
+  private static final byte REGULAR = 0;
+
+  /** {@link Front#NORMALS}: the front is opposite to the cross product. */
+  private static final byte TURNED = 1;
+
+  /** {@link Front#WINDING}: a vertex normal is on the back. */
+  private static final byte BEHIND = 2;
+
+  /** {@link Front#WINDING}: the vertex normals are reversed. */
+  private static final byte REVERSED = 3;
+
   private final double[] positions;
   private final double[] normals;
   private final double[] uvs;
@@ -20,8 +46,10 @@ public final class TriangleMesh {
   private final MeshAttributes attributes;
   private final int droppedTriangles;
 
-  /** For each triangle, whether its cross product points inward; empty without vertex normals. */
-  private final boolean[] turned;
+  private final Front front;
+
+  /** Where the vertex normals of each triangle point; empty if all are {@link #REGULAR}. */
+  private final byte[] sides;
 
   /** Whether the mesh was baked with a mirroring transform, which flips every cross product. */
   private final boolean mirrored;
@@ -35,6 +63,7 @@ public final class TriangleMesh {
       double[] uvs,
       int[] indices,
       MeshAttributes attributes,
+      Front front,
       int droppedTriangles) {
     this.positions = positions;
     this.normals = normals;
@@ -42,7 +71,8 @@ public final class TriangleMesh {
     this.indices = indices;
     this.attributes = attributes;
     this.droppedTriangles = droppedTriangles;
-    turned = findTurned();
+    this.front = front;
+    sides = findSides();
     mirrored = false;
   }
 
@@ -53,7 +83,8 @@ public final class TriangleMesh {
     indices = source.indices;
     attributes = source.attributes.mapped(toWorld);
     droppedTriangles = source.droppedTriangles;
-    turned = source.turned;
+    front = source.front;
+    sides = source.sides;
     mirrored = source.mirrored ^ toWorld.isMirroring();
     for (int i = 0; i < source.vertexCount(); i++) {
       store(toWorld.point(source.position(i)), positions, i);
@@ -88,6 +119,20 @@ public final class TriangleMesh {
       double[] uvs,
       int[] indices,
       MeshAttributes attributes) {
+    return of(positions, normals, uvs, indices, attributes, Front.NORMALS);
+  }
+
+  /**
+   * Returns a mesh with a rule for its front, which is otherwise {@link Front#NORMALS}; see {@link
+   * #of(double[], double[], double[], int[])}.
+   */
+  public static TriangleMesh of(
+      double[] positions,
+      double[] normals,
+      double[] uvs,
+      int[] indices,
+      MeshAttributes attributes,
+      Front front) {
     requireMultiple("positions", positions.length, 3);
     requireMultiple("indices", indices.length, 3);
     int vertices = positions.length / 3;
@@ -110,7 +155,7 @@ public final class TriangleMesh {
     int[] kept = withArea(positions, indices);
     int dropped = (indices.length - kept.length) / 3;
     return new TriangleMesh(
-        positions.clone(), normals.clone(), uvs.clone(), kept, attributes, dropped);
+        positions.clone(), normals.clone(), uvs.clone(), kept, attributes, front, dropped);
   }
 
   private static void requireMultiple(String name, int length, int of) {
@@ -151,19 +196,31 @@ public final class TriangleMesh {
     return Arrays.copyOf(kept, size);
   }
 
-  private boolean[] findTurned() {
-    if (!hasNormals()) {
-      return new boolean[0];
+  private byte[] findSides() {
+    byte[] found = new byte[hasNormals() ? triangleCount() : 0];
+    boolean isRegular = true;
+    for (int i = 0; i < found.length; i++) {
+      found[i] = side(i);
+      isRegular &= found[i] == REGULAR;
     }
-    boolean[] result = new boolean[triangleCount()];
-    for (int i = 0; i < result.length; i++) {
-      Vec3 a = position(vertex(i, 0));
-      Vec3 e1 = position(vertex(i, 1)).minus(a);
-      Vec3 e2 = position(vertex(i, 2)).minus(a);
-      Vec3 sum = normal(vertex(i, 0)).plus(normal(vertex(i, 1))).plus(normal(vertex(i, 2)));
-      result[i] = cross(e1, e2).dot(sum) < 0;
+    return isRegular ? new byte[0] : found;
+  }
+
+  private byte side(int triangle) {
+    Vec3 a = position(vertex(triangle, 0));
+    Vec3 e1 = position(vertex(triangle, 1)).minus(a);
+    Vec3 cross = cross(e1, position(vertex(triangle, 2)).minus(a));
+    Vec3 n0 = normal(vertex(triangle, 0));
+    Vec3 n1 = normal(vertex(triangle, 1));
+    Vec3 n2 = normal(vertex(triangle, 2));
+    Vec3 sum = n0.plus(n1).plus(n2);
+    if (front == Front.NORMALS) {
+      return cross.dot(sum) < 0 ? TURNED : REGULAR;
     }
-    return result;
+    if (cross.dot(sum) < -Math.sqrt(.5) * cross.length() * sum.length()) {
+      return REVERSED;
+    }
+    return cross.dot(n0) < 0 || cross.dot(n1) < 0 || cross.dot(n2) < 0 ? BEHIND : REGULAR;
   }
 
   /** Returns the cross product of two edges, up to a positive factor; zero for parallel edges. */
@@ -194,6 +251,7 @@ public final class TriangleMesh {
         selected(uvs, vertices, 2),
         corners,
         attributes.part(vertices),
+        front,
         0);
   }
 
@@ -294,9 +352,13 @@ public final class TriangleMesh {
     return uvs.length > 0;
   }
 
-  /** Returns whether the vertices have nothing but positions, normals and one set of uvs. */
+  /**
+   * Returns whether the vertices have nothing but positions, normals and one set of uvs, and the
+   * front of each triangle is that of {@link Front#NORMALS}.
+   */
   public boolean isPlain() {
-    return attributes.tangents().length == 0
+    return (front == Front.NORMALS || sides.length == 0)
+        && attributes.tangents().length == 0
         && attributes.uv1().length == 0
         && attributes.colors().length == 0;
   }
@@ -331,9 +393,24 @@ public final class TriangleMesh {
     return known;
   }
 
-  /** Returns whether a triangle's outward normal is opposite to the cross product of its edges. */
+  /** Returns what decides which side of a triangle is its front. */
+  Front front() {
+    return front;
+  }
+
+  /** Returns whether the normal of a triangle's front is opposite to the edges' cross product. */
   boolean isTurned(int triangle) {
-    return (turned.length > 0 && turned[triangle]) ^ mirrored;
+    return (sides.length > 0 && sides[triangle] == TURNED) ^ mirrored;
+  }
+
+  /** Returns whether vertex normals of a triangle are not those of shading; see {@link Front}. */
+  boolean hasNormalsBehind(int triangle) {
+    return sides.length > 0 && sides[triangle] >= BEHIND;
+  }
+
+  /** Returns whether all three vertex normals of a triangle are negated for shading. */
+  boolean hasReversedNormals(int triangle) {
+    return sides.length > 0 && sides[triangle] == REVERSED;
   }
 
   /** Copies the nine coordinates of a triangle. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Transform;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -90,6 +91,7 @@ final class GltfReader {
       warnOfUnusedMeshes();
     }
     return new Model(
+        TriangleMesh.Front.WINDING,
         parts,
         placedCameras,
         placedLights,

@@ -1,12 +1,15 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.geometry.TriangleMesh;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * The content of a model file, in its own world space: right-handed, +Y up, in the file's units.
  * The scene graph is flattened: each part has its own transform. Immutable.
  *
+ * @param front what decides which side of a triangle is its front
  * @param parts surfaces to render, in the order of the file; parts that use one mesh share one
  *     {@link ModelGeometry} object
  * @param cameras in the order of the file; empty if the file has none
@@ -17,6 +20,7 @@ import java.util.List;
  *     there are none
  */
 public record Model(
+    TriangleMesh.Front front,
     List<ModelPart> parts,
     List<ModelCamera> cameras,
     List<ModelLight> lights,
@@ -27,6 +31,7 @@ public record Model(
   private static final int MAX_REASONS = 3;
 
   public Model {
+    Objects.requireNonNull(front, "front");
     parts = List.copyOf(parts);
     cameras = List.copyOf(cameras);
     lights = List.copyOf(lights);
@@ -39,7 +44,7 @@ public record Model(
   Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);
-    return new Model(parts, cameras, lights, variants, animations, all);
+    return new Model(front, parts, cameras, lights, variants, animations, all);
   }
 
   /**

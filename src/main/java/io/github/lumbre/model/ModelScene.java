@@ -177,7 +177,8 @@ public final class ModelScene {
               geometry.indices(),
               isPlain
                   ? MeshAttributes.NONE
-                  : new MeshAttributes(tangents, geometry.uv1(), geometry.colors()));
+                  : new MeshAttributes(tangents, geometry.uv1(), geometry.colors()),
+              model.front());
         });
   }
 

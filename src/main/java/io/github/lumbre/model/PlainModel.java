@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Rgb;
 import java.util.List;
 
@@ -39,6 +40,13 @@ final class PlainModel {
 
   /** Returns a model that has parts only. */
   static Model of(List<ModelPart> parts, List<String> warnings) {
-    return new Model(parts, List.of(), List.of(), List.of(), List.of(), warnings);
+    return new Model(
+        TriangleMesh.Front.NORMALS,
+        parts,
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        warnings);
   }
 }

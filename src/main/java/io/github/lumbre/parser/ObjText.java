@@ -16,7 +16,8 @@ final class ObjText {
     }
     if (!mesh.isPlain()) {
       throw new Unwritable(
-          "a mesh with positions, normals and one set of texture coordinates", "one with more");
+          "a mesh with positions, normals on the front and one set of texture coordinates",
+          "one with more, or with normals on the back");
     }
     StringBuilder text = new StringBuilder(64 * mesh.vertexCount());
     for (int i = 0; i < mesh.vertexCount(); i++) {

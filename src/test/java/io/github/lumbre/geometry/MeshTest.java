@@ -80,6 +80,32 @@ class MeshTest {
     assertThat(normal.z()).isEqualTo(-1);
   }
 
+  /** Vertex normals on the back do not turn the triangle, but are moved to the front themselves. */
+  @Test
+  void frontMayBeThatOfTheWinding() {
+    Vec3 up = Vec3.Z.negated();
+    for (double[] n :
+        new double[][] {
+          {0, 0, 1, .6, 0, .8, 0, 0, 1},
+          {0, 0, -1, -.6, 0, -.8, 0, 0, -1},
+          {0, 0, 1, .6, 0, -.8, 0, 0, 1}
+        }) {
+      TriangleMesh mesh =
+          TriangleMesh.of(CORNER, n, NONE, ONE, MeshAttributes.NONE, TriangleMesh.Front.WINDING);
+      assertThat(mesh.isPlain()).isEqualTo(n[5] > 0);
+      for (TriangleMesh each : List.of(mesh, mesh.part(new int[] {0}))) {
+        SurfaceHit hit = hit(each, Transform.IDENTITY, new Vec3(.5, .25, 1), up);
+        assertThat(hit.geometricNormal()).isEqualTo(Vec3.Z);
+        assertSame(new Vec3(.3, 0, .9).normalized(), hit.shadingNormal());
+        SurfaceHit mirrored = hit(each, MIRROR, MIRROR.point(new Vec3(.5, .25, 1)), up);
+        assertSame(MIRROR.vector(hit.geometricNormal()), mirrored.geometricNormal());
+        assertSame(MIRROR.vector(hit.shadingNormal()), mirrored.shadingNormal());
+      }
+    }
+    assertThat(TriangleMesh.of(CORNER, new double[] {0, 0, -1, 0, 0, -1, 0, 0, -1}, NONE, ONE))
+        .matches(TriangleMesh::isPlain);
+  }
+
   @Test
   void mirroredMeshesGiveMirroredHits() {
     TriangleMesh smooth = Shapes.closedBall(8, 12, .2, true);

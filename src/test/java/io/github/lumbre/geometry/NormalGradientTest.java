@@ -24,12 +24,21 @@ class NormalGradientTest {
             new double[0],
             new double[0],
             new int[] {0, 2, 1});
+    TriangleMesh wound =
+        TriangleMesh.of(
+            new double[] {-1, 0, -1, 2, .3, -1, 0, -.2, 2},
+            new double[] {-.3, 1, 0, .6, -.3, .1, 0, 1, .3},
+            new double[0],
+            new int[] {0, 2, 1},
+            MeshAttributes.NONE,
+            TriangleMesh.Front.WINDING);
     Transform placed =
         Transform.rotationDegrees(new Vec3(10, 20, 30))
             .times(Transform.scale(new Vec3(1.2, -.8, 1.1)));
     return List.of(
         Mesh.of(triangle, placed),
         Mesh.of(even, placed),
+        Mesh.of(wound, placed),
         new MeshInstance(new SharedMesh(triangle), placed),
         new Rectangle(placed, 2, 2, true),
         new Plane(placed, true),
