@@ -39,8 +39,12 @@ class ReleaseFilesTest {
   @Test
   void allFilesStateTheSameVersion() throws IOException {
     String version = first("pom.xml", "(?m)^  <version>(.+)</version>$");
-    assertThat(first("spark/pom.xml", "(?m)^  <version>(.+)</version>$")).isEqualTo(version);
-    assertThat(first("README.md", "<version>(.+)</version>")).isEqualTo(version);
+    for (String pom : List.of("spark/pom.xml", "junit/pom.xml")) {
+      assertThat(first(pom, "(?m)^  <version>(.+)</version>$")).isEqualTo(version);
+    }
+    for (String page : List.of("README.md", "docs/golden.md")) {
+      assertThat(first(page, "<version>(.+)</version>")).isEqualTo(version);
+    }
     assertThat(first("CITATION.cff", "(?m)^version: (.+)$")).isEqualTo(version);
     assertThat(alias().get("script-ref").getAsString())
         .isEqualTo("io.github.lumbre:lumbre:" + version + ":cli");
