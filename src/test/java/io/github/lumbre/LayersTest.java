@@ -223,7 +223,8 @@ class LayersTest {
             .should()
             .dependOnClassesThat(
                 resideInAPackage(ROOT + "texture")
-                    .and(DescribedPredicate.not(named(ROOT + "texture.TexturePoint")))));
+                    .and(DescribedPredicate.not(named(ROOT + "texture.TexturePoint")))
+                    .and(DescribedPredicate.not(named(ROOT + "texture.SurfacePoint")))));
   }
 
   @Test

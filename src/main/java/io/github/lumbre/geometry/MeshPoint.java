@@ -1,12 +1,13 @@
 package io.github.lumbre.geometry;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.SurfacePoint;
 
 /**
  * A point of a mesh's triangle, at which further vertex attributes are interpolated when a material
  * needs them. Mutable; each {@link SurfaceHit} has one.
  */
-final class MeshPoint {
+final class MeshPoint implements SurfacePoint {
   private TriangleMesh mesh;
   private int triangle;
   private double b1, b2;
@@ -19,9 +20,22 @@ final class MeshPoint {
     b2 = newB2;
   }
 
-  /** Returns whether the mesh has a second set of texture coordinates. */
-  boolean hasSecondUv() {
-    return mesh.attributes().uv1().length > 0;
+  @Override
+  public double u(int set) {
+    if (set == 1 && mesh.attributes().uv1().length > 0) {
+      return secondUv(0);
+    }
+    double a = mesh.uv(triangle, 0).u();
+    return a + b1 * (mesh.uv(triangle, 1).u() - a) + b2 * (mesh.uv(triangle, 2).u() - a);
+  }
+
+  @Override
+  public double v(int set) {
+    if (set == 1 && mesh.attributes().uv1().length > 0) {
+      return secondUv(1);
+    }
+    double a = mesh.uv(triangle, 0).v();
+    return a + b1 * (mesh.uv(triangle, 1).v() - a) + b2 * (mesh.uv(triangle, 2).v() - a);
   }
 
   /**
@@ -29,7 +43,7 @@ final class MeshPoint {
    *
    * @param axis 0 for u, 1 for v
    */
-  double secondUv(int axis) {
+  private double secondUv(int axis) {
     double[] uv = mesh.attributes().uv1();
     return mix(
         uv[2 * mesh.vertex(triangle, 0) + axis],
@@ -37,15 +51,15 @@ final class MeshPoint {
         uv[2 * mesh.vertex(triangle, 2) + axis]);
   }
 
-  /** Returns the vertex color; white if the mesh has none. */
-  Rgb color() {
+  @Override
+  public Rgb vertexColor() {
     return mesh.attributes().colors().length == 0
         ? Rgb.WHITE
         : new Rgb(color(0), color(1), color(2));
   }
 
-  /** Returns the vertex alpha; 1 if the mesh has none. */
-  double alpha() {
+  @Override
+  public double vertexAlpha() {
     return mesh.attributes().colors().length == 0 ? 1 : color(3);
   }
 

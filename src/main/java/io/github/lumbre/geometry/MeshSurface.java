@@ -266,6 +266,9 @@ final class MeshSurface {
     }
     double error = error(triangle, e1, e2, normal) + mappingError(reference, normal);
     result.set(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
+    if (hasAttributes) {
+      result.withAttributes(mesh, triangle, b.x(), b.y());
+    }
   }
 
   /**

@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
@@ -13,7 +14,7 @@ import io.github.lumbre.texture.TexturePoint;
  * <p>Mutable; each {@link NearestHit} has one, which shapes overwrite at each hit. It stores plain
  * numbers to avoid allocation. The values that its methods return are immutable.
  */
-public final class SurfaceHit {
+public final class SurfaceHit implements SurfacePoint {
   private double x, y, z;
   private double geometricX, geometricY, geometricZ;
   private double tangentX, tangentY, tangentZ;
@@ -203,28 +204,24 @@ public final class SurfaceHit {
     return v;
   }
 
-  /**
-   * Returns the first texture coordinate of a set; of the first set if the surface has no second.
-   *
-   * @param set 0 or 1
-   */
+  @Override
   public double u(int set) {
-    return set == 1 && hasAttributes && meshPoint.hasSecondUv() ? meshPoint.secondUv(0) : u;
+    return set == 1 && hasAttributes ? meshPoint.u(1) : u;
   }
 
-  /** Returns the second texture coordinate of a set; see {@link #u(int)}. */
+  @Override
   public double v(int set) {
-    return set == 1 && hasAttributes && meshPoint.hasSecondUv() ? meshPoint.secondUv(1) : v;
+    return set == 1 && hasAttributes ? meshPoint.v(1) : v;
   }
 
-  /** Returns the linear vertex color; white if the surface has none. */
+  @Override
   public Rgb vertexColor() {
-    return hasAttributes ? meshPoint.color() : Rgb.WHITE;
+    return hasAttributes ? meshPoint.vertexColor() : Rgb.WHITE;
   }
 
-  /** Returns the vertex alpha; 1 if the surface has none. */
+  @Override
   public double vertexAlpha() {
-    return hasAttributes ? meshPoint.alpha() : 1;
+    return hasAttributes ? meshPoint.vertexAlpha() : 1;
   }
 
   /** Returns whether the ray hit the side that the geometric normal points to. */

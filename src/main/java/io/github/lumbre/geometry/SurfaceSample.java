@@ -1,13 +1,15 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
  * A point sampled on the surface of a shape, in world space, or no point if the shape is not
  * visible. Mutable; each thread reuses one instance.
  */
-public final class SurfaceSample {
+public final class SurfaceSample implements SurfacePoint {
   /** A bound of the position error of a hit, relative to the length of the ray. */
   private static final double ROUNDING = 16 * 0x1p-52;
 
@@ -16,6 +18,11 @@ public final class SurfaceSample {
   private double u, v;
   private double error;
   private double pdf;
+
+  /** Where further vertex attributes are; used only if {@link #hasAttributes}. */
+  private final MeshPoint meshPoint = new MeshPoint();
+
+  private boolean hasAttributes;
 
   /** Creates an instance without a point. */
   public SurfaceSample() {}
@@ -46,6 +53,13 @@ public final class SurfaceSample {
     v = texture.v();
     error = newError;
     pdf = newPdf;
+    hasAttributes = false;
+  }
+
+  /** Adds a mesh's further vertex attributes, at barycentric weights (1 − b1 − b2, b1, b2). */
+  void withAttributes(TriangleMesh mesh, int triangle, double b1, double b2) {
+    meshPoint.moveTo(mesh, triangle, b1, b2);
+    hasAttributes = true;
   }
 
   /** Returns the sampled position; undefined without a point. */
@@ -66,6 +80,26 @@ public final class SurfaceSample {
   /** Returns the texture coordinates at the point. */
   public TexturePoint texture() {
     return new TexturePoint(u, v);
+  }
+
+  @Override
+  public double u(int set) {
+    return set == 1 && hasAttributes ? meshPoint.u(1) : u;
+  }
+
+  @Override
+  public double v(int set) {
+    return set == 1 && hasAttributes ? meshPoint.v(1) : v;
+  }
+
+  @Override
+  public Rgb vertexColor() {
+    return hasAttributes ? meshPoint.vertexColor() : Rgb.WHITE;
+  }
+
+  @Override
+  public double vertexAlpha() {
+    return hasAttributes ? meshPoint.vertexAlpha() : 1;
   }
 
   /**

@@ -3,6 +3,7 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Arrays;
 
@@ -380,6 +381,13 @@ public final class TriangleMesh {
   /** Returns the texture coordinates of a vertex; requires {@link #hasUvs}. */
   public TexturePoint uv(int vertex) {
     return new TexturePoint(uvs[2 * vertex], uvs[2 * vertex + 1]);
+  }
+
+  /** Returns the attributes of a triangle's point of barycentric weights (1 − b1 − b2, b1, b2). */
+  public SurfacePoint point(int triangle, double b1, double b2) {
+    MeshPoint point = new MeshPoint();
+    point.moveTo(this, triangle, b1, b2);
+    return point;
   }
 
   /** Returns whether the mesh encloses a volume; see {@link MeshBorder#isClosed}. */

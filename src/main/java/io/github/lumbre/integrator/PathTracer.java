@@ -446,7 +446,7 @@ public final class PathTracer implements Integrator {
    */
   private void addEmission(
       Emission emission, SurfaceHit surface, int depth, RenderContext context) {
-    Rgb emitted = emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
+    Rgb emitted = emission.towards(surface.wo(), surface.geometricNormal(), surface);
     int emitter = scene.emitterAt(context.hit);
     double bsdfPdf = context.path.pdf();
     double lightPdf = 0;

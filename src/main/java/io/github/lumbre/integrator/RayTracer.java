@@ -215,7 +215,7 @@ public final class RayTracer implements Integrator {
 
   private Rgb emission(
       Emission emission, SurfaceHit surface, boolean continues, RenderContext context) {
-    Rgb light = emission.towards(surface.wo(), surface.geometricNormal(), surface.texture());
+    Rgb light = emission.towards(surface.wo(), surface.geometricNormal(), surface);
     if (context.isRecorded) {
       context.listener.surfaceHit(context.hit.shape(), surface);
       reportFound(Source.EMISSION, scene.emitterAt(context.hit), light, context);

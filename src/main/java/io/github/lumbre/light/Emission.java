@@ -4,6 +4,7 @@ import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.Constant;
+import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
@@ -54,9 +55,9 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided, double meanRadia
    *
    * @param direction direction away from the surface, in world space, of any length
    * @param normal outward geometric normal of the surface, in world space
-   * @param point texture coordinates of the point
+   * @param point where the radiance is evaluated
    */
-  public Rgb towards(Vec3 direction, Vec3 normal, TexturePoint point) {
+  public Rgb towards(Vec3 direction, Vec3 normal, SurfacePoint point) {
     return twoSided || direction.dot(normal) > 0 ? radiance.at(point) : Rgb.BLACK;
   }
 
@@ -66,7 +67,7 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided, double meanRadia
    * @param reference point in world space
    */
   Rgb towards(Vec3 reference, SurfaceSample point) {
-    return twoSided || point.isSeenFrontally(reference) ? radiance.at(point.texture()) : Rgb.BLACK;
+    return twoSided || point.isSeenFrontally(reference) ? radiance.at(point) : Rgb.BLACK;
   }
 
   private static double mean(Texture<Rgb> radiance) {

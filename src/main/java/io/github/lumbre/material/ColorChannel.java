@@ -1,15 +1,15 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /** A color that varies over a surface, and may depend on any vertex attribute. Immutable. */
 @FunctionalInterface
 public interface ColorChannel {
-  /** Returns the linear color at a hit; each component is at least 0. */
-  Rgb at(SurfaceHit hit);
+  /** Returns the linear color at a point of a surface; each component is at least 0. */
+  Rgb at(SurfacePoint point);
 
   /** Returns whether the color is known to be the same everywhere. */
   default boolean isConstant() {
@@ -41,8 +41,8 @@ public interface ColorChannel {
     }
 
     @Override
-    public Rgb at(SurfaceHit hit) {
-      return texture.at(hit.u(uvSet), hit.v(uvSet));
+    public Rgb at(SurfacePoint point) {
+      return texture.at(point.u(uvSet), point.v(uvSet));
     }
 
     @Override

@@ -7,26 +7,26 @@ import io.github.lumbre.math.Vec3;
  * A layer above another BSDF: f = layer + base · min(1 - E(o), 1 - E(i)), where E is the layer's
  * directional albedo. The minimum keeps the sum reciprocal and at most 1.
  *
- * @param reflected fraction of the light that the layer reflects, by the cosine of a direction
+ * @param reflected fraction of the light from a direction that the layer reflects
  */
-record Layered(Lobe layer, Bsdf base, Albedo reflected) implements Bsdf {
+record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
   /** The largest random number. */
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
   /** The directional albedo of a layer. */
   @FunctionalInterface
   interface Albedo {
-    /** Returns the fraction of light that the layer reflects, in [0,1]. */
-    double at(double cosine);
+    /** Returns the fraction of light from a unit direction that the layer reflects, in [0,1]. */
+    double at(double x, double y, double z);
   }
 
-  private double passed(double woZ, double wiZ) {
-    return Math.max(0, 1 - Math.max(reflected.at(Math.abs(woZ)), reflected.at(Math.abs(wiZ))));
+  private double passed(double reflectedOut, double wiX, double wiY, double wiZ) {
+    return Math.max(0, 1 - Math.max(reflectedOut, reflected.at(wiX, wiY, wiZ)));
   }
 
   /** Returns the probability of sampling the layer. */
-  private double share(double woZ) {
-    return Math.min(.9, Math.max(.1, reflected.at(Math.abs(woZ))));
+  private static double share(double reflectedOut) {
+    return Math.min(.9, Math.max(.1, reflectedOut));
   }
 
   @Override
@@ -47,18 +47,21 @@ record Layered(Lobe layer, Bsdf base, Albedo reflected) implements Bsdf {
   @Override
   public void evaluate(
       double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
-    double share = share(woZ);
+    double reflectedOut = reflected.at(woX, woY, woZ);
+    double share = share(reflectedOut);
     layer.evaluate(woX, woY, woZ, wiX, wiY, wiZ, result);
     Rgb f = result.f();
     double pdf = share * result.pdf();
     base.evaluate(woX, woY, woZ, wiX, wiY, wiZ, result);
-    result.set(f.plus(result.f().times(passed(woZ, wiZ))), pdf + (1 - share) * result.pdf());
+    Rgb below = result.f().times(passed(reflectedOut, wiX, wiY, wiZ));
+    result.set(f.plus(below), pdf + (1 - share) * result.pdf());
   }
 
   @Override
   public void sample(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
-    double share = share(woZ);
+    double reflectedOut = reflected.at(woX, woY, woZ);
+    double share = share(reflectedOut);
     if (uLobe < share) {
       layer.sample(woX, woY, woZ, uLobe / share, u, v, result);
     } else {
@@ -69,7 +72,8 @@ record Layered(Lobe layer, Bsdf base, Albedo reflected) implements Bsdf {
       return;
     }
     if (result.isSpecular()) {
-      result.setSpecular(result.wi(), result.weight().times(passed(woZ, result.z()) / (1 - share)));
+      double passed = passed(reflectedOut, result.x(), result.y(), result.z());
+      result.setSpecular(result.wi(), result.weight().times(passed / (1 - share)));
     } else {
       result.weighBy(this, new Vec3(woX, woY, woZ));
     }

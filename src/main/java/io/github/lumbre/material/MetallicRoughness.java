@@ -5,6 +5,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;
 import java.util.Optional;
@@ -26,6 +27,8 @@ public final class MetallicRoughness implements Material {
   /** The reflectance of the clear coat at normal incidence, for an index of refraction of 1.5. */
   private static final double COAT_F0 = .04;
 
+  private static final TexturePoint ORIGIN = new TexturePoint(0, 0);
+
   private final Builder values;
   private final boolean isUniform;
   private final boolean isOpaque;
@@ -43,7 +46,8 @@ public final class MetallicRoughness implements Material {
             && values.clearcoatRoughness.isConstant()
             && values.sheenColor.isConstant()
             && values.sheenRoughness.isConstant()
-            && values.opacity.isConstant();
+            && values.opacity.isConstant()
+            && values.coatNormals.isEmpty();
     isOpaque = !values.isTransparent && values.isDoubleSided && !values.isThinlyTransmissive();
   }
 
@@ -80,6 +84,9 @@ public final class MetallicRoughness implements Material {
     /** Is called if back faces are invisible. */
     void singleSided();
 
+    /** Is called if a map perturbs the normals of the clear coat. */
+    void clearcoatNormals();
+
     /**
      * Receives the medium inside.
      *
@@ -115,6 +122,9 @@ public final class MetallicRoughness implements Material {
     }
     if (!values.isDoubleSided) {
       to.singleSided();
+    }
+    if (values.coatNormals.isPresent()) {
+      to.clearcoatNormals();
     }
     if (!values.isThin) {
       to.volume(values.attenuation);
@@ -232,6 +242,25 @@ public final class MetallicRoughness implements Material {
 
   @Override
   public Bsdf at(SurfaceHit hit) {
+    return coated(belowCoat(hit), hit);
+  }
+
+  /** Returns whether a clear coat may cover the surface somewhere. */
+  boolean mayBeCoated() {
+    return !values.clearcoat.isConstant() || unit(values.clearcoat.at(ORIGIN)) > 0;
+  }
+
+  /** Returns whether a clear coat covers the surface at a hit. */
+  boolean isCoated(SurfaceHit hit) {
+    return unit(values.clearcoat.at(hit)) > 0;
+  }
+
+  /** Returns how the surface scatters at a hit, with a perturbed normal below the clear coat. */
+  Bsdf at(SurfaceHit hit, PerturbedNormal belowCoat) {
+    return coated(belowCoat.tilted(belowCoat(hit), hit), hit);
+  }
+
+  private Bsdf belowCoat(SurfaceHit hit) {
     Bsdf bsdf = base(hit);
     Rgb sheenColor = sheenColor(hit);
     if (!sheenColor.isBlack()) {
@@ -239,16 +268,28 @@ public final class MetallicRoughness implements Material {
       double most = sheenColor.max();
       bsdf =
           new Layered(
-              new Sheen(sheenColor, roughness), bsdf, c -> most * Sheen.albedo(c, roughness));
+              new Sheen(sheenColor, roughness),
+              bsdf,
+              (x, y, z) -> most * Sheen.albedo(Math.abs(z), roughness));
     }
+    return bsdf;
+  }
+
+  /** Returns a BSDF below the clear coat, times the opacity. */
+  private Bsdf coated(Bsdf base, SurfaceHit hit) {
     double coat = unit(values.clearcoat.at(hit));
-    if (coat > 0) {
-      double alpha = coatAlpha(hit);
-      Lobe lobe = new SchlickReflection(Rgb.grey(coat * COAT_F0), coat, new Ggx(alpha));
-      bsdf = new Layered(lobe, bsdf, c -> coatAlbedo(coat, c, alpha));
-    }
+    Bsdf bsdf = coat > 0 ? coated(base, coat, coatAlpha(hit), hit) : base;
     double opacity = opacity(hit);
     return opacity < 1 ? new Faded(bsdf, opacity) : bsdf;
+  }
+
+  private Bsdf coated(Bsdf base, double coat, double alpha, SurfaceHit hit) {
+    Lobe smooth = new SchlickReflection(Rgb.grey(coat * COAT_F0), coat, new Ggx(alpha));
+    if (values.coatNormals.isPresent()
+        && values.coatNormals.get().tilted(smooth, hit) instanceof Tilted bumpy) {
+      return new Layered(bumpy, base, (x, y, z) -> coatAlbedo(coat, bumpy.cosine(x, y, z), alpha));
+    }
+    return new Layered(smooth, base, (x, y, z) -> coatAlbedo(coat, Math.abs(z), alpha));
   }
 
   /** Returns the BSDF without sheen and clear coat. */
@@ -307,6 +348,7 @@ public final class MetallicRoughness implements Material {
     private ScalarChannel transmission = ScalarChannel.of(0);
     private ScalarChannel clearcoat = ScalarChannel.of(0);
     private ScalarChannel clearcoatRoughness = ScalarChannel.of(0);
+    private Optional<PerturbedNormal> coatNormals = Optional.empty();
     private ColorChannel sheenColor = ColorChannel.of(Rgb.BLACK);
     private ScalarChannel sheenRoughness = ScalarChannel.of(0);
     private double ior = 1.5;
@@ -329,6 +371,7 @@ public final class MetallicRoughness implements Material {
       transmission = other.transmission;
       clearcoat = other.clearcoat;
       clearcoatRoughness = other.clearcoatRoughness;
+      coatNormals = other.coatNormals;
       sheenColor = other.sheenColor;
       sheenRoughness = other.sheenRoughness;
       ior = other.ior;
@@ -397,6 +440,12 @@ public final class MetallicRoughness implements Material {
     /** Sets the perceptual roughness of the clear coat, in [0,1]. */
     public Builder clearcoatRoughness(ScalarChannel value) {
       clearcoatRoughness = Objects.requireNonNull(value, "clearcoatRoughness");
+      return this;
+    }
+
+    /** Sets the normals of the clear coat; without a map, they are those of the vertices. */
+    public Builder clearcoatNormals(NormalMap map, int uvSet) {
+      coatNormals = Optional.of(new PerturbedNormal(map, uvSet));
       return this;
     }
 

@@ -2,13 +2,13 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Any material on a surface whose normals a map perturbs.
+ * Any material on a surface whose normals a map perturbs. A clear coat keeps the surface's normals:
+ * the map perturbs those of the lobes below it.
  *
  * @param uvSet 0 or 1: the texture coordinates of the map
  */
@@ -47,7 +47,9 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
 
   @Override
   public Bsdf at(SurfaceHit hit) {
-    return material.at(hit);
+    return material instanceof MetallicRoughness layered && layered.isCoated(hit)
+        ? layered.at(hit, new PerturbedNormal(map, uvSet))
+        : material.at(hit);
   }
 
   @Override
@@ -68,16 +70,14 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
   @Override
   public void perturb(SurfaceHit hit) {
     material.perturb(hit);
-    Vec3 local = map.normal(hit.u(uvSet), hit.v(uvSet));
-    if (local.maxAbs() != 0) {
-      // Normalize first, so that sums of huge components do not overflow.
-      Vec3 normal = hit.toWorld(local.normalized()).normalized();
-      hit.perturb(NormalMap.raised(normal, hit.geometricNormal()));
+    if (!(material instanceof MetallicRoughness layered && layered.isCoated(hit))) {
+      new PerturbedNormal(map, uvSet).perturb(hit);
     }
   }
 
   @Override
   public Material simplified() {
-    return new NormalMapped(material.simplified(), map, uvSet);
+    boolean isCoated = material instanceof MetallicRoughness layered && layered.mayBeCoated();
+    return new NormalMapped(isCoated ? material : material.simplified(), map, uvSet);
   }
 }

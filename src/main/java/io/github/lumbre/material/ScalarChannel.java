@@ -1,14 +1,14 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.texture.ScalarTexture;
+import io.github.lumbre.texture.SurfacePoint;
 import java.util.Objects;
 
 /** A number that varies over a surface, and may depend on any vertex attribute. Immutable. */
 @FunctionalInterface
 public interface ScalarChannel {
-  /** Returns the value at a hit. */
-  double at(SurfaceHit hit);
+  /** Returns the value at a point of a surface. */
+  double at(SurfacePoint point);
 
   /** Returns whether the value is known to be the same everywhere. */
   default boolean isConstant() {
@@ -40,8 +40,8 @@ public interface ScalarChannel {
     }
 
     @Override
-    public double at(SurfaceHit hit) {
-      return texture.at(hit.u(uvSet), hit.v(uvSet));
+    public double at(SurfacePoint point) {
+      return texture.at(point.u(uvSet), point.v(uvSet));
     }
 
     @Override

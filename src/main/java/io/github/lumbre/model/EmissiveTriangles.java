@@ -8,7 +8,6 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelSurface.Emitter;
 import io.github.lumbre.texture.Constant;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -85,18 +84,13 @@ final class EmissiveTriangles {
   }
 
   private double radiance(int triangle) {
-    TexturePoint a = mesh.uv(triangle, 0);
-    TexturePoint b = mesh.uv(triangle, 1);
-    TexturePoint c = mesh.uv(triangle, 2);
     double sum = 0;
     for (int i = 0; i < GRID; i++) {
       for (int j = 0; j < 2 * (GRID - i) - 1; j++) {
         // The upright parts have even j, the inverted ones odd j.
         double s = (i + (j % 2 == 0 ? 1 : 2) / 3.) / GRID;
         double t = (Math.floorDiv(j, 2) + (j % 2 == 0 ? 1 : 2) / 3.) / GRID;
-        double u = a.u() + s * (b.u() - a.u()) + t * (c.u() - a.u());
-        double v = a.v() + s * (b.v() - a.v()) + t * (c.v() - a.v());
-        sum += emission.radiance().at(u, v).max();
+        sum += emission.radiance().at(mesh.point(triangle, s, t)).max();
       }
     }
     return sum / (GRID * GRID);

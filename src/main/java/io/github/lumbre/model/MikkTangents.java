@@ -15,12 +15,14 @@ import java.util.Map;
  */
 final class MikkTangents {
   private final ModelGeometry mesh;
+  private final double[] uvs;
   private final int[] group;
   private final double[] sums;
 
-  private MikkTangents(ModelGeometry mesh) {
+  private MikkTangents(ModelGeometry mesh, double[] uvs) {
     this.mesh = mesh;
-    group = groups(mesh);
+    this.uvs = uvs;
+    group = groups(mesh, uvs);
     // Two sums per vertex: for each orientation of the texture.
     sums = new double[6 * mesh.vertexCount()];
   }
@@ -28,10 +30,11 @@ final class MikkTangents {
   /**
    * Returns four numbers per vertex; see {@link ModelGeometry#tangents}.
    *
-   * @param mesh with normals and texture coordinates of the first set
+   * @param mesh with normals
+   * @param uvs the texture coordinates of the normal map, two numbers per vertex
    */
-  static double[] of(ModelGeometry mesh) {
-    MikkTangents tangents = new MikkTangents(mesh);
+  static double[] of(ModelGeometry mesh, double[] uvs) {
+    MikkTangents tangents = new MikkTangents(mesh, uvs);
     for (int i = 0; i < mesh.indices().length; i += 3) {
       tangents.addTriangle(i);
     }
@@ -39,11 +42,11 @@ final class MikkTangents {
   }
 
   /** Returns for each vertex the first one with the same position, normal and coordinates. */
-  private static int[] groups(ModelGeometry mesh) {
+  private static int[] groups(ModelGeometry mesh, double[] uvs) {
     Map<Key, Integer> first = new HashMap<>();
     int[] groups = new int[mesh.vertexCount()];
     for (int i = 0; i < groups.length; i++) {
-      Integer known = first.putIfAbsent(Key.of(mesh, i), i);
+      Integer known = first.putIfAbsent(Key.of(mesh, uvs, i), i);
       groups[i] = known == null ? i : known;
     }
     return groups;
@@ -51,12 +54,12 @@ final class MikkTangents {
 
   /** The attributes that make two vertices one. */
   private record Key(Vec3 position, Vec3 normal, double u, double v) {
-    static Key of(ModelGeometry mesh, int i) {
+    static Key of(ModelGeometry mesh, double[] uvs, int i) {
       return new Key(
           vector(mesh.positions(), i),
           vector(mesh.normals(), i),
-          mesh.uv0()[2 * i],
-          mesh.uv0()[2 * i + 1]);
+          uvs[2 * i],
+          uvs[2 * i + 1]);
     }
   }
 
@@ -69,7 +72,7 @@ final class MikkTangents {
     Vec3 a = vector(mesh.positions(), corners[0]);
     Vec3 e1 = vector(mesh.positions(), corners[1]).minus(a);
     Vec3 e2 = vector(mesh.positions(), corners[2]).minus(a);
-    double[] uv = mesh.uv0();
+    double[] uv = uvs;
     double du1 = uv[2 * corners[1]] - uv[2 * corners[0]];
     double dv1 = uv[2 * corners[1] + 1] - uv[2 * corners[0] + 1];
     double du2 = uv[2 * corners[2]] - uv[2 * corners[0]];

@@ -1,6 +1,5 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
@@ -11,12 +10,12 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.ScalarChannel;
-import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.ImageTexture;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.SampledTexture;
+import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Collections;
@@ -120,9 +119,9 @@ final class ModelMaterials {
               volume.attenuationColor(), volume.attenuationDistance() * unit));
     }
     Material material = builder.build();
-    Optional<NormalInput> map = m.normalMap();
-    return map.isPresent() && !m.unlit() && usable(Optional.of(map.get().texture())).isPresent()
-        ? mapped(material, map.get())
+    Optional<NormalInput> map = usableMap(m.normalMap());
+    return map.isPresent() && !m.unlit()
+        ? new NormalMapped(material, normalMap(map.get()), map.get().texture().uvSet())
         : material;
   }
 
@@ -141,6 +140,10 @@ final class ModelMaterials {
     if (m.clearcoat().factor() > 0) {
       builder.clearcoat(scalar(m.clearcoat()));
       builder.clearcoatRoughness(scalar(m.clearcoatRoughness()));
+      Optional<NormalInput> map = usableMap(m.clearcoatNormalMap());
+      if (map.isPresent()) {
+        builder.clearcoatNormals(normalMap(map.get()), map.get().texture().uvSet());
+      }
     }
     if (!m.sheenColor().factor().isBlack()) {
       builder.sheenColor(color(m.sheenColor())).sheenRoughness(scalar(m.sheenRoughness()));
@@ -148,57 +151,77 @@ final class ModelMaterials {
   }
 
   private static ColorChannel timesVertexColor(ColorChannel color) {
-    return hit -> color.at(hit).times(hit.vertexColor());
+    return point -> color.at(point).times(point.vertexColor());
   }
 
   private ScalarChannel opacity(ModelMaterial m) throws ModelFormatException {
     ScalarChannel opacity = scalar(m.opacity());
-    return hit -> opacity.at(hit) * hit.vertexAlpha();
+    return point -> opacity.at(point) * point.vertexAlpha();
   }
 
   private static ScalarChannel mask(ScalarChannel opacity, double cutoff) {
-    return hit -> opacity.at(hit) >= cutoff ? 1 : 0;
+    return point -> opacity.at(point) >= cutoff ? 1 : 0;
   }
 
-  private Material mapped(Material material, NormalInput input) throws ModelFormatException {
-    Texture<Rgb> texture = texture(input.texture(), ImageTexture.Role.NORMAL);
-    NormalMap map = new NormalMap(texture, input.scale());
-    return new NormalMapped(material, map, input.texture().uvSet());
+  /** Returns a normal map, unless its picture cannot be decoded. */
+  private Optional<NormalInput> usableMap(Optional<NormalInput> map) throws ModelFormatException {
+    return map.isPresent() && usable(map.map(NormalInput::texture)).isPresent()
+        ? map
+        : Optional.empty();
+  }
+
+  private NormalMap normalMap(NormalInput input) throws ModelFormatException {
+    return new NormalMap(texture(input.texture(), ImageTexture.Role.NORMAL), input.scale());
   }
 
   /**
    * Returns the emission of a material; empty if it emits nothing.
    *
+   * @param isColored whether the vertices of the surface have colors
    * @throws ModelFormatException if a texture is too large
    */
-  Optional<Emission> emission(ModelMaterial m) throws ModelFormatException {
+  Optional<Emission> emission(ModelMaterial m, boolean isColored) throws ModelFormatException {
     ColorInput input = m.unlit() ? m.baseColor() : m.emission();
     if (input.factor().isBlack()) {
       return Optional.empty();
     }
-    Optional<ModelTexture> source = usable(input.texture());
-    if (input.texture().isPresent() && source.isEmpty() && !m.unlit()) {
+    if (input.texture().isPresent() && usable(input.texture()).isEmpty() && !m.unlit()) {
       // Without its texture, a surface would glow all over.
       return Optional.empty();
     }
-    Texture<Rgb> radiance = Texture.constant(input.factor());
-    if (source.isPresent()) {
-      Texture<Rgb> texture = texture(source.get(), ImageTexture.Role.COLOUR);
-      radiance = (u, v) -> texture.at(u, v).times(input.factor());
-    }
-    if (m.alphaMode() == ModelMaterial.AlphaMode.OPAQUE) {
-      return Optional.of(new Emission(radiance, m.doubleSided()));
-    }
-    Texture<Rgb> full = radiance;
-    ScalarChannel opacity = scalar(m.opacity());
-    boolean isMask = m.alphaMode() == ModelMaterial.AlphaMode.MASK;
-    ScalarChannel used = isMask ? mask(opacity, m.alphaCutoff()) : opacity;
-    return Optional.of(
-        new Emission((u, v) -> full.at(u, v).times(used.at(at(u, v))), m.doubleSided()));
+    boolean isTinted = m.unlit() && isColored;
+    ColorChannel color = isTinted ? timesVertexColor(color(input)) : color(input);
+    return Optional.of(new Emission(radiance(seen(color, m)), m.doubleSided()));
   }
 
-  private static SurfaceHit at(double u, double v) {
-    return new SurfaceHit().set(Vec3.ZERO, Vec3.Z, Frame.WORLD, new TexturePoint(u, v), Vec3.Z, 0);
+  private static Texture<Rgb> radiance(ColorChannel color) {
+    return color instanceof ColorChannel.Textured textured && textured.uvSet() == 0
+        ? textured.texture()
+        : new Radiance(color);
+  }
+
+  /** A texture that depends on more than the first texture coordinates. */
+  private record Radiance(ColorChannel color) implements Texture<Rgb> {
+    @Override
+    public Rgb at(double u, double v) {
+      return at(new TexturePoint(u, v));
+    }
+
+    @Override
+    public Rgb at(SurfacePoint point) {
+      return color.at(point);
+    }
+  }
+
+  /** Returns the part of a color that the opacity leaves. */
+  private ColorChannel seen(ColorChannel color, ModelMaterial m) throws ModelFormatException {
+    if (m.alphaMode() == ModelMaterial.AlphaMode.OPAQUE) {
+      return color;
+    }
+    ScalarChannel opacity = opacity(m);
+    boolean isMask = m.alphaMode() == ModelMaterial.AlphaMode.MASK;
+    ScalarChannel used = isMask ? mask(opacity, m.alphaCutoff()) : opacity;
+    return point -> color.at(point).times(used.at(point));
   }
 
   private ColorChannel color(ColorInput input) throws ModelFormatException {

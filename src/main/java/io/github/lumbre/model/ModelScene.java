@@ -24,6 +24,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
@@ -39,18 +40,18 @@ public final class ModelScene {
   private final Kernel kernel;
   private final ModelMaterials materials;
 
-  /** Whether the geometry of parts with normal maps needs tangents. */
-  private record MeshKey(ModelGeometry geometry, boolean needsTangents) {
+  /** A geometry, compared by identity, and the coordinates whose tangents it gets. */
+  private record MeshKey(ModelGeometry geometry, Optional<MapCoordinates> tangents) {
     @Override
     public boolean equals(Object other) {
       return other instanceof MeshKey key
           && key.geometry == geometry
-          && key.needsTangents == needsTangents;
+          && key.tangents.equals(tangents);
     }
 
     @Override
     public int hashCode() {
-      return 2 * System.identityHashCode(geometry) + (needsTangents ? 1 : 0);
+      return 31 * System.identityHashCode(geometry) + tangents.hashCode();
     }
   }
 
@@ -106,7 +107,7 @@ public final class ModelScene {
   void decode() throws ModelFormatException {
     for (ModelPart part : model.parts()) {
       materials.of(part.material(), true);
-      materials.emission(part.material());
+      materials.emission(part.material(), part.geometry().colors().length > 0);
     }
   }
 
@@ -132,7 +133,7 @@ public final class ModelScene {
                 shape,
                 materials.of(part.material(), isClosed),
                 materials
-                    .emission(part.material())
+                    .emission(part.material(), part.geometry().colors().length > 0)
                     .map(emission -> EmissiveTriangles.of(mesh, shape, partToWorld, emission))
                     .orElse(List.of())));
       }
@@ -156,30 +157,26 @@ public final class ModelScene {
   }
 
   private TriangleMesh mesh(ModelPart part) {
-    ModelGeometry geometry = part.geometry();
-    ModelMaterial material = part.material();
-    boolean mapped = material.normalMap().isPresent() || material.clearcoatNormalMap().isPresent();
-    boolean computes =
-        mapped
-            && geometry.tangents().length == 0
-            && geometry.normals().length > 0
-            && geometry.uv0().length > 0;
+    Optional<MapCoordinates> missing = MapCoordinates.missing(part.material(), part.geometry());
     return meshes.computeIfAbsent(
-        new MeshKey(geometry, computes),
-        key -> {
-          double[] tangents = computes ? MikkTangents.of(geometry) : geometry.tangents();
-          boolean isPlain =
-              tangents.length == 0 && geometry.uv1().length == 0 && geometry.colors().length == 0;
-          return TriangleMesh.of(
-              geometry.positions(),
-              geometry.normals(),
-              geometry.uv0(),
-              geometry.indices(),
-              isPlain
-                  ? MeshAttributes.NONE
-                  : new MeshAttributes(tangents, geometry.uv1(), geometry.colors()),
-              model.front());
-        });
+        new MeshKey(part.geometry(), missing),
+        key -> mesh(missing.map(m -> m.withTangents(key.geometry)).orElse(key.geometry)));
+  }
+
+  private TriangleMesh mesh(ModelGeometry geometry) {
+    boolean isPlain =
+        geometry.tangents().length == 0
+            && geometry.uv1().length == 0
+            && geometry.colors().length == 0;
+    return TriangleMesh.of(
+        geometry.positions(),
+        geometry.normals(),
+        geometry.uv0(),
+        geometry.indices(),
+        isPlain
+            ? MeshAttributes.NONE
+            : new MeshAttributes(geometry.tangents(), geometry.uv1(), geometry.colors()),
+        model.front());
   }
 
   private Shape shape(TriangleMesh mesh, Transform partToWorld, boolean isShared) {

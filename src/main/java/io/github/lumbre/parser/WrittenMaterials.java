@@ -169,6 +169,11 @@ final class WrittenMaterials {
     }
 
     @Override
+    public void clearcoatNormals() {
+      throw new Unwritable("a clear coat without a normal map", "one with a normal map");
+    }
+
+    @Override
     public void volume(Optional<MetallicRoughness.Attenuation> color) {
       MetallicRoughness.Attenuation known =
           color.orElseThrow(

@@ -13,9 +13,9 @@ public interface Texture<T> {
    */
   T at(double u, double v);
 
-  /** Returns the value at a point. */
-  default T at(TexturePoint p) {
-    return at(p.u(), p.v());
+  /** Returns the value at a point: that of its first texture coordinates, unless stated. */
+  default T at(SurfacePoint p) {
+    return at(p.u(0), p.v(0));
   }
 
   /** Returns whether the texture is known to have the same value everywhere. */

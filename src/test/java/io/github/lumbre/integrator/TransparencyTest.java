@@ -184,7 +184,7 @@ class TransparencyTest {
   /** The opacity of a mask is 0 or 1, here by the texture coordinate. */
   @Test
   void masksHaveHolesAndNothingInBetween() {
-    Material mask = plastic(0).opacity(hit -> hit.u() < .5 ? 1 : 0).build();
+    Material mask = plastic(0).opacity(hit -> hit.u(0) < .5 ? 1 : 0).build();
     Scene scene = empty().add(wall(1), mask).addEmissive(wall(2), glow(1)).build();
     double sum = 0;
     for (double x : new double[] {-1, 1}) {

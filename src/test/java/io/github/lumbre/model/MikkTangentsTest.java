@@ -14,8 +14,9 @@ class MikkTangentsTest {
   private static final int[] TWO = {0, 1, 2, 0, 2, 3};
 
   private static double[] tangents(double[] positions, double[] normals, double[] uv, int... f) {
+    double[] none = {};
     return MikkTangents.of(
-        new ModelGeometry(positions, normals, new double[0], uv, new double[0], new float[0], f));
+        new ModelGeometry(positions, normals, none, none, none, new float[0], f), uv);
   }
 
   private static void assertTangent(double[] tangents, int vertex, Vec3 expected, double sign) {

@@ -1,0 +1,46 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.NormalMap;
+import java.util.Objects;
+
+/**
+ * The normals of a surface, perturbed by a map.
+ *
+ * @param uvSet 0 or 1: the texture coordinates of the map
+ */
+record PerturbedNormal(NormalMap map, int uvSet) {
+  PerturbedNormal {
+    Objects.requireNonNull(map, "map");
+  }
+
+  /** Perturbs a hit's shading frame. */
+  void perturb(SurfaceHit hit) {
+    Vec3 local = local(hit);
+    if (local.maxAbs() != 0) {
+      hit.perturb(toWorld(local, hit));
+    }
+  }
+
+  /**
+   * Returns a BSDF around the perturbed normal; the BSDF itself where the surface keeps its normal,
+   * or if the viewer is behind the perturbed one.
+   */
+  Bsdf tilted(Bsdf bsdf, SurfaceHit hit) {
+    Vec3 local = local(hit);
+    return local.maxAbs() == 0
+        ? bsdf
+        : Tilted.of(bsdf, hit.toLocal(toWorld(local, hit)), hit.toLocal(hit.wo()));
+  }
+
+  private Vec3 local(SurfaceHit hit) {
+    return map.normal(hit.u(uvSet), hit.v(uvSet));
+  }
+
+  private static Vec3 toWorld(Vec3 local, SurfaceHit hit) {
+    // Normalize first, so that sums of huge components do not overflow.
+    Vec3 normal = hit.toWorld(local.normalized()).normalized();
+    return NormalMap.raised(normal, hit.geometricNormal());
+  }
+}
