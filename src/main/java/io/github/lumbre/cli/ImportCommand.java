@@ -9,6 +9,7 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.TextFile;
+import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -75,7 +76,7 @@ final class ImportCommand implements Callable<Integer> {
       throw failure(model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
     }
     Path target = output.orElseGet(this::beside);
-    if (ModelSetup.isModel(target)) {
+    if (ModelReader.isModelName(target.toString())) {
       throw failure("--output: expected a name that ends in .json, found " + target);
     }
     ModelSetup setup = flags.setup(OptionalDouble.empty());

@@ -229,14 +229,14 @@ final class RenderCommand implements Callable<Integer> {
       Frames frames) {}
 
   /** Returns the paths of all pictures. */
-  private List<Path> targets() {
+  private List<Path> targets() throws TaskException {
     if (turntable.isEmpty()) {
       return List.of(target());
     }
     int count = turntable.get();
     new FlagChecks(spec).requireIn("--turntable", 1, 10_000, count);
     require(
-        ModelSetup.isModel(options.scene()) && checkpoint.isEmpty() && !isStandardOutput(),
+        options.isModel() && checkpoint.isEmpty() && !isStandardOutput(),
         "--turntable: requires a model file, and cannot be combined with --checkpoint or -o -");
     Path first = target();
     return IntStream.range(0, count).mapToObj(i -> numbered(first, i)).toList();

@@ -2,6 +2,7 @@ package io.github.lumbre.file;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Recognizes what a file holds by its first bytes, for messages. Stateless. */
@@ -12,7 +13,7 @@ public final class FileContent {
   /**
    * What files of a kind begin with.
    *
-   * @param mark with ? for any byte
+   * @param mark with . for any byte
    */
   private record Kind(String mark, int offset, String name) {
     Kind(String mark, String name) {
@@ -24,7 +25,7 @@ public final class FileContent {
         return false;
       }
       for (int i = 0; i < mark.length(); i++) {
-        if (mark.charAt(i) != '?' && mark.charAt(i) != (file[offset + i] & 0xff)) {
+        if (mark.charAt(i) != '.' && mark.charAt(i) != (file[offset + i] & 0xff)) {
           return false;
         }
       }
@@ -32,23 +33,26 @@ public final class FileContent {
     }
   }
 
+  private static final String MTL = "MTL, the materials of an OBJ file";
+  private static final String LFS = "a Git LFS pointer instead of the file";
+
   private static final List<Kind> KINDS =
       List.of(
           new Kind("\u0089PNG\r\n\u001a\n", "a PNG picture"),
           new Kind("\u00ff\u00d8\u00ff", "a JPEG picture"),
-          new Kind("v/1\u0001????", "an OpenEXR picture"),
-          new Kind("#??", "a Radiance HDR picture"),
+          new Kind("v/1\u0001....", "an OpenEXR picture"),
+          new Kind("#?.", "a Radiance HDR picture"),
           new Kind("PF\n", "a PFM picture"),
           new Kind("Pf\n", "a PFM picture"),
           new Kind("GIF8", "a GIF picture"),
-          new Kind("RIFF????WEBP", "a WebP picture"),
+          new Kind("RIFF....WEBP", "a WebP picture"),
           new Kind("\u00abKTX ", "a KTX picture"),
           new Kind("sB\u0013\u0000", "a Basis Universal picture"),
           new Kind("DDS ", "a DDS picture"),
           new Kind("8BPS", "a Photoshop picture"),
           new Kind("II*\u0000", "a TIFF picture"),
           new Kind("MM\u0000*", "a TIFF picture"),
-          new Kind("BM????\u0000\u0000\u0000\u0000", "a BMP picture"),
+          new Kind("BM....\u0000\u0000\u0000\u0000", "a BMP picture"),
           new Kind("\u0000\u0000\u0000\fjP  ", "a JPEG 2000 picture"),
           new Kind("\u00ff\n", "a JPEG XL picture"),
           new Kind("\u0000\u0000\u0000\fJXL ", "a JPEG XL picture"),
@@ -70,15 +74,15 @@ public final class FileContent {
           new Kind("#VRML", "VRML"),
           new Kind("3D Geometry File Format", "a Rhino file"),
           new Kind("xof ", "a DirectX model"),
-          new Kind("FORM????LW", "LightWave"),
-          new Kind("MM????\u0002\u0000", "3DS"),
+          new Kind("FORM....LW", "LightWave"),
+          new Kind("MM....\u0002\u0000", "3DS"),
           new Kind("%PDF", "PDF"),
           new Kind("LUMBRE-FILM", "a checkpoint file"),
           new Kind("\u001f\u008b", "a gzip archive"),
           new Kind("\u0028\u00b5\u002f\u00fd", "a Zstandard archive"),
           new Kind("7z\u00bc\u00af", "a 7-Zip archive"),
           new Kind("Rar!", "a RAR archive"),
-          new Kind("version https://git-lfs", "a Git LFS pointer instead of the file"));
+          new Kind("version https://git-lfs", LFS));
 
   private FileContent() {}
 
@@ -98,6 +102,23 @@ public final class FileContent {
       return Optional.of(archive(text(start)));
     }
     return ofText(text(start));
+  }
+
+  /** Returns a description of {@link #describe} and what to do with such a file. */
+  public static String withAdvice(String found) {
+    if (found.endsWith(" picture")) {
+      return found + "; name the scene or model that uses it";
+    }
+    return switch (found) {
+      case "GLB", "glTF", "PLY", "STL", "OBJ" ->
+          found + "; give its name the ending ." + found.toLowerCase(Locale.ROOT);
+      case MTL -> found + "; name that file";
+      case LFS -> found + "; fetch it with git lfs pull";
+      case "an HTML page" -> found + "; download the file itself";
+      case "a checkpoint file" -> found + "; resume it";
+      case "an empty file", "JSON", "XML", "PDF", "a video", "another kind of file" -> found;
+      default -> found + (found.endsWith(" archive") ? "; unpack it" : "; export it to GLB");
+    };
   }
 
   private static String text(byte[] start) {
@@ -130,7 +151,7 @@ public final class FileContent {
       return Optional.of("STL");
     }
     if (begin.matches("(?s)(#[^\\n]*\\n\\s*)*newmtl\\s.*")) {
-      return Optional.of("MTL, the materials of an OBJ file");
+      return Optional.of(MTL);
     }
     return begin.startsWith("{") ? Optional.of("JSON") : Optional.empty();
   }

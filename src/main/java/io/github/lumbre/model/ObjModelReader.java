@@ -1,6 +1,5 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.file.FileContent;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -8,7 +7,6 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -78,11 +76,6 @@ final class ObjModelReader {
       throws ModelFormatException, IOException {
     if (text.length >= 2 && (text[0] & text[1] & 0xff) >= 0xfe && text[0] != text[1]) {
       throw new ModelFormatException(Kind.UNSUPPORTED, "", "expected UTF-8 text, found UTF-16");
-    }
-    Optional<String> picture = FileContent.describe(text);
-    if (picture.isPresent()) {
-      throw new ModelFormatException(
-          Kind.MALFORMED, "", "expected an OBJ file, found " + picture.get());
     }
     return new ObjModelReader(text, folder, options).read();
   }

@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import com.google.gson.JsonObject;
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.Model;
@@ -10,6 +11,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -214,10 +216,21 @@ public record ModelSetup(
         newOptions);
   }
 
-  /** Returns whether a file is a model, by the ending of its name. */
+  /**
+   * Returns whether a file is a model, by the ending of its name. If it is neither that of a model
+   * nor .json, the content of the file decides.
+   */
   public static boolean isModel(Path file) {
     String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
-    return ModelReader.ENDINGS.stream().anyMatch(ending -> name.endsWith("." + ending));
+    if (ModelReader.isModelName(name) || name.endsWith(".json") || !Files.isRegularFile(file)) {
+      return ModelReader.isModelName(name);
+    }
+    try (InputStream in = Files.newInputStream(file)) {
+      return ModelReader.isModel(in.readNBytes(FileContent.START), Files.size(file));
+    } catch (IOException e) {
+      // Reading the scene reports the error.
+      return false;
+    }
   }
 
   /**
@@ -235,7 +248,7 @@ public record ModelSetup(
   }
 
   /** Returns the nearest folder that contains both the model and the sky's picture. */
-  private Path folderOf(Path model) {
+  Path folderOf(Path model) {
     Path folder = model.getParent();
     if (!isBuiltIn()) {
       Path picture = Path.of(sky).toAbsolutePath().normalize();
@@ -279,7 +292,7 @@ public record ModelSetup(
   /** Reads a model within the limits. */
   private Model read(Path file) throws SceneFormatException, IOException {
     String name = String.valueOf(file.getFileName());
-    Problems problems = new Problems(name);
+    Problems problems = new Problems(name, true);
     if (!Files.exists(file)) {
       String place = Problems.at(file);
       problems.error(Kind.INVALID, () -> "$", "expected a model file, found none" + place);
@@ -338,7 +351,7 @@ public record ModelSetup(
     try {
       return work.done();
     } catch (ModelFormatException e) {
-      Problems problems = new Problems(name);
+      Problems problems = new Problems(name, true);
       Kind kind = e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET;
       problems.error(kind, () -> Problems.escaped(e.location()), Problems.escaped(e.detail()));
       throw problems.exception();
@@ -363,7 +376,7 @@ public record ModelSetup(
     if (isBuiltIn() || Files.isRegularFile(Path.of(sky))) {
       return;
     }
-    Problems problems = new Problems(name);
+    Problems problems = new Problems(name, true);
     String found = Files.isDirectory(Path.of(sky)) ? "a folder" : "none";
     problems.error(
         Kind.ASSET,

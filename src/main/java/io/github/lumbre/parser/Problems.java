@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.model.PrintableText;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,12 +24,20 @@ final class Problems {
   private int unsaidWarnings;
 
   /**
-   * @param file name of the scene file for messages; for a model that is rendered by itself, of the
-   *     model: no problem then has a path in the scene around it, which no file contains
+   * @param file name of the scene file for messages, or of a model that is rendered by itself
    */
   Problems(String file) {
+    this(file, ModelReader.isModelName(file));
+  }
+
+  /**
+   * @param file name of the scene file for messages
+   * @param isModel whether the file is a model that is rendered by itself: no problem then has a
+   *     path in the scene around it, which no file contains
+   */
+  Problems(String file, boolean isModel) {
     this.file = escaped(file);
-    isModel = ModelSetup.isModel(Path.of(file));
+    this.isModel = isModel;
   }
 
   /** Adds an error; beyond {@link #MAX_ERRORS}, errors are dropped. */

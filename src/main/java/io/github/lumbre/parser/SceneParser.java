@@ -1,16 +1,20 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.geometry.HierarchyLimitException;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.TimeLimit;
 import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ImageTexture;
+import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.nio.channels.ClosedByInterruptException;
@@ -189,7 +193,7 @@ public final class SceneParser {
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
   public SceneFile parse(Path model, ModelSetup setup) throws SceneFormatException, IOException {
-    Problems problems = new Problems(String.valueOf(model.getFileName()));
+    Problems problems = new Problems(String.valueOf(model.getFileName()), true);
     return timed(
         problems,
         () -> {
@@ -208,13 +212,14 @@ public final class SceneParser {
    */
   public SceneFile parse(String name, byte[] model, ModelSetup setup)
       throws SceneFormatException, IOException {
-    Path folder = Path.of("").toAbsolutePath();
-    Path file = folder.resolve(name).normalize();
-    if (!folder.equals(file.getParent())) {
+    Path here = Path.of("").toAbsolutePath();
+    Path file = here.resolve(name).normalize();
+    if (!here.equals(file.getParent())) {
       throw new IllegalArgumentException(
           "name: expected a name without folders, found " + Problems.quoted(name));
     }
-    Problems problems = new Problems(name);
+    Path folder = setup.folderOf(file);
+    Problems problems = new Problems(name, true);
     return timed(
         problems,
         () -> {
@@ -224,7 +229,7 @@ public final class SceneParser {
               text.path(),
               text.json(),
               Optional.of(text),
-              Map.of(name, model),
+              Map.of(folder.relativize(file).toString().replace(File.separatorChar, '/'), model),
               Optional.empty(),
               problems);
         });
@@ -242,7 +247,7 @@ public final class SceneParser {
    */
   public ModelViews parse(Path model, ModelSetup setup, List<ModelSetup.View> views)
       throws SceneFormatException, IOException {
-    Problems problems = new Problems(String.valueOf(model.getFileName()));
+    Problems problems = new Problems(String.valueOf(model.getFileName()), true);
     return timed(
         problems,
         () -> {
@@ -295,7 +300,7 @@ public final class SceneParser {
   SceneFile parse(SceneText text, Map<String, byte[]> files, Optional<Scene> known)
       throws SceneFormatException {
     Path file = text.path();
-    Problems problems = new Problems(String.valueOf(file.getFileName()));
+    Problems problems = new Problems(String.valueOf(file.getFileName()), ModelSetup.isModel(file));
     try {
       return timed(
           problems, () -> parse(file, text.json(), Optional.of(text), files, known, problems));
@@ -408,6 +413,7 @@ public final class SceneParser {
       problems.error(Kind.LIMIT, () -> "$", excess.get());
       throw problems.exception();
     }
+    requireScene(text, file, problems);
     JsonNode root = JsonTree.read(text, problems, limits);
     if (root.asObject().isEmpty()) {
       throw problems.exception();
@@ -448,6 +454,38 @@ public final class SceneParser {
       problems.throwIfAny();
     }
     return made;
+  }
+
+  /**
+   * Refuses a file that is neither a scene nor a model, by its first bytes, and names its kind.
+   *
+   * @throws SceneFormatException if it is of another kind; not if it does not exist
+   * @throws IOException if it cannot be read
+   */
+  public static void requireScene(Path file) throws SceneFormatException, IOException {
+    if (Files.isRegularFile(file)) {
+      try (InputStream in = Files.newInputStream(file)) {
+        Problems problems = new Problems(String.valueOf(file.getFileName()));
+        requireScene(in.readNBytes(FileContent.START), file, problems);
+      }
+    }
+  }
+
+  private static void requireScene(byte[] text, Path file, Problems problems)
+      throws SceneFormatException {
+    boolean isNamed = text.length == 0 || file.toString().endsWith(".json");
+    String found =
+        ModelReader.isModel(text, text.length)
+            ? ModelReader.contentOf(text)
+            : FileContent.describe(text).orElse(isNamed ? "JSON" : "another kind of file");
+    if (text.length > 0 && !found.equals("JSON")) {
+      problems.error(
+          Kind.INVALID,
+          () -> "",
+          "expected a scene (.json) or a model (%s), found %s"
+              .formatted(ModelReader.NAMES, FileContent.withAdvice(found)));
+      throw problems.exception();
+    }
   }
 
   /** Returns the settings; the caller's changes apply only if the file's settings are valid. */

@@ -89,7 +89,7 @@ class EmptyModelsTest {
         of("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", " (line 3: ignored statements \"l\""),
         of("edges.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", " (line 3: ignored faces of fewer than 3"),
         of("vertices.obj", "v 0 0 0\n", ""),
-        of("nothing.obj", "", ""),
+        of("nothing.obj", "# nothing\n", ""),
         of(
             "flat.obj",
             "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",

@@ -44,7 +44,7 @@ class GltfErrorsTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "`` | expected more JSON, found the end of the text at line 1, column 1",
+        "`` | expected a glTF file, found an empty file",
         "[] | expected a JSON object, found an array",
         "{} | asset: expected an object, found nothing",
         "{'a': [1, {'b': 1e999}]} | a[1].b: expected a finite number, found 1e999",

@@ -392,7 +392,9 @@ class ObjModelReaderTest {
             NO_AREA + " (line 5: ignored statements \"p\": only polygons are supported)");
     byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     assertThat(new ModelFixture("a.obj", png).refusal())
-        .isEqualTo("MALFORMED expected an OBJ file, found a PNG picture");
+        .isEqualTo(
+            "MALFORMED expected an OBJ file, found a PNG picture; name the scene or model that"
+                + " uses it");
     assertThat(obj("f 1 1 1").refusal())
         .isEqualTo(NO_AREA + " (line 5: dropped triangles of zero area: 1)");
     assertThat(new ModelFixture("a.obj", new byte[] {(byte) 0xfe, (byte) 0xff, 0, 'v'}).refusal())

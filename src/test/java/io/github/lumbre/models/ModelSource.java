@@ -121,7 +121,7 @@ enum ModelSource {
   }
 
   static boolean isModel(Path file) {
-    return ModelReader.ENDINGS.contains(ending(file));
+    return ModelReader.isModelName(file.toString());
   }
 
   static boolean isSky(Path file) {

@@ -6,6 +6,7 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -37,8 +38,8 @@ public final class SceneOptions {
       index = "0",
       paramLabel = "SCENE",
       description =
-          "JSON scene, or model: .gltf, .glb, .obj, .ply or .stl; - for a scene from standard"
-              + " input.")
+          "JSON scene, or model: .gltf, .glb, .obj, .ply or .stl; - for standard input, where a"
+              + " model is one file, such as GLB.")
   Path scene;
 
   @ArgGroup Strictness strictness = new Strictness();
@@ -70,12 +71,30 @@ public final class SceneOptions {
   }
 
   /**
+   * Returns whether the scene is a model.
+   *
+   * @throws TaskException if standard input cannot be read
+   */
+  public boolean isModel() throws TaskException {
+    return isStandardInput()
+        ? ModelReader.isModel(standardInput(), standardInput().length)
+        : ModelSetup.isModel(scene);
+  }
+
+  /**
    * Adds the scene and its asset files to the files that a command reads.
    *
    * @throws TaskException if standard input cannot be read
    */
   public OutputGuard guardedBy(OutputGuard guard) throws TaskException {
-    if (ModelSetup.isModel(scene)) {
+    if (isStandardInput() && isModel()) {
+      Set<Path> sky = new LinkedHashSet<>(model.setup(turn).files(PictureOutput.STDIN));
+      sky.remove(PictureOutput.STDIN.toAbsolutePath().normalize());
+      return guard
+          .reads(Path.of("/dev/stdin"), "standard input")
+          .readsAssets(scene, () -> sky);
+    }
+    if (isModel()) {
       return guard
           .reads(scene, "the model")
           .readsAssets(scene, () -> SceneParser.files(ofModel().json(), ofModel().path()));
@@ -133,6 +152,13 @@ public final class SceneOptions {
     return modelScene.get();
   }
 
+  private SceneFile parsed(byte[] content, SceneParser parser)
+      throws SceneFormatException, TaskException, IOException {
+    return isModel()
+        ? parser.parse(PictureOutput.STDIN.toString(), content, model.setup(turn))
+        : parser.parse(content, PictureOutput.STDIN);
+  }
+
   private byte[] standardInput() throws TaskException {
     try {
       if (text.isEmpty()) {
@@ -184,13 +210,14 @@ public final class SceneOptions {
    * @throws TaskException if the scene cannot be read
    */
   public SceneFile read(SceneParser parser) throws SceneFormatException, TaskException {
-    if (isStandardInput()) {
-      return parser.parse(standardInput(), PictureOutput.STDIN);
-    }
     try {
-      if (ModelSetup.isModel(scene)) {
+      if (isStandardInput()) {
+        return parsed(standardInput(), parser);
+      }
+      if (isModel()) {
         return parser.parse(ofModel().json(), ofModel().path());
       }
+      SceneParser.requireScene(scene);
       model.requireNone();
       return parser.parse(scene);
     } catch (CancellationException e) {

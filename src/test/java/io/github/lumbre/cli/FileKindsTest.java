@@ -1,0 +1,163 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.cli.output.ExitCodes;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Contents decide what a file is where its ending does not, and messages name what was found. */
+class FileKindsTest {
+  private static final Path CASES = Path.of("src/test/resources/cases");
+
+  @TempDir private Path folder;
+
+  private Outcome render(Path file) {
+    Path picture = folder.resolve("x.pfm");
+    String[] command = {"render", file.toString(), "-o", picture.toString()};
+    String[] more = {"--overwrite", "-s", "1", "--size", "8x8", "--view", "front", "--quiet"};
+    return Outcome.of(
+        Stream.of(command, more).flatMap(Arrays::stream).toArray(String[]::new));
+  }
+
+  private Path copy(String name, String to) throws IOException {
+    return Files.copy(CASES.resolve(name), folder.resolve(to));
+  }
+
+  private byte[] picture() throws IOException {
+    return Files.readAllBytes(folder.resolve("x.pfm"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "rgba_MASK.glb, a.vrm",
+    "rgba_MASK.glb, model",
+    "q_lit.gltf, a.txt",
+    "vc.obj, a.obj.bak",
+    "texfile.ply, a.xyz",
+    "terminator.glb, a.tmp"
+  })
+  void modelsOfUnknownEndingsAreRendered(String name, String other) throws IOException {
+    for (String texture : new String[] {"quad.png", "my tex file.png"}) {
+      copy(texture, texture);
+    }
+    assertThat(render(copy(name, name)).exitCode()).isEqualTo(ExitCodes.OK);
+    byte[] expected = picture();
+    Outcome outcome = render(copy(name, other));
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    assertThat(picture()).isEqualTo(expected);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void stlIsRecognized(boolean isText) throws IOException {
+    byte[] binary = new byte[134];
+    binary[80] = 1;
+    // The vertices (2, 0, 0), (0, 2, 0) and (0, 0, 0).
+    binary[84 + 12 + 3] = 0x40;
+    binary[84 + 12 + 12 + 4 + 3] = 0x40;
+    String text =
+        "solid\nfacet normal 0 0 1 outer loop vertex 2 0 0 vertex 0 2 0 vertex 0 0 0 endloop"
+            + " endfacet\nendsolid\n";
+    byte[] content = isText ? text.getBytes(StandardCharsets.US_ASCII) : binary;
+    Outcome outcome = render(Files.write(folder.resolve("part"), content));
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+  }
+
+  private Outcome onStandardInput(byte[] content, String... command) {
+    InputStream before = System.in;
+    System.setIn(new ByteArrayInputStream(content));
+    try {
+      return Outcome.of(command);
+    } finally {
+      System.setIn(before);
+    }
+  }
+
+  @Test
+  void modelsAreReadFromStandardInput() throws IOException {
+    assertThat(render(copy("rgba_MASK.glb", "a.glb")).exitCode()).isEqualTo(ExitCodes.OK);
+    byte[] expected = picture();
+    byte[] model = Files.readAllBytes(CASES.resolve("rgba_MASK.glb"));
+    String target = folder.resolve("x.pfm").toString();
+    Outcome outcome =
+        onStandardInput(
+            model, "render", "-", "-o", target, "--overwrite", "-s", "1", "--size", "8x8", "--view",
+            "front", "--quiet");
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    assertThat(picture()).isEqualTo(expected);
+    Outcome check = onStandardInput(model, "check", "-", "--sky", CASES.resolve("ref.pfm") + "");
+    assertThat(check.exitCode()).as(check.err()).isEqualTo(ExitCodes.OK);
+    assertThat(check.out()).contains("triangles  2\n");
+    onStandardInput("; FBX 7.3.0".getBytes(StandardCharsets.US_ASCII), "check", "-")
+        .assertFailed(ExitCodes.SCENE, "stdin: expected a scene (.json) or a model", "found FBX");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      ignoreLeadingAndTrailingWhitespace = false,
+      value = {
+        "a.fbx|Kaydara FBX Binary  \\0|FBX; export it to GLB",
+        "b.fbx|; FBX 7.3.0 project file|FBX; export it to GLB",
+        "a.off|OFF\\n3 1 0\\n|OFF; export it to GLB",
+        "b.off|COFF\\n3 1 0\\n|OFF; export it to GLB",
+        "a.usdz|PK\\3\\4..........................mesh.usdc|USDZ; export it to GLB",
+        "a.usda|#usda 1.0|USD; export it to GLB",
+        "a.3mf|PK\\3\\4..........................3D/3dmodel.model|3MF; export it to GLB",
+        "a.zip|PK\\3\\4..........................car.obj|a ZIP archive; unpack it",
+        "a.dae|<?xml version='1.0'?><COLLADA>|COLLADA; export it to GLB",
+        "a.blend|BLENDER-v300|a Blender file; export it to GLB",
+        "a.step|ISO-10303-21;|STEP; export it to GLB",
+        "a.mtl|# Blender\\nnewmtl red\\n|MTL, the materials of an OBJ file; name that file",
+        "a.glb.html|<!DOCTYPE html><html>|an HTML page; download the file itself",
+        "a.tga|\\0\\0\\2........|another kind of file",
+        "a.txt|hello|another kind of file",
+        "a.json|glTF\\2|GLB; give its name the ending .glb",
+        "b.json|{\"asset\": {\"version\": \"2.0\"}}|glTF; give its name the ending .gltf",
+        "a.exr|v/1\\1\\2...|an OpenEXR picture; name the scene or model that uses it"
+      })
+  void otherFilesAreNamed(String name, String content, String found) throws IOException {
+    Path file = folder.resolve(name);
+    Files.write(file, content.translateEscapes().getBytes(StandardCharsets.ISO_8859_1));
+    String message = "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl), found ";
+    render(file).assertFailed(ExitCodes.SCENE, name + ": " + message + found);
+    Outcome.of("check", file.toString())
+        .assertFailed(ExitCodes.SCENE, name + ": " + message + found);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "glb|a glTF file",
+        "gltf|a glTF file",
+        "obj|an OBJ file",
+        "ply|a PLY file",
+        "stl|an STL file"
+      })
+  void modelsOfWrongContentsAreNamed(String ending, String title) throws IOException {
+    for (String[] kind :
+        new String[][] {
+          {"Kaydara FBX Binary  \0", "FBX; export it to GLB"},
+          {"OFF\n3 1 0\n", "OFF; export it to GLB"},
+          {"\u0089PNG\r\n\u001a\n....", "a PNG picture"},
+          {"<!DOCTYPE html><html>", "an HTML page"}
+        }) {
+      Path file = folder.resolve("a." + ending);
+      Files.write(file, kind[0].getBytes(StandardCharsets.ISO_8859_1));
+      render(file).assertFailed(ExitCodes.ASSET, "expected " + title + ", found " + kind[1]);
+    }
+  }
+}
