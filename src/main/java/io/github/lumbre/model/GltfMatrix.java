@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import java.util.Arrays;
 
 /** An affine map that need not be invertible. Immutable. */
 final class GltfMatrix {
@@ -11,6 +12,15 @@ final class GltfMatrix {
 
   /** The largest deviation of the last row from 0, 0, 0, 1, as left by rounding. */
   private static final double ROUNDING = 1e-4;
+
+  /**
+   * The smallest extent of a map onto a solid, relative to the second one: well above the rounding
+   * of files with 32-bit floats.
+   */
+  private static final double THINNEST = 0x1p-20;
+
+  /** The smallest second extent relative to the first one: above the rounding of products. */
+  private static final double NARROWEST = 0x1p-45;
 
   // Three rows of four numbers.
   private final double[] m;
@@ -86,6 +96,26 @@ final class GltfMatrix {
   /** Returns the map; not invertible if this is singular. */
   Transform toTransform() {
     return Transform.ofAxes(column(0), column(1), column(2), column(3));
+  }
+
+  /**
+   * Returns how many dimensions the image of a solid has, except for rounding: 3, 2 if it is
+   * flattened to a plane, or 1 if it is a line or a point, or not finite.
+   */
+  int dimensions() {
+    double size = Math.max(column(0).maxAbs(), Math.max(column(1).maxAbs(), column(2).maxAbs()));
+    if (!(size > 0) || !Arrays.stream(m).allMatch(Double::isFinite)) {
+      return 1;
+    }
+    Vec3 a = column(0).times(1 / size);
+    Vec3 b = column(1).times(1 / size);
+    Vec3 c = column(2).times(1 / size);
+    Vec3 bc = b.cross(c);
+    double area = Math.max(bc.maxAbs(), Math.max(c.cross(a).maxAbs(), a.cross(b).maxAbs()));
+    if (!(area > NARROWEST)) {
+      return 1;
+    }
+    return Math.abs(a.dot(bc)) > THINNEST * area * area ? 3 : 2;
   }
 
   private Vec3 column(int i) {

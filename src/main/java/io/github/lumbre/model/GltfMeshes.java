@@ -1,5 +1,7 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -47,6 +49,28 @@ final class GltfMeshes {
       forms.put(form, geometry);
     }
     return geometry;
+  }
+
+  /**
+   * Returns the triangles of a primitive in world space, with the normals of their faces, as a node
+   * needs them that flattens them to a plane.
+   */
+  ModelGeometry flattened(GltfJson primitive, ModelGeometry rest, Transform toWorld)
+      throws ModelFormatException {
+    double[] positions = rest.positions();
+    document.budget().allocate(primitive.location(), (long) Double.BYTES * positions.length);
+    double[] moved = new double[positions.length];
+    for (int i = 0; i < moved.length; i += 3) {
+      Vec3 p = toWorld.point(new Vec3(positions[i], positions[i + 1], positions[i + 2]));
+      moved[i] = p.x();
+      moved[i + 1] = p.y();
+      moved[i + 2] = p.z();
+    }
+    double[] none = {};
+    return GltfVectors.checked(
+        primitive,
+        new ModelGeometry(
+            moved, none, none, rest.uv0(), rest.uv1(), rest.colors(), rest.indices()));
   }
 
   private Optional<ModelGeometry> morphed(GltfJson primitive, double... weights)

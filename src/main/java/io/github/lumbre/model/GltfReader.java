@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -35,7 +36,7 @@ final class GltfReader {
   private final List<ModelLight> placedLights = new ArrayList<>();
 
   /** A node with a mesh, and the weights of its morph targets. */
-  private record Placement(GltfNode node, String name, Transform toWorld, double[] weights) {}
+  private record Placement(GltfNode node, String name, GltfMatrix matrix, double[] weights) {}
 
   private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
       throws ModelFormatException, IOException {
@@ -84,7 +85,7 @@ final class GltfReader {
       GltfNode node = nodes.get(index);
       GltfInterrupts.check();
       if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
-        add(index, node, nodes.toWorld(index).toTransform());
+        add(index, node, nodes.toWorld(index));
       }
     }
     if (parts.isEmpty()) {
@@ -112,34 +113,43 @@ final class GltfReader {
     }
   }
 
-  private void add(int index, GltfNode node, Transform toWorld)
+  private void add(int index, GltfNode node, GltfMatrix matrix)
       throws ModelFormatException, IOException {
     if (node.mesh().isPresent()) {
-      addMesh(index, node, toWorld);
+      addMesh(index, node, matrix);
     }
-    if (node.camera().isPresent() && isPlaced(node, toWorld)) {
+    Transform toWorld = matrix.toTransform();
+    Vec3 axis = toWorld.vector(Vec3.Z);
+    double width = axis.cross(toWorld.vector(Vec3.Y)).maxAbs();
+    if (node.camera().isPresent() && isPlaced(node, matrix, width > 0)) {
       placedCameras.add(cameras.camera(node, toWorld));
     }
-    if (node.light().isPresent() && isPlaced(node, toWorld)) {
+    if (node.light().isPresent() && isPlaced(node, matrix, axis.maxAbs() > 0)) {
       placedLights.add(lights.light(node, toWorld));
     }
   }
 
-  /** Returns whether a transform is invertible; warns if not. */
-  private boolean isPlaced(GltfNode node, Transform toWorld) {
-    if (!toWorld.isInvertible()) {
+  /**
+   * Returns whether a node's content can be shown; warns if not.
+   *
+   * @param isFlat whether it can be if the node flattens it to a plane
+   */
+  private boolean isPlaced(GltfNode node, GltfMatrix matrix, boolean isFlat) {
+    boolean isPlaced =
+        matrix.dimensions() == 2 ? isFlat : matrix.toTransform().isInvertible();
+    if (!isPlaced) {
       document
           .warnings()
           .add(node.location(), "its transform is not invertible; its content is left out");
     }
-    return toWorld.isInvertible();
+    return isPlaced;
   }
 
-  private void addMesh(int index, GltfNode node, Transform toWorld)
+  private void addMesh(int index, GltfNode node, GltfMatrix matrix)
       throws ModelFormatException, IOException {
     GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
     String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
-    Placement placement = new Placement(node, name, toWorld, weights(index, node, mesh));
+    Placement placement = new Placement(node, name, matrix, weights(index, node, mesh));
     List<GltfJson> primitives = mesh.objects("primitives");
     for (int i = 0; i < primitives.size(); i++) {
       addPrimitive(placement, primitives.get(i), node.location() + ".mesh.primitives[" + i + "]");
@@ -150,10 +160,10 @@ final class GltfReader {
       throws ModelFormatException, IOException {
     document.budget().addPart(location);
     GltfNode node = placement.node;
-    Transform toWorld = placement.toWorld;
+    Transform toWorld = placement.matrix.toTransform();
     boolean isSkinned =
         node.skin().isPresent() && primitive.requireObject("attributes").has("JOINTS_0");
-    if (!isSkinned && !isPlaced(node, toWorld)) {
+    if (!isSkinned && !isPlaced(node, placement.matrix, true)) {
       return;
     }
     Optional<ModelGeometry> found = meshes.geometry(primitive, placement.weights);
@@ -166,6 +176,13 @@ final class GltfReader {
       GltfSkin skin = skin(node.skin().getAsInt());
       geometry = skin.applied(primitive, geometry, toWorld.isMirroring());
       toWorld = Transform.IDENTITY;
+    } else if (placement.matrix.dimensions() == 2) {
+      geometry = meshes.flattened(primitive, geometry, toWorld);
+      toWorld = Transform.IDENTITY;
+      if (!geometry.hasArea()) {
+        document.warnings().add(location, "is flattened to a line and left out");
+        return;
+      }
     }
     ModelMaterial material = materials.get(variants.material(primitive));
     parts.add(new ModelPart(placement.name, location, geometry, material, toWorld));

@@ -140,9 +140,71 @@ class GltfNodeTest {
     assertThat(names()).containsExactly("a");
   }
 
+  /** Whatever flattens it, rounding included, a mesh is shown as the plane that it becomes. */
   @ParameterizedTest
-  @ValueSource(strings = {"'scale': [0, 1, 1]", "'matrix': [1,0,0,0, 2,0,0,0, 0,0,1,0, 0,0,0,1]"})
-  void meshesWithSingularTransformsAreLeftOut(String transform)
+  @ValueSource(
+      strings = {
+        "{MESH, 'scale': [1, 0, 1]}",
+        "{MESH, 'scale': [1000, 0, 0.001]}",
+        "{MESH, 'scale': [-1, 0, 1]}",
+        "{MESH, 'rotation': [0.1, 0.5, -0.1, 0.8544], 'scale': [1, 0, 1]}",
+        "{'scale': [1, 0, 1], 'children': [1]}, {MESH, 'rotation': [0.6, 0, 0, 0.8]}",
+        "{'rotation': [0.6, 0, 0, 0.8], 'children': [1]}, {'scale': [3, 0, 2], 'children': [2]},"
+            + "{MESH, 'rotation': [0.3, 0.4, 0.5, 0.7071], 'translation': [1, 2, 3]}",
+        "{MESH, 'matrix': [1,0,0,0, 0,0,0,0, 0,0,1,0, 4,5,6,1]}",
+        "{MESH, 'matrix': [0.8137977,0.4698463,-0.3420201,0, 0,0,0,0,"
+            + "0.4409696,-0.1631759,0.8825641,0, 0,0,0,1]}",
+        "{MESH, 'matrix': [1,2,3,0, 2,4,6,0, 0.5,0,1,0, 0,0,0,1]}"
+      })
+  void flattenedMeshesAreShown(String nodes) throws ModelFormatException, IOException {
+    int positions = file.floats("VEC3", 0, 0, 0, 1, 0, 0, .2, .4, -1, .1, .9, .3);
+    int normals = file.floats("VEC3", 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0);
+    file.mesh(
+        "'POSITION': " + positions + ", 'NORMAL': " + normals,
+        ", 'indices': " + file.ints("SCALAR", 0, 1, 2, 2, 1, 3));
+    // The mesh also has an instance that is not flattened.
+    file.set("nodes", "[" + nodes.replace("MESH", "'mesh': 0") + ", {'mesh': 0}]");
+    Model model = file.read();
+    assertThat(model.warnings()).isEmpty();
+    assertThat(model.parts()).hasSize(2);
+    ModelGeometry plane = model.parts().get(0).geometry();
+    assertThat(model.parts().get(1).geometry()).isNotSameAs(plane);
+    assertThat(plane.hasArea()).isTrue();
+    assertThat(plane.normals()).isEmpty();
+    Vec3 normal = Vec3.ZERO;
+    for (int i = 0; i < 6; i += 3) {
+      Vec3 a = corner(model.parts().get(0), i);
+      Vec3 e = corner(model.parts().get(0), i + 1).minus(a);
+      Vec3 cross = e.cross(corner(model.parts().get(0), i + 2).minus(a));
+      assertThat(cross.cross(normal).length()).isLessThan(1e-6 * cross.length());
+      normal = cross.normalized();
+    }
+  }
+
+  private static Vec3 corner(ModelPart part, int index) {
+    double[] all = part.geometry().positions();
+    int at = 3 * part.geometry().indices()[index];
+    return part.toWorld().point(new Vec3(all[at], all[at + 1], all[at + 2]));
+  }
+
+  @Test
+  void flattenedMeshesAreWhereTheirNodeMovesThem() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'scale': [2, 3, 0], 'translation': [1, 2, 3]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.geometry().positions()).containsExactly(1, 2, 3, 3, 2, 3, 1, 5, 3);
+    assertThat(part.toWorld().point(Vec3.X)).isEqualTo(Vec3.X);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "'scale': [0, 0, 1]",
+        "'scale': [0, 0, 0]",
+        "'rotation': [0.6, 0, 0, 0.8], 'scale': [0, 5, 0]",
+        "'matrix': [1,2,3,0, 2,4,6,0, 3,6,9,0, 0,0,0,1]"
+      })
+  void meshesThatBecomeALineOrAPointAreLeftOut(String transform)
       throws ModelFormatException, IOException {
     file.triangle("");
     node("{'mesh': 0, " + transform + "}");
@@ -151,6 +213,49 @@ class GltfNodeTest {
     assertThat(model.parts()).hasSize(1);
     assertThat(model.warnings())
         .containsExactly("nodes[0]: its transform is not invertible; its content is left out");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"'scale': [0, 1, 1]", "'matrix': [1,0,0,0, 2,0,0,0, 0,0,1,0, 0,0,0,1]"})
+  void meshesWithoutAreaInTheirPlaneAreLeftOut(String transform)
+      throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, " + transform + "}");
+    node("{'mesh': 0}");
+    Model model = file.read();
+    assertThat(model.parts()).hasSize(1);
+    assertThat(model.warnings())
+        .containsExactly("nodes[0].mesh.primitives[0]: is flattened to a line and left out");
+  }
+
+  /** A thin map is not a flat one. */
+  @Test
+  void thinMeshesStayInTheirSpace() throws ModelFormatException, IOException {
+    file.triangle("");
+    for (String scale : new String[] {"1, 0.00001, 1", "1000, 0.0005, 0.0005", "1e-9, 1e-9, 1e-9"}) {
+      node("{'mesh': 0, 'scale': [" + scale + "]}");
+    }
+    Model model = file.read();
+    assertThat(model.parts()).hasSize(3);
+    for (ModelPart part : model.parts()) {
+      assertThat(part.geometry()).isSameAs(model.parts().get(0).geometry());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {"1, 1, 0|0|0", "1, 0, 1|1|0", "0, 1, 1|1|1", "0, 0, 1|0|0", "-1, 1, 1|1|1"})
+  void flattenedNodesKeepLightsAndCamerasThatHaveADirection(String scale, int lights, int cameras)
+      throws ModelFormatException, IOException {
+    file.set("extensions", "{'KHR_lights_punctual': {'lights': [{'type': 'spot', 'spot': {}}]}}");
+    file.add("cameras", "{'type': 'perspective', 'perspective': {'yfov': 0.5, 'znear': 1}}");
+    node("{'extensions': {'KHR_lights_punctual': {'light': 0}}, 'scale': [" + scale + "]}");
+    node("{'camera': 0, 'scale': [" + scale + "]}");
+    Model model = file.read();
+    assertThat(model.lights()).hasSize(lights);
+    assertThat(model.cameras()).hasSize(cameras);
+    assertThat(model.warnings()).hasSize(2 - lights - cameras);
   }
 
   @Test
