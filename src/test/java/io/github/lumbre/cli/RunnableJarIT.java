@@ -50,6 +50,16 @@ class RunnableJarIT {
     assertThat(ImageIO.read(directory.resolve("tiny.png").toFile()).getWidth()).isEqualTo(16);
   }
 
+  @Test
+  void theDirectoryForTemporaryFilesNeedNotExist() throws IOException, InterruptedException {
+    TinyScene.write(directory, TinyScene.JSON);
+    List<String> command = Program.lumbre("render", "tiny.json");
+    command.add(1, "-Djava.io.tmpdir=" + directory.resolve("none"));
+    Outcome outcome = Program.run(directory, command);
+    assertThat(outcome.err()).startsWith("tiny.png: 16x12 pixels").hasLineCount(1);
+    assertThat(outcome.exitCode()).isZero();
+  }
+
   /** Java archives no classes of formats before Java 6 (50), and would load them anew each time. */
   @Test
   void allClassesCanBeArchived() throws IOException {

@@ -38,12 +38,14 @@ public final class CheckpointFlags {
       })
   Optional<Path> fallback;
 
-  /** Checks the values before anything is read. */
+  /**
+   * Checks the values before anything is read. Without the flag, the directory for temporary files
+   * must exist only when it is needed.
+   */
   public void validate() {
-    Path directory = fallback().directory();
-    if (!Files.isDirectory(directory)) {
+    if (fallback.isPresent() && !Files.isDirectory(fallback.get())) {
       throw new ParameterException(
-          spec.commandLine(), "--fallback-dir: " + directory + " is not a directory");
+          spec.commandLine(), "--fallback-dir: " + fallback.get() + " is not a directory");
     }
   }
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.file.FileFailure;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -7,16 +8,28 @@ import java.nio.file.Path;
 /**
  * The directory for files that cannot be written to their own folder.
  *
- * @param directory an existing directory
+ * @param directory a directory, which must exist only when it is needed
  */
 public record Fallback(Path directory) {
   /** Java's directory for temporary files. */
   public static final Fallback TEMPORARY =
       new Fallback(Path.of(System.getProperty("java.io.tmpdir")));
 
-  /** Creates an empty file whose name ends with that of the file that could not be written. */
+  /**
+   * Creates an empty file whose name ends with that of the file that could not be written.
+   *
+   * @throws IOException with the reason, without the name of the directory
+   */
   public Path newFile(Path wanted) throws IOException {
-    return Files.createTempFile(directory, "lumbre-", "-" + wanted.getFileName());
+    try {
+      return Files.createTempFile(directory, "lumbre-", "-" + wanted.getFileName());
+    } catch (IOException e) {
+      String reason =
+          Files.isDirectory(directory)
+              ? FileFailure.reason(e)
+              : "no such directory; choose another one with --fallback-dir";
+      throw new IOException(reason, e);
+    }
   }
 
   /** Deletes a file made by {@link #newFile} that is still empty; failures to do so are ignored. */
