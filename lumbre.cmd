@@ -75,12 +75,13 @@ exit /b 7
 
 :run
 set "LUMBRE_ARCHIVE="
-rem Whether Java starts at all is tried only with options of the user's, and not with agents and recorders.
+rem Whether Java runs the program at all is tried only with options of the user's, and not with agents and recorders.
+rem Some options make Java do something else, such as -version.
 if not defined LUMBRE_JAVA_OPTS goto archive
 set LUMBRE_JAVA_OPTS | findstr /c:"-agent" /c:"-javaagent" /c:"-Xrun" /c:"FlightRecord" >nul && goto parts
-"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version >nul 2>nul && goto parts
+"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -jar "%LUMBRE_JAR%" --version 2>nul | findstr /b /c:"Lumbre " >nul && goto parts
 "%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version 1>&2
-echo lumbre: LUMBRE_JAVA_OPTS: Java does not start with "%LUMBRE_JAVA_OPTS%">&2
+echo lumbre: LUMBRE_JAVA_OPTS: Java does not run Lumbre with "%LUMBRE_JAVA_OPTS%">&2
 exit /b 2
 
 rem From Java 24 on, the virtual machine itself writes an archive of the classes at the end of a run, and again when

@@ -23,21 +23,23 @@ final class UpgradeClasses {
   private UpgradeClasses() {}
 
   /**
-   * Rewrites a jar in place.
+   * Makes a jar of another one, which is deleted. An existing jar is replaced in one step, because
+   * the program may be starting from it.
    *
-   * @param args the jar, which must be on the class path too, because stack maps need the common
-   *     superclasses of its classes
+   * @param args the other jar, which must be on the class path too, because stack maps need the
+   *     common superclasses of its classes; and the jar to make
    */
   public static void main(String[] args) throws IOException {
-    Path jar = Path.of(args[0]);
+    Path shaded = Path.of(args[0]);
     Path upgraded = Path.of(args[0] + ".upgraded");
-    try (ZipFile in = new ZipFile(jar.toFile());
+    try (ZipFile in = new ZipFile(shaded.toFile());
         ZipOutputStream out = new ZipOutputStream(Files.newOutputStream(upgraded))) {
       for (Enumeration<? extends ZipEntry> e = in.entries(); e.hasMoreElements(); ) {
         copy(e.nextElement(), in, out);
       }
     }
-    Files.move(upgraded, jar, StandardCopyOption.REPLACE_EXISTING);
+    Files.move(upgraded, Path.of(args[1]), StandardCopyOption.ATOMIC_MOVE);
+    Files.delete(shaded);
   }
 
   private static void copy(ZipEntry entry, ZipFile in, ZipOutputStream out) throws IOException {
@@ -61,7 +63,12 @@ final class UpgradeClasses {
         new ClassVisitor(Opcodes.ASM9, writer) {
           @Override
           public void visit(
-              int version, int access, String name, String signature, String base, String[] interfaces) {
+              int version,
+              int access,
+              String name,
+              String signature,
+              String base,
+              String[] interfaces) {
             super.visit(Opcodes.V17, access, name, signature, base, interfaces);
           }
         };

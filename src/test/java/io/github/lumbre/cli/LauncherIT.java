@@ -104,6 +104,19 @@ class LauncherIT {
     assertThat(builds()).isEqualTo(2);
   }
 
+  /** A program that is starting from the jar would lose its classes. */
+  @Test
+  void theOldJarStaysUntilTheBuildReplacesIt() throws IOException, InterruptedException {
+    launch();
+    script(
+        home.resolve("mvnw"),
+        "#!/bin/sh\ncmp '" + Program.JAR + "' target/lumbre-all.jar && echo kept >> kept.txt\n");
+    Path source = home.resolve("src/main/java/A.java");
+    Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(1)));
+    assertThat(launch().exitCode()).isZero();
+    assertThat(home.resolve("kept.txt")).hasContent("kept");
+  }
+
   @Test
   void launchesAtTheSameTimeShareABuild() throws IOException, InterruptedException {
     // Longer than the launcher waits for a builder that has not written its process ID.
@@ -269,6 +282,19 @@ class LauncherIT {
       assertThat(outcome.exitCode()).as(options).isEqualTo(ExitCodes.USAGE);
       assertThat(outcome.out()).isEmpty();
       assertThat(outcome.err()).contains("LUMBRE_JAVA_OPTS: Java does not start with '" + options);
+    }
+  }
+
+  @Test
+  void optionsThatMakeJavaDoSomethingElseAreAWrongCommandLine()
+      throws IOException, InterruptedException {
+    launch();
+    for (String options : List.of("-version", "--help", "-Xmx200m --dry-run", "--list-modules")) {
+      Outcome outcome = launch(home.resolve("lumbre"), Map.of("LUMBRE_JAVA_OPTS", options));
+      assertThat(outcome.exitCode()).as(options).isEqualTo(ExitCodes.USAGE);
+      assertThat(outcome.out()).isEmpty();
+      assertThat(outcome.err())
+          .isEqualTo("lumbre: LUMBRE_JAVA_OPTS: Java does not run Lumbre with '" + options + "'\n");
     }
   }
 
