@@ -96,6 +96,14 @@ class LumbreTest {
   }
 
   @Test
+  void theProgramAlonePrintsItsHelp() {
+    Outcome outcome = Outcome.of();
+    assertThat(outcome).isEqualTo(Outcome.of("help"));
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.out()).contains("render", "Examples:");
+  }
+
+  @Test
   void completionKnowsCommandsAndFlags() {
     Outcome outcome = Outcome.of("completion");
     assertThat(outcome.exitCode()).isZero();
