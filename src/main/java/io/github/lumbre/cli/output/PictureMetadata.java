@@ -13,6 +13,9 @@ import java.util.Map;
 
 /** The metadata of a picture file. */
 public final class PictureMetadata {
+  /** With this environment variable, files state nothing that differs between equal renders. */
+  private static final String REPRODUCIBLE = "SOURCE_DATE_EPOCH";
+
   private PictureMetadata() {}
 
   /**
@@ -20,10 +23,19 @@ public final class PictureMetadata {
    *
    * @param scene the scene's path
    * @param settings settings of the render
-   * @param seconds rendering time
+   * @param seconds rendering time; left out if the environment has {@code SOURCE_DATE_EPOCH}
    */
   public static Map<String, String> of(
       Path scene, SceneFile file, RenderSettings settings, double seconds) {
+    return of(scene, file, settings, seconds, System.getenv());
+  }
+
+  static Map<String, String> of(
+      Path scene,
+      SceneFile file,
+      RenderSettings settings,
+      double seconds,
+      Map<String, String> environment) {
     Map<String, String> metadata = new LinkedHashMap<>();
     metadata.put("Software", "Lumbre " + Release.number());
     metadata.put("Scene", Messages.printable(String.valueOf(scene.getFileName())));
@@ -38,7 +50,9 @@ public final class PictureMetadata {
     metadata.put("Seed", String.valueOf(settings.seed()));
     metadata.put("Size", settings.width() + "x" + settings.height());
     settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
-    metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
+    if (!environment.containsKey(REPRODUCIBLE)) {
+      metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
+    }
     return metadata;
   }
 
