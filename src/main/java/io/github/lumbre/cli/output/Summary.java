@@ -9,6 +9,9 @@ import io.github.lumbre.scene.RenderSettings;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -16,6 +19,9 @@ import java.util.Locale;
 public final class Summary {
   /** The luminance after exposure below which a pixel is dark. */
   private static final double DARK = .1;
+
+  /** The number of digits of a mean number of samples. */
+  private static final int DIGITS = 3;
 
   private final RenderSettings settings;
   private final RenderResult result;
@@ -71,13 +77,20 @@ public final class Summary {
     return samples + (samples.equals("1") ? " sample" : " samples") + " per pixel";
   }
 
-  /** Returns the number of finished samples: {@code 120 of 4800 samples}. */
+  /**
+   * Returns the mean number of finished samples, rounded down to three digits: {@code 24.7 of 4000
+   * samples per pixel}.
+   */
   public String progress() {
     Image image = result.image();
-    long total = (long) image.width() * image.height() * settings.samples();
+    BigDecimal mean =
+        BigDecimal.valueOf((double) samplesInAll / ((long) image.width() * image.height()));
+    int digits = Math.max(DIGITS, mean.precision() - mean.scale());
+    String done =
+        mean.round(new MathContext(digits, RoundingMode.DOWN)).stripTrailingZeros().toPlainString();
     return settings.samples() == RenderSettings.MAX_SAMPLES
-        ? Markdown.count(samplesInAll, "sample")
-        : samplesInAll + " of " + total + " samples";
+        ? perPixel(done)
+        : done + " of " + perPixel(String.valueOf(settings.samples()));
   }
 
   /** Prints the counters of the render. */

@@ -42,9 +42,27 @@ class SummaryTest {
   void partialPicturesAreCalledThat() {
     Summary partial = summary(false, List.of());
     assertThat(lines(messages -> partial.print(Path.of("p.png"), messages)))
-        .startsWith("p.png: stopped early, partial picture of 4x2 pixels, 40 of 80 samples, 2.00 s")
+        .startsWith(
+            "p.png: stopped early, partial picture of 4x2 pixels, 5 of 10 samples per pixel, 2.00"
+                + " s")
         .contains("20 samples/s");
     assertThat(lines(partial::printIfDark)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1, 4000, 0.125 of 4000 samples per pixel",
+    "198, 4000, 24.7 of 4000 samples per pixel",
+    "7999, 1000, 999 of 1000 samples per pixel",
+    "98765, 20000, 12345 of 20000 samples per pixel",
+    "7, 1, 0.875 of 1 sample per pixel",
+    "8, 1073741824, 1 sample per pixel",
+    "198, 1073741824, 24.7 samples per pixel"
+  })
+  void progressIsTheMeanRoundedDown(long samples, int limit, String progress) {
+    RenderSettings settings = SETTINGS.toBuilder().samples(limit).build();
+    RenderResult result = new RenderResult(Image.black(4, 2), false, RenderStatistics.ZERO);
+    assertThat(new Summary(settings, result, 2, samples).progress()).isEqualTo(progress);
   }
 
   @Test
