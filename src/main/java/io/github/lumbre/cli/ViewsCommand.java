@@ -36,7 +36,6 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Scene;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -133,7 +132,6 @@ final class ViewsCommand implements Callable<Integer> {
       messages.warnings(views.first().warnings());
       RenderSettings settings = views.first().settings();
       MemoryCheck.require(settings, FilmLayers.of(settings, views.first().scene()));
-      makeFolder();
       frames.reserve(Optional.empty(), Fallback.TEMPORARY);
       interruption.requireRender();
       long start = System.nanoTime();
@@ -191,15 +189,6 @@ final class ViewsCommand implements Callable<Integer> {
   private Set<Path> assets(ModelSetup setup) throws SceneFormatException, IOException {
     SceneText scene = setup.sceneOf(model, flags.aspect());
     return SceneParser.files(scene.json(), scene.path());
-  }
-
-  private void makeFolder() throws TaskException {
-    try {
-      Files.createDirectories(folder);
-    } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT, folder + ": cannot be created: " + FileFailure.reason(e), e);
-    }
   }
 
   private ModelViews read(ModelSetup setup) throws SceneFormatException, TaskException {

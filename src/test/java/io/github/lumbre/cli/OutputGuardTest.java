@@ -22,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -240,6 +241,25 @@ class OutputGuardTest {
       Files.createLink(link, input);
     }
     assertRefused(real, "links/wood", victim, "choose another path");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "render T/wood.json -o T/new/folder/x.png",
+        "render T/wood.json -o T/y.png --checkpoint T/new/folder/x.film",
+        "develop T/a.film -o T/new/folder/x.png",
+        "merge T/a.film -o T/new/folder/x.film",
+        "compare T/a.png T/a.png --error-map T/new/folder/x.png"
+      })
+  void missingFoldersOfOutputsAreMade(String line) throws IOException {
+    assertThat(run(line).exitCode()).isZero();
+    assertThat(directory.resolve("new/folder")).isNotEmptyDirectory();
+    assertRefused(
+        line.replace("new/folder", "notes/folder"),
+        "notes/folder/x.",
+        "/notes/folder cannot be created: ",
+        "choose another path with -");
   }
 
   @Test

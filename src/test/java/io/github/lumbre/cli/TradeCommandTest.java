@@ -124,8 +124,7 @@ class TradeCommandTest {
   void denoisedPicturesAreComparedWithNoisyOnes() throws Exception {
     Path page = directory.resolve("out.html");
     Outcome outcome =
-        trade(
-            "-s", "16", "--size", "32x24", "--seeds", "3", "--knobs", "denoise", "-o", "" + page);
+        trade("-s", "16", "--size", "32x24", "--seeds", "3", "--knobs", "denoise", "-o", "" + page);
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     JsonObject values =
         JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
@@ -266,6 +265,7 @@ class TradeCommandTest {
         .assertFailed(ExitCodes.USAGE, "--knobs: expected some of sampler,lights,", "found colour");
     trade("--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds: expected 3 to 1000");
     trade("-o", "page.txt").assertFailed(ExitCodes.USAGE, "-o: expected a name that ends in .html");
-    trade("-o", directory + "/none/a.html").assertFailed(ExitCodes.OUTPUT, "does not exist");
+    Files.writeString(directory.resolve("none"), "");
+    trade("-o", directory + "/none/a.html").assertFailed(ExitCodes.OUTPUT, "/none cannot be");
   }
 }
