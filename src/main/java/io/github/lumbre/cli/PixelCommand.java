@@ -32,9 +32,9 @@ import picocli.CommandLine.Spec;
     name = "pixel",
     header = "Repeat the samples of one pixel and explain its value.",
     description =
-        "Print the pixel's mean, variance and brightest samples; with --sample, the path of that"
-            + " sample, vertex by vertex. With the same scene, seed, size, mode and depth, the"
-            + " samples are bit-identical to those of the render.",
+        "Print the objects in the pixel, and its mean, variance and brightest samples; with"
+            + " --sample, the path of that sample, vertex by vertex. With the same scene, seed,"
+            + " size, mode and depth, the samples are bit-identical to those of the render.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -80,7 +80,7 @@ final class PixelCommand implements Callable<Integer> {
 
   @Mixin KernelFlag kernel;
 
-  @Option(names = "--json", description = "Print the result as JSON.")
+  @Option(names = "--json", description = "Print the result as JSON, with all digits.")
   boolean json;
 
   @Spec CommandSpec spec;

@@ -13,6 +13,8 @@ import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * Repeats single samples of a render, bit-identically, and records their paths. Mutable; confined
@@ -87,9 +89,19 @@ public final class PixelReplay {
   }
 
   /**
+   * A primitive that is seen in a pixel.
+   *
+   * @param primitive number of the primitive in the scene
+   * @param samples the number of samples whose camera ray hits it first, at least 1
+   */
+  public record Seen(int primitive, int samples) {}
+
+  /**
    * All samples of a pixel.
    *
    * @param samples the number of samples
+   * @param seen what the camera rays of the samples hit, the primitive of most samples first; rays
+   *     that hit nothing are not among them
    * @param mean the mean of all samples, summed as in a film; this includes samples that do not
    *     cover a pixel with alpha
    * @param variance the unbiased variance of one sample; 0 if there is only one
@@ -99,12 +111,14 @@ public final class PixelReplay {
    */
   public record Pixel(
       int samples,
+      List<Seen> seen,
       Rgb mean,
       Rgb variance,
       int rejected,
       List<Sample> firstRejected,
       List<Sample> brightest) {
     public Pixel {
+      seen = List.copyOf(seen);
       firstRejected = List.copyOf(firstRejected);
       brightest = List.copyOf(brightest);
     }
@@ -146,11 +160,16 @@ public final class PixelReplay {
     List<Sample> rejected = new ArrayList<>();
     List<Sample> brightest = new ArrayList<>();
     Comparator<Sample> byBrightness = Comparator.comparingDouble(s -> -s.film().max());
+    Map<Integer, Integer> hits = new TreeMap<>();
     int rejects = 0;
     for (int number = 0; number < settings.samples(); number++) {
       Sample sample = sample(x, y, number);
       film.add(0, sample.film(), true);
       moments.add(sample.film());
+      sample.vertices().stream()
+          .findFirst()
+          .flatMap(PathVertex::hit)
+          .ifPresent(hit -> hits.merge(hit.primitive(), 1, Integer::sum));
       if (sample.rejected() && rejects++ < shown) {
         rejected.add(sample);
       }
@@ -161,8 +180,14 @@ public final class PixelReplay {
         brightest.subList(Math.min(shown, brightest.size()), brightest.size()).clear();
       }
     }
+    List<Seen> seen =
+        hits.entrySet().stream()
+            .map(hit -> new Seen(hit.getKey(), hit.getValue()))
+            .sorted(Comparator.comparingInt(hit -> -hit.samples()))
+            .toList();
     return new Pixel(
         settings.samples(),
+        seen,
         film.develop().pixel(0, 0),
         moments.variance(),
         rejects,

@@ -11,6 +11,7 @@ import io.github.lumbre.cli.output.PixelJson;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -42,9 +43,38 @@ class PixelCommandTest {
     Outcome outcome = pixel(TinyScene.JSON, "8,6", "-s", "20");
     assertThat(outcome.exitCode()).isZero();
     assertThat(outcome.out().lines())
-        .contains("pixel 8,6, 20 samples, seed 0", "rejected     0 samples")
+        .contains(
+            "pixel 8,6, 20 samples, seed 0",
+            "shows        $.objects[2], material $.assets[1]",
+            "rejected     0 samples")
         .filteredOn(line -> line.startsWith("brightest "))
         .hasSize(8);
+  }
+
+  @Test
+  void textHasSixDigitsAndJsonAll() {
+    for (String[] flags : new String[][] {{"--sample", "1"}, {"-s", "20"}}) {
+      Outcome text = corner(flags);
+      assertThat(text.out())
+          .containsPattern("\\d\\.\\d{4}")
+          .doesNotContainPattern("[1-9]\\d*\\.?\\d{6}");
+      String[] more = Stream.concat(Stream.of(flags), Stream.of("--json")).toArray(String[]::new);
+      assertThat(corner(more).out()).containsPattern("0\\.\\d{15}");
+    }
+  }
+
+  @Test
+  void objectsAtAnEdgeAreCounted() {
+    Outcome outcome = pixel(TinyScene.JSON, "5,3", "-s", "64", "--size", "8x6");
+    List<Integer> counts =
+        Pattern.compile(
+                "(?m)^shows +(\\$.objects\\[\\d\\].*|no object) \\((\\d+) of the samples\\)$")
+            .matcher(outcome.out())
+            .results()
+            .map(found -> Integer.valueOf(found.group(2)))
+            .toList();
+    assertThat(counts).hasSizeGreaterThan(1).doesNotContain(0);
+    assertThat(counts.stream().mapToInt(n -> n).sum()).isEqualTo(64);
   }
 
   @Test
@@ -57,8 +87,11 @@ class PixelCommandTest {
         .isEqualTo("$.objects[2]");
     assertThat(sample.get("film")).isEqualTo(sample.get("radiance"));
     String all = pixel(TinyScene.JSON, "8,6", "--json").out();
-    assertThat(JsonParser.parseString(all).getAsJsonObject().get("samples").getAsInt())
-        .isEqualTo(2);
+    JsonObject pixel = JsonParser.parseString(all).getAsJsonObject();
+    assertThat(pixel.get("samples").getAsInt()).isEqualTo(2);
+    JsonObject shown = pixel.getAsJsonArray("shows").get(0).getAsJsonObject();
+    assertThat(shown.get("object_path").getAsString()).isEqualTo("$.objects[2]");
+    assertThat(shown.get("samples").getAsInt()).isEqualTo(2);
   }
 
   @Test
@@ -71,8 +104,8 @@ class PixelCommandTest {
 
   @Test
   void splitPathsAreReplayed() {
-    JsonObject plain = json(corner("--json"));
-    JsonObject split = json(corner("--split", "5", "--json"));
+    JsonObject plain = json(corner("--sample", "1", "--json"));
+    JsonObject split = json(corner("--sample", "1", "--split", "5", "--json"));
     assertThat(split.get("radiance")).isNotEqualTo(plain.get("radiance"));
     JsonArray vertices = split.getAsJsonArray("vertices");
     assertThat(vertices.get(0).getAsJsonObject().get("end").getAsString()).isEqualTo("split");
@@ -104,7 +137,7 @@ class PixelCommandTest {
 
   private static Outcome corner(String... flags) {
     Stream<String> first =
-        Stream.of("pixel", "scenes/cornell-box.json", "20,40", "--size", "64x48", "--sample", "1");
+        Stream.of("pixel", "scenes/cornell-box.json", "20,40", "--size", "64x48");
     return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
   }
 
@@ -129,7 +162,7 @@ class PixelCommandTest {
     assertThat(replay.exitCode()).isZero();
     assertThat(replay.out())
         .contains(
-            "Infinity", "rejected     negative, NaN or infinite", "film         (0.0, 0.0, 0.0)");
+            "Infinity", "rejected     negative, NaN or infinite", "film         (0, 0, 0)");
     Outcome strict = Outcome.of((command + " --strict").split(" "));
     assertThat(strict.exitCode()).isEqualTo(ExitCodes.INTERNAL);
     assertThat(Outcome.of((command + " --json").split(" ")).out()).contains("\"Infinity\"");

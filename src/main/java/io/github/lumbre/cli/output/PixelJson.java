@@ -47,12 +47,21 @@ public final class PixelJson {
     PixelJson json = new PixelJson(report);
     Map<String, Object> values = head(report);
     values.put("samples", pixel.samples());
+    values.put("shows", report.seen(pixel).stream().map(PixelJson::seen).toList());
     values.put("mean", rgb(pixel.mean()));
     values.put("variance", rgb(pixel.variance()));
     values.put("rejected", pixel.rejected());
     values.put("first_rejected", pixel.firstRejected().stream().map(json::sample).toList());
     values.put("brightest", pixel.brightest().stream().map(json::sample).toList());
     return GSON.toJson(values);
+  }
+
+  private static Map<String, Object> seen(PixelReport.Seen seen) {
+    Map<String, Object> values = new LinkedHashMap<>();
+    put("object", seen.object(), values);
+    put("material", seen.material(), values);
+    values.put("samples", seen.samples());
+    return values;
   }
 
   private static Map<String, Object> head(PixelReport report) {

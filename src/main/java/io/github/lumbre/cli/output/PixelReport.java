@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
@@ -11,11 +12,35 @@ import io.github.lumbre.path.PathVertex.Hit;
 import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.render.PixelReplay;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 
 /**
- * Formats the samples of a pixel as text. Numbers have all digits, so that bits can be compared.
+ * Formats the samples of a pixel as text. Numbers have {@value #DIGITS} significant digits; those
+ * of {@link PixelJson} have all.
  */
 public record PixelReport(SceneFile file, PixelPlace pixel) {
+  private static final int DIGITS = 6;
+
+  /** Numbers from here, in magnitude, have no exponent. */
+  private static final double SMALL = 1e-4;
+
+  private static final double LARGE = 1e9;
+
+  private static final int MOST_SEEN = 8;
+
+  /**
+   * What is seen in a pixel.
+   *
+   * @param samples the number of samples whose camera ray hits it first
+   */
+  record Seen(Origin object, Origin material, int samples) {}
+
   /** Returns the path of a sample, vertex by vertex. */
   public String text(PixelReplay.Sample sample) {
     StringBuilder out = new StringBuilder();
@@ -44,7 +69,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
       line(out, "rejected     negative, NaN or infinite: added to the film as black");
     }
     if (sample.clamped()) {
-      line(out, "clamped      to " + file.settings().clamp());
+      line(out, "clamped      to " + shown(file.settings().clamp()));
     }
     line(out, "film         " + shown(sample.film()));
     return out.toString();
@@ -53,7 +78,9 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   /** Returns the mean and variance of the pixel's samples, and the brightest of them. */
   public String text(PixelReplay.Pixel all) {
     StringBuilder out = new StringBuilder();
-    line(out, "pixel " + pixel + ", " + all.samples() + " samples, seed " + seed());
+    String samples = Markdown.count(all.samples(), "sample");
+    line(out, "pixel " + pixel + ", " + samples + ", seed " + seed());
+    describeSeen(all, out);
     line(out, "mean         " + shown(all.mean()));
     line(out, "variance     " + shown(all.variance()) + " per sample");
     line(out, "rejected     " + all.rejected() + " samples");
@@ -67,10 +94,48 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
               + sample.number()
               + ": "
               + shown(sample.film())
-              + ", vertices "
-              + sample.vertices().size());
+              + ", "
+              + vertices(sample));
     }
     return out.toString();
+  }
+
+  private static String vertices(PixelReplay.Sample sample) {
+    int number = sample.vertices().size();
+    return number == 1 ? "1 vertex" : number + " vertices";
+  }
+
+  private void describeSeen(PixelReplay.Pixel all, StringBuilder out) {
+    List<Seen> seen = seen(all);
+    for (Seen one : seen.subList(0, Math.min(MOST_SEEN, seen.size()))) {
+      String what = one.object() + ", material " + material(one.material());
+      line(out, "shows        " + what + share(one.samples(), all));
+    }
+    if (seen.size() > MOST_SEEN) {
+      line(out, "shows        " + (seen.size() - MOST_SEEN) + " more objects");
+    }
+    int hits = seen.stream().mapToInt(Seen::samples).sum();
+    if (hits < all.samples()) {
+      line(out, "shows        no object" + share(all.samples() - hits, all));
+    }
+  }
+
+  private static String share(int samples, PixelReplay.Pixel all) {
+    return samples == all.samples() ? "" : " (%d of the samples)".formatted(samples);
+  }
+
+  /** Returns the objects that are seen in a pixel, with their materials, most samples first. */
+  List<Seen> seen(PixelReplay.Pixel all) {
+    Map<List<Origin>, Integer> samples = new LinkedHashMap<>();
+    for (PixelReplay.Seen seen : all.seen()) {
+      Origin object = file.origins().primitives().get(seen.primitive());
+      Origin material = file.origins().materials().get(seen.primitive());
+      samples.merge(List.of(object, material), seen.samples(), Integer::sum);
+    }
+    return samples.entrySet().stream()
+        .map(e -> new Seen(e.getKey().get(0), e.getKey().get(1), e.getValue()))
+        .sorted(Comparator.comparingInt(seen -> -seen.samples()))
+        .toList();
   }
 
   long seed() {
@@ -97,9 +162,12 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   }
 
   private String material(Hit hit) {
-    Origin origin = file.origins().materials().get(hit.primitive());
-    String what = origin.equals(Origin.NONE) ? "no material in the scene file" : origin.toString();
+    String what = material(file.origins().materials().get(hit.primitive()));
     return hit.bsdf().isEmpty() ? what : what + " (" + hit.bsdf() + ")";
+  }
+
+  private static String material(Origin origin) {
+    return origin.equals(Origin.NONE) ? "no material in the scene file" : origin.toString();
   }
 
   private void describe(Contribution contribution, StringBuilder out) {
@@ -124,11 +192,11 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
       line(
           out,
           "             pdf of light sampling "
-              + light.lightPdf()
+              + shown(light.lightPdf())
               + otherWay(light.source())
-              + light.bsdfPdf()
+              + shown(light.bsdfPdf())
               + ", MIS weight "
-              + light.misWeight());
+              + shown(light.misWeight()));
     }
     if (light.blocked()) {
       line(out, "             blocked");
@@ -142,10 +210,11 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
         "             weight f·cos/pdf "
             + shown(scattering.weight())
             + ", pdf "
-            + scattering.pdf());
+            + shown(scattering.pdf()));
     if (scattering.survival() < 1) {
       String outcome = scattering.survives() ? "survived" : "ended";
-      line(out, "  roulette   " + outcome + ", survival probability " + scattering.survival());
+      String probability = shown(scattering.survival());
+      line(out, "  roulette   " + outcome + ", survival probability " + probability);
     }
   }
 
@@ -196,11 +265,26 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     out.append(text).append('\n');
   }
 
-  private static String shown(Rgb colour) {
-    return "(" + colour.r() + ", " + colour.g() + ", " + colour.b() + ")";
+  private static String shown(Rgb color) {
+    return shown(color.r(), color.g(), color.b());
   }
 
   private static String shown(Vec3 vector) {
-    return "(" + vector.x() + ", " + vector.y() + ", " + vector.z() + ")";
+    return shown(vector.x(), vector.y(), vector.z());
+  }
+
+  private static String shown(double x, double y, double z) {
+    return "(" + shown(x) + ", " + shown(y) + ", " + shown(z) + ")";
+  }
+
+  private static String shown(double value) {
+    double size = Math.abs(value);
+    if (value == 0 || !Double.isFinite(value)) {
+      return value == 0 ? "0" : String.valueOf(value);
+    }
+    BigDecimal rounded = new BigDecimal(value).round(new MathContext(DIGITS));
+    return size >= SMALL && size < LARGE
+        ? rounded.stripTrailingZeros().toPlainString()
+        : String.format(Locale.ROOT, "%." + (DIGITS - 1) + "e", rounded);
   }
 }
