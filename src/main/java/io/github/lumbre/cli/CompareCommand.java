@@ -9,16 +9,17 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.run.LayerInput;
+import io.github.lumbre.compare.ErrorMap;
+import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.compare.ErrorMap;
-import io.github.lumbre.compare.PictureError;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
@@ -145,6 +146,14 @@ final class CompareCommand implements Callable<Integer> {
       spec.commandLine().getOut().println(GSON.toJson(values(error, beyond)));
       spec.commandLine().getOut().flush();
     } else {
+      out.line(
+          "%s against %s, %dx%d pixels%s"
+              .formatted(
+                  picture,
+                  reference,
+                  a.width(),
+                  a.height(),
+                  error.largest() == 0 ? ": no difference" : ", in linear light"));
       error.byName().forEach((name, value) -> out.line(line(name, value, beyond)));
     }
     return beyond.isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
@@ -225,12 +234,30 @@ final class CompareCommand implements Callable<Integer> {
   }
 
   private String line(String name, double value, List<String> beyond) {
-    String text = String.format(Locale.ROOT, "%-7s %.6g", name, value);
+    String text = String.format(Locale.ROOT, "%-7s %-12.6g %s", name, value, meaning(name, value));
     if (!tolerance.containsKey(name)) {
       return text;
     }
     String verdict = beyond.contains(name) ? "outside" : "within";
-    return text + "  " + verdict + " the tolerance of " + plain(tolerance.get(name));
+    return text + "; " + verdict + " the tolerance of " + plain(tolerance.get(name));
+  }
+
+  private static String meaning(String name, double value) {
+    return switch (name) {
+      case "rmse" -> "root mean square of the difference";
+      case "relmse" ->
+          "mean square relative to the reference; its root, %s, is comparable to a render's noise"
+              .formatted(Markdown.percent(Math.sqrt(value)));
+      case "bias" ->
+          "mean difference: "
+              + (value == 0 ? "as bright as" : value > 0 ? "brighter than" : "darker than")
+              + " the reference";
+      case "p99.9" -> "99.9 % of the values differ by at most this";
+      case "max" -> "largest difference";
+      case "ssim" -> "structural similarity (1: identical)";
+      case "flip" -> "difference that is seen when the pictures alternate (0: none, 1: largest)";
+      default -> throw new AssertionError(name);
+    };
   }
 
   /** Returns a number without exponent. */

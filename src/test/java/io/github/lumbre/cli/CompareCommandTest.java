@@ -43,8 +43,22 @@ class CompareCommandTest {
     assertThat(outcome.exitCode()).isZero();
     assertThat(outcome.err()).isEmpty();
     assertThat(outcome.out().lines())
-        .contains("rmse    0.250000", "relmse  0.240385", "bias    0.250000")
-        .hasSize(7);
+        .containsExactly(
+            more + " against " + half + ", 8x6 pixels, in linear light",
+            "rmse    0.250000     root mean square of the difference",
+            "relmse  0.240385     mean square relative to the reference; its root, 49 %, is"
+                + " comparable to a render's noise",
+            "bias    0.250000     mean difference: brighter than the reference",
+            "p99.9   0.250000     99.9 % of the values differ by at most this",
+            "max     0.250000     largest difference",
+            "ssim    0.983929     structural similarity (1: identical)",
+            "flip    0.352536     difference that is seen when the pictures alternate (0: none, 1:"
+                + " largest)");
+    assertThat(Outcome.of("compare", half, more).out())
+        .contains("mean difference: darker than the reference");
+    assertThat(Outcome.of("compare", half, half).out())
+        .startsWith(half + " against " + half + ", 8x6 pixels: no difference\n")
+        .contains("its root, 0 %,", "mean difference: as bright as the reference");
   }
 
   @Test
