@@ -103,6 +103,11 @@ public record Limits(
     return new Limits(bytes, pixels, texels, triangles, samples, memory, value);
   }
 
+  /** Returns whether the bytes of files are limited, as those of uploads are. */
+  public boolean hasLimitedBytes() {
+    return bytes < Long.MAX_VALUE / 2;
+  }
+
   /** Returns the heap bytes that reading may use: {@link #memory}, but not more than the heap. */
   public long heap() {
     return Math.min(memory, Runtime.getRuntime().maxMemory());

@@ -8,11 +8,13 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /** Reads the files in a folder and below. Mutable; confined to one thread. */
 final class FileFolder implements ModelFolder {
   private final Path folder;
+  private final FileSearch search;
   private final long maxBytes;
   private long bytes;
 
@@ -22,6 +24,7 @@ final class FileFolder implements ModelFolder {
    */
   FileFolder(Path folder, long maxBytes) {
     this.folder = folder;
+    search = new FileSearch(folder);
     this.maxBytes = maxBytes;
   }
 
@@ -49,6 +52,11 @@ final class FileFolder implements ModelFolder {
       problem = unreadable(name, FileFailure.reason(e));
     }
     throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, problem);
+  }
+
+  @Override
+  public List<String> similar(String name) {
+    return search.of(name);
   }
 
   private void requireBytes(long more, String location) throws ModelFormatException {

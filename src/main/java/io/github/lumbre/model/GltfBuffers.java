@@ -14,7 +14,7 @@ final class GltfBuffers {
 
   private final GltfDocument document;
   private final Optional<ByteBuffer> binary;
-  private final ModelFolder folder;
+  private final ModelFiles folder;
   private final Map<Integer, ByteBuffer> buffers = new HashMap<>();
   private final Map<Integer, View> views = new HashMap<>();
   private final Map<String, byte[]> files = new HashMap<>();
@@ -27,7 +27,7 @@ final class GltfBuffers {
    */
   record View(ByteBuffer bytes, int stride) {}
 
-  GltfBuffers(GltfDocument document, Optional<ByteBuffer> binary, ModelFolder folder) {
+  GltfBuffers(GltfDocument document, Optional<ByteBuffer> binary, ModelFiles folder) {
     this.document = document;
     this.binary = binary;
     this.folder = folder;

@@ -23,6 +23,45 @@ final class GltfExtensions {
           "KHR_mesh_quantization",
           "KHR_texture_transform");
 
+  /**
+   * Extensions without an effect on a picture: metadata, features, collisions, physics, sound, and
+   * how polygons were divided. They are ignored, also if a file requires them.
+   */
+  private static final Set<String> INVISIBLE =
+      Set.of(
+          "AGI_articulations",
+          "AGI_stk_metadata",
+          "EXT_feature_metadata",
+          "EXT_instance_features",
+          "EXT_mesh_features",
+          "EXT_mesh_manifold",
+          "EXT_structural_metadata",
+          "FB_ngon_encoding",
+          "GODOT_single_root",
+          "KHR_audio",
+          "KHR_audio_emitter",
+          "KHR_implicit_shapes",
+          "KHR_interactivity",
+          "KHR_node_hoverability",
+          "KHR_node_selectability",
+          "KHR_physics_rigid_bodies",
+          "KHR_xmp",
+          "KHR_xmp_json_ld",
+          "MSFT_audio_emitter",
+          "MSFT_lod",
+          "MSFT_physics",
+          "MSFT_screencoverage",
+          "OMI_audio_emitter",
+          "OMI_collider",
+          "OMI_link",
+          "OMI_personality",
+          "OMI_physics_body",
+          "OMI_physics_shape",
+          "OMI_seat",
+          "OMI_spawn_point",
+          "VRMC_springBone",
+          "VRMC_vrm");
+
   private static final String DECOMPRESS = "decompress the model, for example with gltf-transform";
   private static final String CONVERT = "convert its textures to PNG or JPEG";
 
@@ -50,7 +89,7 @@ final class GltfExtensions {
     checkVersion(root.requireObject("asset"));
     List<String> required = root.texts("extensionsRequired");
     for (String name : required) {
-      if (!SUPPORTED.contains(name)) {
+      if (!isSupported(name)) {
         throw new ModelFormatException(
             Kind.UNSUPPORTED,
             "extensionsRequired",
@@ -60,7 +99,7 @@ final class GltfExtensions {
       }
     }
     for (String name : new TreeSet<>(root.texts("extensionsUsed"))) {
-      if (!SUPPORTED.contains(name)) {
+      if (!isSupported(name)) {
         document
             .warnings()
             .add(
@@ -68,6 +107,10 @@ final class GltfExtensions {
                 PrintableText.shortened(name) + " is not supported; the model may look different");
       }
     }
+  }
+
+  private static boolean isSupported(String name) {
+    return SUPPORTED.contains(name) || INVISIBLE.contains(name);
   }
 
   private static void checkVersion(GltfJson asset) throws ModelFormatException {

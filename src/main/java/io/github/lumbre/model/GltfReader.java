@@ -75,7 +75,8 @@ final class GltfReader {
     GltfJson root = GltfJsonReader.read(container.json(), budget);
     GltfDocument document = new GltfDocument(root, budget);
     GltfExtensions.check(document);
-    GltfBuffers buffers = new GltfBuffers(document, container.binary(), folder);
+    ModelFiles files = new ModelFiles(folder, options.limits(), document.warnings());
+    GltfBuffers buffers = new GltfBuffers(document, container.binary(), files);
     return new GltfReader(document, buffers, options).read();
   }
 

@@ -2,6 +2,8 @@ package io.github.lumbre.model;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Function;
 
 /** Reads the files that a model names: those in the model's own folder and below. */
 @FunctionalInterface
@@ -38,4 +40,30 @@ public interface ModelFolder {
    * @throws IOException if the thread is interrupted
    */
   byte[] read(String name, String location) throws ModelFormatException, IOException;
+
+  /**
+   * Returns the names of files that may be meant by a name that cannot be read: those of its last
+   * name, without regard to case, in the folder or below. By default there are none.
+   *
+   * @param name of a file, as in {@link #read}
+   */
+  default List<String> similar(String name) {
+    return List.of();
+  }
+
+  /** Returns this folder with another {@link #similar}. */
+  default ModelFolder searchedBy(Function<String, List<String>> search) {
+    ModelFolder files = this;
+    return new ModelFolder() {
+      @Override
+      public byte[] read(String name, String location) throws ModelFormatException, IOException {
+        return files.read(name, location);
+      }
+
+      @Override
+      public List<String> similar(String name) {
+        return search.apply(name);
+      }
+    };
+  }
 }

@@ -58,7 +58,8 @@ public final class Models {
           files.put(other, bytes);
           return bytes;
         };
-    Model model = ModelReader.read(name, content, recording, options);
+    Model model =
+        ModelReader.read(name, content, recording.searchedBy(folder::similar), options);
     return new ModelFile(name, content.clone(), files, options, model);
   }
 }

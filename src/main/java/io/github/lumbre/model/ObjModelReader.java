@@ -51,7 +51,7 @@ final class ObjModelReader {
 
   private final TextScanner scanner;
   private final ObjFaces faces;
-  private final ModelFolder folder;
+  private final ModelFiles folder;
   private final ModelOptions options;
   private final Warnings warnings = new Warnings();
   private final Map<Key, Part> parts = new LinkedHashMap<>();
@@ -67,7 +67,7 @@ final class ObjModelReader {
       throws ModelFormatException {
     scanner = new TextScanner(text);
     faces = new ObjFaces(scanner, ObjCensus.of(text, options.limits()), true);
-    this.folder = folder;
+    this.folder = new ModelFiles(folder, options.limits(), warnings);
     this.options = options;
   }
 

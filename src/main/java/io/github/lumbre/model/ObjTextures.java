@@ -14,12 +14,12 @@ final class ObjTextures {
   /** The number of points per side at which a picture is checked for color. */
   private static final int CHECKED = 64;
 
-  private final ModelFolder folder;
+  private final ModelFiles folder;
   private final Limits limits;
   private final Map<String, ModelImage> images = new HashMap<>();
   private long bytes;
 
-  ObjTextures(ModelFolder folder, Limits limits) {
+  ObjTextures(ModelFiles folder, Limits limits) {
     this.folder = folder;
     this.limits = limits;
   }

@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.model.FileSearch;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
@@ -126,7 +127,13 @@ final class AssetData {
    */
   ModelFolder folderOf(String model) {
     String parent = model.substring(0, model.lastIndexOf('/') + 1);
-    return (name, location) -> {
+    Path folder = sceneFile.toAbsolutePath().normalize().getParent();
+    Optional<FileSearch> search =
+        validRelative(parent + "x")
+            .map(path -> folder.resolve(path).normalize().getParent())
+            .filter(path -> path.startsWith(folder))
+            .map(FileSearch::new);
+    ModelFolder files = (name, location) -> {
       try {
         return bytes(parent + name);
       } catch (Unusable e) {
@@ -138,6 +145,7 @@ final class AssetData {
             e.getMessage());
       }
     };
+    return files.searchedBy(name -> search.map(s -> s.of(name)).orElse(List.of()));
   }
 
   /** Returns the model files that objects name, and the files that these name, if they exist. */
@@ -158,7 +166,7 @@ final class AssetData {
         ModelReader.read(
             model.getFileName().toString(),
             Files.readAllBytes(model),
-            recording,
+            recording.searchedBy(new FileSearch(folder)::of),
             ModelOptions.DEFAULT.lenient(true));
       } catch (ModelFormatException e) {
         // Reading the scene reports the error.

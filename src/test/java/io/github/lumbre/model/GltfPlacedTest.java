@@ -7,6 +7,8 @@ import io.github.lumbre.math.Vec3;
 import java.io.IOException;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the cameras and lights of glTF. */
 class GltfPlacedTest {
@@ -80,6 +82,24 @@ class GltfPlacedTest {
     assertThat(model.cameras().get(0).lens()).isEqualTo(new ModelCamera.Parallel(2, 3));
     assertThat(model.warnings())
         .containsExactly("cameras[0].orthographic.ymag: negative; its absolute value is used");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "EXT_structural_metadata",
+        "EXT_mesh_features",
+        "FB_ngon_encoding",
+        "KHR_xmp_json_ld",
+        "KHR_physics_rigid_bodies",
+        "OMI_collider"
+      })
+  void extensionsThatCannotChangeThePictureGiveNoWarning(String name)
+      throws ModelFormatException, IOException {
+    file.set("extensionsUsed", "['" + name + "']");
+    assertThat(file.read().warnings()).isEmpty();
+    file.set("extensionsRequired", "['" + name + "']");
+    assertThat(file.read().warnings()).isEmpty();
   }
 
   @Test
