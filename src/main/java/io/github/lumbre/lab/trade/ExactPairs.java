@@ -21,6 +21,9 @@ import java.util.stream.Stream;
 final class ExactPairs {
   private static final int PAIRS = 5;
 
+  /** In a shorter time, the CPU clock, the JIT compiler and other programs hide the ratio. */
+  private static final double LEAST_SECONDS = .1;
+
   private final TradeSetting setting;
   private final int samples;
   private final DoubleSupplier cpuSeconds;
@@ -82,13 +85,14 @@ final class ExactPairs {
       otherCpu.add(ofOther.cpu);
       same &= Arrays.equals(first.picture.rgb(), second.picture.rgb());
     }
-    return new ExactRow(
-        name, Interval.ofRatios(otherSeconds, baseSeconds), cpuRatio(otherCpu, baseCpu), same);
+    return new ExactRow(name, ratio(otherSeconds, baseSeconds), ratio(otherCpu, baseCpu), same);
   }
 
-  private static Optional<Interval> cpuRatio(List<Double> over, List<Double> under) {
-    boolean isTold = Stream.concat(over.stream(), under.stream()).allMatch(time -> time > 0);
-    return isTold ? Optional.of(Interval.ofRatios(over, under)) : Optional.empty();
+  /** Returns the ratio of times in seconds; empty if one of them is too short to be measured. */
+  static Optional<Interval> ratio(List<Double> over, List<Double> under) {
+    return Stream.concat(over.stream(), under.stream()).allMatch(time -> time >= LEAST_SECONDS)
+        ? Optional.of(Interval.ofRatios(over, under))
+        : Optional.empty();
   }
 
   private Timed timed(Side side) throws InterruptedException {

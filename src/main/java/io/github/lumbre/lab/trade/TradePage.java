@@ -16,7 +16,7 @@ import java.util.Map;
  * TradeCharts} and {@link TradePictures} produce its sections.
  */
 public final class TradePage {
-  /** Shown instead of a time ratio if the times are too short for the CPU clock. */
+  /** Shown instead of a time ratio if the times are too short. */
   private static final String TOO_SHORT = "too short to measure";
 
   private final Map<String, String> facts;
@@ -243,7 +243,7 @@ public final class TradePage {
                             List.of(
                                 row.setting(),
                                 row.cpuRatio().map(TradeText::ratio).orElse(TOO_SHORT),
-                                TradeText.ratio(row.timeRatio()),
+                                row.timeRatio().map(TradeText::ratio).orElse(TOO_SHORT),
                                 row.isSamePicture() ? "identical" : "DIFFERENT"),
                             row.isSamePicture() ? "" : "bad"))
                 .toList())

@@ -84,7 +84,7 @@ public final class TradeTables {
   private static Map<String, Object> exact(ExactRow row) {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("setting", row.setting());
-    values.put("time_ratio", row.timeRatio());
+    row.timeRatio().ifPresent(ratio -> values.put("time_ratio", ratio));
     row.cpuRatio().ifPresent(ratio -> values.put("cpu_ratio", ratio));
     values.put("same_picture", row.isSamePicture());
     return values;
