@@ -37,12 +37,14 @@ final class SparkEngine implements Engine {
     try {
       FilmLayers layers = FilmLayers.of(scene.settings(), scene.scene());
       SceneBundle files = SceneBundle.of(path, scene);
-      ExecutorPlan plan = ExecutorPlan.of(spark, scene.settings(), layers, files.bytes());
+      ExecutorPlan plan =
+          SparkFailures.explained(
+              spark, () -> ExecutorPlan.of(spark, scene.settings(), layers, files.bytes()));
       if (isReported.compareAndSet(false, true)) {
         messages.accept(plan.line());
       }
       plan.require();
-      Broadcast<SceneBundle> bundle = spark.broadcast(files);
+      Broadcast<SceneBundle> bundle = SparkFailures.explained(spark, () -> spark.broadcast(files));
       int goal = scene.settings().samples();
       return new SparkPasses(spark, bundle, local, goal, unitSeconds, isTimed);
     } catch (IOException e) {

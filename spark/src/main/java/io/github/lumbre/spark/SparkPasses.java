@@ -5,7 +5,6 @@ import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassRenderer;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
-import io.github.lumbre.render.RenderException;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
@@ -45,9 +44,6 @@ final class SparkPasses implements PassRenderer {
 
   /** Samples per second and core, before any is measured. */
   private static final double FIRST_RATE = 100_000;
-
-  /** What precedes the message of an executor's failure. */
-  private static final String EXECUTOR_FAILURE = IllegalStateException.class.getName() + ": ";
 
   private static final long POLL_MILLIS = 100;
 
@@ -111,7 +107,7 @@ final class SparkPasses implements PassRenderer {
   }
 
   private int cores() {
-    return Math.max(1, spark.defaultParallelism());
+    return Math.max(1, SparkFailures.explained(spark, spark::defaultParallelism));
   }
 
   private List<WorkUnit> units(Film film, SampleTarget target) {
@@ -138,7 +134,7 @@ final class SparkPasses implements PassRenderer {
             "%s: samples %d to %d per pixel, %d units"
                 .formatted(bundle.value().name(), film.fewestSamples(), end - 1, now.size()));
     Job job = new Job(film, progress);
-    boolean isComplete = job.run(now);
+    boolean isComplete = SparkFailures.explained(spark, () -> job.run(now));
     return new PassResult(isComplete && now.size() == all.size(), job.statistics);
   }
 
@@ -205,8 +201,7 @@ final class SparkPasses implements PassRenderer {
       }
       scala.util.Try<Object> outcome = action.value().get();
       if (outcome.isFailure()) {
-        Throwable cause = outcome.failed().get();
-        throw new RenderException("rendering on Spark failed: " + reason(cause), cause);
+        throw SparkFailures.failure(spark, outcome.failed().get());
       }
       return true;
     }
@@ -240,15 +235,6 @@ final class SparkPasses implements PassRenderer {
       statistics = statistics.plus(result.statistics());
       progress.advanced(result.unit().samples());
     }
-  }
-
-  /** Returns the message of an executor's failure, without Spark's stack traces. */
-  private static String reason(Throwable failure) {
-    String message = String.valueOf(failure.getMessage());
-    String first = message.lines().findFirst().orElse(failure.toString());
-    // Spark passes on an executor's exception as text only.
-    int own = first.indexOf(EXECUTOR_FAILURE);
-    return own < 0 ? first : first.substring(own + EXECUTOR_FAILURE.length());
   }
 
   /** Receives the result of each partition once, in Spark's own thread. */

@@ -133,7 +133,8 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
               + MemoryCheck.advice(2 * heap));
     }
     String what = thrown instanceof RenderException ? thrown.getMessage() : thrown.toString();
-    return List.of("internal error: " + what);
+    // Further lines are details, which --debug prints.
+    return List.of("internal error: " + what.lines().findFirst().orElse(what));
   }
 
   private static boolean rootIs(Throwable thrown, Class<? extends Throwable> type) {

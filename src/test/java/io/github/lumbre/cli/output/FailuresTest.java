@@ -29,6 +29,17 @@ class FailuresTest {
   }
 
   @Test
+  void messagesOfSeveralLinesAreCutToTheFirst() {
+    Exception fault = new IllegalStateException("planted\nThis was created at:\n\nA.java:1");
+
+    assertThat(Failures.report(fault, command, false)).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(err.toString())
+        .isEqualTo(
+            "lumbre: internal error: java.lang.IllegalStateException: planted"
+                + " (--debug prints the stack trace)\n");
+  }
+
+  @Test
   void lackOfMemoryIsALimit() {
     RenderException fault = new RenderException("rendering failed", new OutOfMemoryError());
 
