@@ -200,11 +200,12 @@ final class RenderCommand implements Callable<Integer> {
     Duration startup = Duration.between(start, Instant.now());
     Deadline deadline = run.deadline();
     List<Path> targets = targets();
+    int count = dryRun ? 1 : targets.size();
     int code = ExitCodes.OK;
     try (Interruption interruption = Interruption.listen();
         Frames frames = new Frames(targets, interruption, deadline)) {
       Course course = new Course(start, startup, deadline, interruption, frames);
-      for (int i = 0; i < targets.size() && code <= ExitCodes.WARNINGS; i++) {
+      for (int i = 0; i < count && code <= ExitCodes.WARNINGS; i++) {
         if (turntable.isPresent()) {
           options.turn(360. * i / turntable.get());
         }

@@ -279,6 +279,14 @@ class ModelCommandsTest {
   }
 
   @Test
+  void theMemoryOfATurntableIsEstimatedOnce() {
+    Outcome outcome = run("render T/sample.glb --turntable 3 --dry-run --json -o T/a.pfm" + SMALL);
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(outcome.out().lines()).hasSize(1);
+    assertThat(directory.resolve("a-000.pfm")).doesNotExist();
+  }
+
+  @Test
   void foreignFilesAmongTheFramesAreFoundFirst() throws IOException {
     Files.writeString(directory.resolve("a-002.pfm"), "a letter");
     run("render T/sample.glb --turntable 3 -o T/a.pfm" + SMALL)
