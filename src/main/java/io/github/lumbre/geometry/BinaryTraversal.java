@@ -85,6 +85,7 @@ final class BinaryTraversal implements Traversal {
     }
     boolean found = false;
     int best = rank(nearest.t);
+    int passed = rank(nearest.passedT);
     int node = root;
     while (true) {
       if (node >= 0) {
@@ -95,7 +96,8 @@ final class BinaryTraversal implements Traversal {
             nearRank(
                 (boxes[at + nearX] - inX) * ix,
                 (boxes[at + nearY] - inY) * iy,
-                (boxes[at + nearZ] - inZ) * iz);
+                (boxes[at + nearZ] - inZ) * iz,
+                passed);
         int far0 =
             farRank(
                 (boxes[at + farX] - outX) * ix,
@@ -106,7 +108,8 @@ final class BinaryTraversal implements Traversal {
             nearRank(
                 (boxes[at + nearX] - inX) * ix,
                 (boxes[at + nearY] - inY) * iy,
-                (boxes[at + nearZ] - inZ) * iz);
+                (boxes[at + nearZ] - inZ) * iz,
+                passed);
         int far1 =
             farRank(
                 (boxes[at + farX] - outX) * ix,
@@ -169,9 +172,9 @@ final class BinaryTraversal implements Traversal {
     return (int) (Double.doubleToRawLongBits(t) >> 32);
   }
 
-  /** Returns the rank of the t, at least 0, from which a ray is inside all three slabs. */
-  private static int nearRank(double x, double y, double z) {
-    return Math.max(Math.max(rank(x), rank(y)), Math.max(rank(z), 0));
+  /** Returns the rank of the t, at least {@code least}, from which a ray is inside three slabs. */
+  private static int nearRank(double x, double y, double z, int least) {
+    return Math.max(Math.max(rank(x), rank(y)), Math.max(rank(z), least));
   }
 
   /** Returns the rank of the t at which a ray first leaves one of three slabs. */

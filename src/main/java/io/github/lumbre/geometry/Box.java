@@ -15,6 +15,10 @@ import io.github.lumbre.texture.TexturePoint;
  */
 public final class Box implements Shape {
   private static final int FACES = 6;
+
+  /** What is added to the face through which a ray leaves: it meets that face last. */
+  private static final int LEAVING = FACES;
+
   private static final Vec3[] AXES = {Vec3.X, Vec3.Y, Vec3.Z};
 
   /** The local axis along which u decreases, for the faces of each axis. */
@@ -108,17 +112,19 @@ public final class Box implements Shape {
     if (!(near <= far)) {
       return false;
     }
-    double t = near > 0 ? near : far;
-    if (!(t > 0 && t < nearest.t)) {
+    boolean enters = nearest.isAfterPassed(near, 0);
+    double t = enters ? near : far;
+    if (!(t < nearest.t && (enters || nearest.isAfterPassed(far, LEAVING)))) {
       return false;
     }
     nearest.t = t;
     // A ray enters through the face on the side that it comes from, and leaves through the opposite
     // face.
-    if (near > 0) {
+    if (enters) {
       nearest.element = near == nearX ? face(0, -dx) : near == nearY ? face(1, -dy) : face(2, -dz);
     } else {
-      nearest.element = far == farX ? face(0, dx) : far == farY ? face(1, dy) : face(2, dz);
+      nearest.element =
+          LEAVING + (far == farX ? face(0, dx) : far == farY ? face(1, dy) : face(2, dz));
     }
     return true;
   }
@@ -146,13 +152,14 @@ public final class Box implements Shape {
   public SurfaceHit surfaceAt(NearestHit hit) {
     Vec3 origin = toWorld.inversePoint(hit.origin());
     Vec3 direction = toWorld.inverseVector(hit.direction());
-    Vec3 local = onFace(hit.element, origin.plus(hit.t, direction));
-    Frame frame = frames[hit.element];
+    int face = hit.element % LEAVING;
+    Vec3 local = onFace(face, origin.plus(hit.t, direction));
+    Frame frame = frames[face];
     return hit.surface.set(
         toWorld.point(local),
         frame.normal(),
         frame,
-        texture(hit.element, local),
+        texture(face, local),
         hit.backwards(),
         toWorld.pointError(local, frame.normal()));
   }

@@ -77,9 +77,12 @@ final class CountingTraversal implements Traversal {
       return entry(far.box) <= nearest.t && visit(far) || found;
     }
 
-    /** Returns the t, at least 0, at which the ray enters a box; NaN if it misses the box. */
+    /**
+     * Returns the t at which the ray enters a box, at least that of the hit which it has passed; NaN
+     * if it misses the box or has left it before.
+     */
     private double entry(double[] box) {
-      double in = 0;
+      double in = nearest.passedT;
       double out = Double.POSITIVE_INFINITY;
       for (int axis = 0; axis < 3; axis++) {
         double low = (box[2 * axis] - margin - origin[axis]) / direction[axis];

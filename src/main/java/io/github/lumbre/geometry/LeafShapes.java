@@ -44,7 +44,13 @@ final class LeafShapes {
     if (number < nearest.shape) {
       nearest.t = Math.nextUp(best);
     }
-    if (shape.intersect(nearest)) {
+    int passed = nearest.passedShape;
+    if (passed != NearestHit.NONE) {
+      nearest.passedShape = NearestHit.passedRelativeTo(number, passed);
+    }
+    boolean found = shape.intersect(nearest);
+    nearest.passedShape = passed;
+    if (found) {
       nearest.shape = number;
       return true;
     }

@@ -13,6 +13,9 @@ public final class NearestHit {
   /** The maximum stack depth of one traversal: seven entries for each level of eight-wide nodes. */
   private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 2;
 
+  /** A shape's number beyond all others: no hit at the same t comes after it. */
+  static final int NONE = Integer.MAX_VALUE;
+
   /**
    * The ray's origin, which is excluded, and its direction. The direction is not zero, and its
    * length is the unit of t.
@@ -31,8 +34,25 @@ public final class NearestHit {
   /** The number of the hit shape, or -1. */
   int shape;
 
-  /** The part of the shape: the triangle of a mesh or the face of a box. */
+  /**
+   * The part of the shape, in the order in which a ray meets parts at the same t: the triangle of a
+   * mesh, the face of a box, or whether the ray leaves a sphere.
+   */
   int element;
+
+  /** The ray's end, excluded. */
+  private double end;
+
+  /** The t of the hit that the ray has passed, or 0. Searches skip all boxes that end before it. */
+  double passedT;
+
+  /**
+   * The shape of that hit; {@link #NONE} if the ray has passed nothing. During the test of a shape,
+   * it is relative to the shape: see {@link #passedRelativeTo}.
+   */
+  int passedShape;
+
+  private int passedElement;
 
   /** The barycentric weights of a triangle's second and third vertex. */
   double b1;
@@ -95,10 +115,43 @@ public final class NearestHit {
     directionY = dy;
     directionZ = dz;
     t = tMax;
+    end = tMax;
+    passedT = 0;
+    passedShape = NONE;
     shape = -1;
     stackTop = 0;
     any = false;
     inPart = false;
+  }
+
+  /**
+   * Passes the surface that was hit: the next search along the same ray finds the first hit after
+   * it, in the order of t, shape and part of the shape. Repeated until nothing is hit, this meets
+   * each surface once, also where several surfaces coincide.
+   */
+  public void pass() {
+    passedT = t;
+    passedShape = shape;
+    passedElement = element;
+    t = end;
+    shape = -1;
+  }
+
+  /** Returns whether a hit comes after the one that the ray has passed. */
+  boolean isAfterPassed(double newT, int newShape, int newElement) {
+    return newT > passedT
+        || newT == passedT
+            && (newShape > passedShape || newShape == passedShape && newElement > passedElement);
+  }
+
+  /** Returns whether a hit of a shape under test comes after the one that the ray has passed. */
+  boolean isAfterPassed(double newT, int newElement) {
+    return isAfterPassed(newT, 0, newElement);
+  }
+
+  /** Returns {@link #passedShape} as if the shape with a number had the number 0. */
+  static int passedRelativeTo(int number, int passedShape) {
+    return passedShape < number ? -1 : passedShape == number ? 0 : NONE;
   }
 
   /** Returns the ray of the current traversal; the scalar kernel uses only its inherited fields. */
@@ -121,7 +174,7 @@ public final class NearestHit {
     return direction().negated().normalized();
   }
 
-  /** Returns the part of the hit shape: the triangle of a mesh or the face of a box. */
+  /** Returns the part of the hit shape, such as the triangle of a mesh. */
   public int element() {
     return element;
   }

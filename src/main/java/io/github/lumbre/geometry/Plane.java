@@ -65,7 +65,7 @@ public final class Plane implements Shape {
       return false;
     }
     double t = -nearest.localOriginY(toWorld) / dy;
-    if (!(t > 0 && t < nearest.t)) {
+    if (!(t < nearest.t && nearest.isAfterPassed(t, 0))) {
       return false;
     }
     nearest.t = t;

@@ -148,7 +148,7 @@ public final class Rectangle implements Shape {
       return false;
     }
     double t = -nearest.localOriginY(toWorld) / dy;
-    if (!(t > 0 && t < nearest.t)) {
+    if (!(t < nearest.t && nearest.isAfterPassed(t, 0))) {
       return false;
     }
     double x = nearest.localOriginX(toWorld);

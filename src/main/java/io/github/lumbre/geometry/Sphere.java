@@ -119,14 +119,19 @@ public final class Sphere implements Shape {
     }
     double half = Math.sqrt(discriminant / dd);
     double t = middle - half;
-    if (!(t > 0)) {
+    int root = 0;
+    if (!nearest.isAfterPassed(t, root)) {
       t = middle + half;
+      root = 1;
+      if (!nearest.isAfterPassed(t, root)) {
+        return false;
+      }
     }
-    if (!(t > 0 && t < nearest.t)) {
+    if (!(t < nearest.t)) {
       return false;
     }
     nearest.t = t;
-    nearest.element = 0;
+    nearest.element = root;
     return true;
   }
 

@@ -229,6 +229,19 @@ public final class SurfaceHit implements SurfacePoint {
     return outX * geometricX + outY * geometricY + outZ * geometricZ > 0;
   }
 
+  /**
+   * Returns whether the ray that hit the surface starts on it, as far as rounding can tell. The
+   * surface then coincides with the one that the ray leaves, which has the smaller error bound: that
+   * bound is exceeded twice at most by the ray's origin, and once by the hit.
+   */
+  public boolean isAtOriginOf(NearestHit ray) {
+    double distance =
+        (x - ray.originX) * geometricX
+            + (y - ray.originY) * geometricY
+            + (z - ray.originZ) * geometricZ;
+    return Math.abs(distance) <= 3 * error;
+  }
+
   /** Returns the unit direction back along the ray. */
   public Vec3 wo() {
     return new Vec3(outX, outY, outZ);

@@ -10,9 +10,10 @@ interface Traversal {
   Traversal NONE = (ox, oy, oz, dx, dy, dz, nearest) -> false;
 
   /**
-   * Finds a hit before {@code nearest.t} along a ray given by its coordinates. Finds the nearest
-   * hit, and of hits at the same t the one with the lowest shape and element. If {@code
-   * nearest.any}, finds any hit. Uses the stacks of {@code nearest} from its {@code stackTop} on.
+   * Finds a hit before {@code nearest.t} along a ray given by its coordinates, beyond the one that
+   * the ray has {@linkplain NearestHit#pass passed}. Finds the nearest hit, and of hits at the same
+   * t the one with the lowest shape and element. If {@code nearest.any}, finds any hit. Uses the
+   * stacks of {@code nearest} from its {@code stackTop} on.
    *
    * @return whether a hit was found and stored
    */

@@ -115,8 +115,8 @@ final class Triangles {
   }
 
   /**
-   * Tests the triangles of a leaf from both sides, borders included. Stores a hit if it is the
-   * nearest so far, or equally near with a lower shape and element.
+   * Tests the triangles of a leaf from both sides, borders included. Stores a hit beyond what the
+   * ray has passed if it is the nearest so far, or equally near with a lower shape and element.
    *
    * @return whether a hit was stored
    */
@@ -174,7 +174,8 @@ final class Triangles {
     double b1 = v * inverse;
     double b2 = w * inverse;
     double t = (u * inverse * az + b1 * bz + b2 * cz) * sz;
-    if (!(t > 0 && (t < nearest.t || t == nearest.t && isBefore(i, nearest)))) {
+    if (!(t < nearest.t || t == nearest.t && isBefore(i, nearest))
+        || !nearest.isAfterPassed(t, shape[i], element[i])) {
       return false;
     }
     nearest.t = t;

@@ -65,6 +65,7 @@ final class VectorTraversal implements Traversal {
       return false;
     }
     ray.endAt(nearest.t);
+    ray.beginAt(nearest.passedT);
     int bottom = nearest.stackTop;
     nearest.stack[bottom] = NONE;
     nearest.entries[bottom] = (long) Integer.MIN_VALUE << 32 | NONE & LOW_HALF;
@@ -131,6 +132,7 @@ final class VectorTraversal implements Traversal {
     FloatVector shiftX = FloatVector.broadcast(FLOATS, ray.shiftX);
     FloatVector shiftY = FloatVector.broadcast(FLOATS, ray.shiftY);
     FloatVector shiftZ = FloatVector.broadcast(FLOATS, ray.shiftZ);
+    int passed = ray.first;
     int end = ray.last;
     long last = (long) end << 32 | LOW_HALF;
     int node = root;
@@ -147,7 +149,7 @@ final class VectorTraversal implements Traversal {
       IntVector tMaxY = maxY.reinterpretAsFloats().fma(iy, shiftY).reinterpretAsInts();
       IntVector tMinZ = minZ.reinterpretAsFloats().fma(iz, shiftZ).reinterpretAsInts();
       IntVector tMaxZ = maxZ.reinterpretAsFloats().fma(iz, shiftZ).reinterpretAsInts();
-      IntVector near = tMinX.min(tMaxX).max(tMinY.min(tMaxY)).max(tMinZ.min(tMaxZ).max(0));
+      IntVector near = tMinX.min(tMaxX).max(tMinY.min(tMaxY)).max(tMinZ.min(tMaxZ).max(passed));
       IntVector far = tMinX.max(tMaxX).min(tMinY.max(tMaxY)).min(tMinZ.max(tMaxZ).min(end));
       long hits =
           MASKS

@@ -12,6 +12,9 @@ final class WideRay extends ShearedRay {
   /** The factor that compensates for the rounding of t. */
   private static final float GROWTH = 1 + 0x1p-20f;
 
+  /** The factor that compensates for {@link #GROWTH} and for the rounding of t. */
+  private static final double SHRINKING = 1 - 0x1p-18;
+
   /** The smallest absolute value of a direction component; smaller ones are raised to it. */
   private static final double LEAST = 0x1p-60;
 
@@ -61,6 +64,9 @@ final class WideRay extends ShearedRay {
   float end;
 
   int last;
+
+  /** The bits of the t before which boxes are ignored that the ray has left. */
+  int first;
 
   /** Error bounds of the edge functions for a direction of length 1. */
   private float edgeErrorOfUnit;
@@ -202,6 +208,17 @@ final class WideRay extends ShearedRay {
     double nearer = FusedMultiplyAdd.of(t, tScale, tOffset);
     end = nearer < FAR ? (float) nearer : FAR;
     last = Float.floatToRawIntBits(end);
+  }
+
+  /**
+   * Sets the hit behind which the search begins to t, with a margin that covers rounding errors.
+   *
+   * @param t at least 0
+   */
+  void beginAt(double t) {
+    double later = Math.fma(t, tScale, tOffset);
+    double sooner = later * SHRINKING + tOffset * 0x1p-46;
+    first = sooner > 0 && later < FAR ? Float.floatToRawIntBits((float) sooner) : 0;
   }
 
   /**

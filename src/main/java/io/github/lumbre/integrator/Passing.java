@@ -5,7 +5,6 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Elementary;
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
 
@@ -13,12 +12,12 @@ import io.github.lumbre.scene.Scene;
  * Finds the surface where a ray scatters in a scene with partly transparent surfaces or absorbing
  * media. At each transparent surface, the ray passes at random with a probability that its
  * transmittance gives, and the factor by which the path's throughput changes keeps the mean. A
- * medium absorbs along the ray up to the back of its boundary. Mutable; each thread reuses one
- * instance.
+ * medium absorbs along the ray up to the back of its boundary. A transparent surface that coincides
+ * with the one which the ray leaves is behind it. Mutable; each thread reuses one instance.
  */
 final class Passing {
-  /** A ray that passes more surfaces ends. */
-  static final int MAX_LAYERS = 255;
+  /** The sample of a ray that would pass more surfaces is rejected. */
+  static final int MAX_LAYERS = 1 << 16;
 
   private double red, green, blue;
   private long rays;
@@ -36,39 +35,41 @@ final class Passing {
     green = 1;
     blue = 1;
     rays = 0;
-    double length = 0;
-    for (int layer = 0; layer <= MAX_LAYERS; layer++) {
+    double mediumStart = 0;
+    for (int layer = 0; ; layer++) {
       Material material = scene.primitiveAt(hit).material();
-      length += hit.t();
       boolean endsMedium = !material.absorption().isBlack();
       if (material.isOpaque() && !endsMedium) {
         return true;
       }
       SurfaceHit surface = scene.surfaceAt(hit);
       if (endsMedium) {
-        scale(absorbed(material, surface, length));
-        length = 0;
+        scale(absorbed(material, surface, hit.t() - mediumStart));
+        mediumStart = hit.t();
       }
       if (material.isOpaque()) {
         return true;
       }
-      if (material.catchesShadows() && vertex == 0) {
+      if (layer == MAX_LAYERS) {
+        scale(Rgb.BLACK);
+        context.isRejected = true;
+        return true;
+      }
+      boolean isLeft = surface.isAtOriginOf(hit);
+      if (!isLeft && material.catchesShadows() && vertex == 0) {
         if (!CaughtShadows.isLit(scene, surface, layer, sampler, context)) {
           scale(Rgb.BLACK);
           return true;
         }
-      } else if (!passes(material, surface, sampler.get1d(Sampler.passing(vertex, layer)))) {
+      } else if (!isLeft && !passes(material, surface, sampler.get1d(Sampler.passing(vertex, layer)))) {
         return true;
       }
-      Vec3 direction = hit.direction();
-      surface.spawn(direction.x(), direction.y(), direction.z(), hit);
+      hit.pass();
       rays++;
       if (!scene.intersect(hit)) {
         return false;
       }
     }
-    scale(Rgb.BLACK);
-    return true;
   }
 
   private boolean passes(Material material, SurfaceHit surface, double random) {

@@ -165,6 +165,11 @@ final class Path {
     listener.rayTraced(ray, depth, throughputRed, throughputGreen, throughputBlue);
   }
 
+  /** Makes the radiance NaN. */
+  void reject() {
+    red = Double.NaN;
+  }
+
   /** Returns the radiance found so far, in linear RGB. */
   Rgb radiance() {
     return new Rgb(red, green, blue);

@@ -205,6 +205,9 @@ public final class PathTracer implements Integrator {
     if (path.isSplit()) {
       traceBranches(sampler, context);
     }
+    if (context.isRejected) {
+      path.reject();
+    }
     return path.radiance();
   }
 

@@ -98,6 +98,9 @@ public final class RayTracer implements Integrator {
       g += light.g();
       b += light.b();
     }
+    if (context.isRejected) {
+      r = Double.NaN;
+    }
     return new Rgb(r, g, b);
   }
 

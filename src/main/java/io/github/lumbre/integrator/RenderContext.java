@@ -54,6 +54,13 @@ public final class RenderContext {
 
   long rays;
   boolean hitSomething;
+
+  /**
+   * Whether a ray of the current sample has met more surfaces than it may pass. The sample's
+   * radiance is NaN then, so that renders count it as rejected.
+   */
+  boolean isRejected;
+
   private long shadowRays;
 
   /** Creates a context that does not record paths. */
@@ -141,24 +148,30 @@ public final class RenderContext {
   }
 
   private boolean isBlocked(Scene scene) {
-    double length = 0;
+    double mediumStart = 0;
     for (int layer = 0; scene.intersect(shadow); layer++) {
       Material material = scene.primitiveAt(shadow).material();
-      length += shadow.t() * shadow.direction().length();
-      if (material.isOpaque() || layer == Passing.MAX_LAYERS) {
+      if (material.isOpaque()) {
+        return true;
+      }
+      if (layer == Passing.MAX_LAYERS) {
+        isRejected = true;
         return true;
       }
       SurfaceHit surface = scene.surfaceAt(shadow);
-      Rgb passed = material.transmittance(surface);
-      if (passed.isBlack()) {
-        return true;
+      if (!surface.isAtOriginOf(shadow)) {
+        Rgb passed = material.transmittance(surface);
+        if (passed.isBlack()) {
+          return true;
+        }
+        light.dim(passed);
       }
-      light.dim(passed);
       if (!material.absorption().isBlack()) {
+        double length = (shadow.t() - mediumStart) * shadow.direction().length();
         light.dim(Passing.absorbed(material, surface, length));
-        length = 0;
+        mediumStart = shadow.t();
       }
-      light.aimShadowRay(surface, shadow);
+      shadow.pass();
     }
     return false;
   }
@@ -184,6 +197,7 @@ public final class RenderContext {
   /** Prepares for the next camera ray. */
   public void startSample() {
     hitSomething = false;
+    isRejected = false;
     isRecorded = isListening;
   }
 

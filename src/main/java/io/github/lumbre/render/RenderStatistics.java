@@ -11,8 +11,8 @@ import java.util.stream.Stream;
  * @param samples the number of samples over all pixels
  * @param rays the number of rays traced to their nearest hit, including camera rays
  * @param shadowRays the number of rays tested for occlusion
- * @param rejected the number of rejected samples (negative, NaN or infinite), which are added as
- *     black
+ * @param rejected the number of rejected samples, which are added as black: negative, NaN or
+ *     infinite ones, and those with a ray through more than 65,536 transparent surfaces
  * @param firstRejected the first few rejected samples
  * @param saturated the number of samples too bright for the film, which were reduced to its maximum
  * @param invalidCoordinates the number of invalid texture coordinates (NaN or infinite), which were

@@ -60,13 +60,16 @@ public interface Sampler {
   }
 
   /**
-   * Returns the dimension that decides whether a ray passes straight through a surface.
+   * Returns the dimension that decides whether a ray passes straight through a surface. From layer
+   * 256 on it is negative, and vertices whose numbers differ by a multiple of 32768 share it.
    *
    * @param vertex number of the path's next vertex
-   * @param layer how many surfaces the ray has passed since the last vertex
+   * @param layer how many surfaces the ray has passed since the last vertex, less than 65536
    */
   static int passing(int vertex, int layer) {
-    return FIRST_PASSING + (vertex << 8) + layer;
+    return layer < 1 << 8
+        ? FIRST_PASSING + (vertex << 8) + layer
+        : Integer.MIN_VALUE | vertex << 16 | layer;
   }
 
   /**

@@ -338,25 +338,54 @@ class TransparencyTest {
     }
   }
 
-  /** Camera rays and shadow rays pass at most 255 surfaces. */
+  /** Camera rays and shadow rays pass 65,536 surfaces; samples that meet more are rejected. */
   @ParameterizedTest
-  @ValueSource(ints = {255, 256, 300})
-  void raysEndAfter255Surfaces(int layers) {
-    SceneBuilder builder = empty().addEmissive(wall(999), glow(1));
-    SceneBuilder lit =
-        empty().add(floor(), matte(.5)).add(point(new Vec3(0, 2 * layers, 0), 4. * layers));
+  @ValueSource(ints = {255, 256, 1000, 65_536, 65_537})
+  void raysPassManySurfaces(int layers) {
+    SceneBuilder builder = empty().addEmissive(wall(2), glow(1));
+    SceneBuilder lit = empty().add(floor(), matte(.5)).add(point(new Vec3(0, 2, 0), 4));
     for (int i = 1; i <= layers; i++) {
-      builder.add(wall(i), veil(0, 0));
-      lit.add(new Rectangle(at(0, i, 0), 9, 9, true), veil(0, 0));
+      double place = 1 + .5 * i / layers;
+      builder.add(wall(place), veil(0, 0));
+      lit.add(new Rectangle(at(0, place, 0), 9, 9, true), veil(0, 0));
     }
+    Scene veils = builder.build();
+    Scene veiled = lit.build();
     Ray down = new Ray(new Vec3(0, .5, 0), Vec3.Y.negated());
-    for (Integrator integrator : new Integrator[] {path(builder.build()), ray(builder.build())}) {
-      assertThat(radiance(integrator, FORWARD).g()).isEqualTo(layers > 255 ? 0 : 1);
+    for (Integrator integrator : new Integrator[] {path(veils), ray(veils)}) {
+      assertPassed(radiance(integrator, FORWARD), 1, layers);
     }
-    for (Integrator integrator : new Integrator[] {path(lit.build()), ray(lit.build())}) {
-      double irradiance = 1. / layers;
-      assertThat(radiance(integrator, down).g())
-          .isCloseTo(layers > 255 ? 0 : .5 / Math.PI * irradiance, within(1e-12));
+    for (Integrator integrator : new Integrator[] {new PathTracer(veiled, 1), ray(veiled)}) {
+      assertPassed(radiance(integrator, down), .5 / Math.PI, layers);
+    }
+  }
+
+  private static void assertPassed(Rgb found, double expected, int layers) {
+    assertThat(found.isFinite()).isEqualTo(layers <= 65_536);
+    if (found.isFinite()) {
+      assertThat(found.g()).isCloseTo(expected, within(1e-12));
+    }
+  }
+
+  @Test
+  void rejectedSamplesDoNotChangeTheNextOnes() {
+    SceneBuilder builder = empty().addEmissive(wall(2), glow(1));
+    for (int i = 0; i < 65_537; i++) {
+      double z = 1 + i * 0x1p-17;
+      builder.add(new Rectangle(at(0, 0, z).times(turned(-90, 0, 0)), 1, 1, true), veil(0, 0));
+    }
+    Scene scene = builder.build();
+    for (Integrator integrator : new Integrator[] {path(scene), ray(scene)}) {
+      RenderContext context = new RenderContext();
+      SobolSampler sampler = new SobolSampler(3);
+      for (int sample = 0; sample < 4; sample++) {
+        sampler.startSample(1, 2, sample);
+        context.startSample();
+        boolean isBeside = sample % 2 == 0;
+        Ray ray = new Ray(new Vec3(isBeside ? 2 : 0, 0, 0), Vec3.Z);
+        Rgb found = integrator.radiance(ray, sampler, context);
+        assertThat(found.isFinite()).isEqualTo(isBeside);
+      }
     }
   }
 

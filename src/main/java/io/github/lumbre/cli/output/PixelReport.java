@@ -66,7 +66,10 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     }
     line(out, "radiance     " + shown(sample.radiance()));
     if (sample.rejected()) {
-      line(out, "rejected     negative, NaN or infinite: added to the film as black");
+      line(
+          out,
+          "rejected     negative, NaN or infinite, or a ray through more than 65,536 transparent"
+              + " surfaces: added to the film as black");
     }
     if (sample.clamped()) {
       line(out, "clamped      to " + shown(file.settings().clamp()));

@@ -116,7 +116,8 @@ public final class Summary {
     messages.line(
         "warning: rejected "
             + Markdown.count(statistics.rejected(), "sample")
-            + " with negative, NaN or infinite values (counted as black); the first:");
+            + " with negative, NaN or infinite values, or with a ray through more than 65,536"
+            + " transparent surfaces (counted as black); the first:");
     statistics
         .firstRejected()
         .forEach(
