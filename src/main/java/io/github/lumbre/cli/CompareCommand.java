@@ -44,8 +44,8 @@ import picocli.CommandLine.Spec;
     header = "Measure the error of a picture against a reference.",
     description =
         "Read PNG, JPEG, PFM, Radiance HDR and losslessly compressed OpenEXR. Pictures are"
-            + " compared in linear light: PNG and JPEG are decoded from sRGB, and their alpha is"
-            + " ignored.",
+            + " compared in linear light: PNG and JPEG are decoded from sRGB. Alpha is ignored; the"
+            + " colors of OpenEXR are those in the file, multiplied by alpha.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     sortOptions = false,
@@ -204,7 +204,7 @@ final class CompareCommand implements Callable<Integer> {
       throw new TaskException(Kind.USAGE, file + ": does not exist");
     }
     try {
-      return finite(LinearReader.read(file), file);
+      return finite(LinearReader.open(file).light(), file);
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(tooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);

@@ -12,22 +12,50 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * The header of a part of an OpenEXR file.
+ * The header of a part of an OpenEXR file. The data window is the rectangle whose pixels are
+ * stored, and the display window the one that the picture shows; either may extend beyond the
+ * other.
  *
- * @param left the column of the first pixel
- * @param top the row of the first pixel
+ * @param data the data window
+ * @param display the display window
  * @param texts the text attributes by name
  * @param tiles the sizes of tiles; empty for scan lines
  */
 record ExrHeader(
-    int left,
-    int top,
-    int width,
-    int height,
+    Window data,
+    Window display,
     ExrCompression compression,
     List<ExrChannel> channels,
     Map<String, String> texts,
     Optional<Tiles> tiles) {
+
+  /**
+   * A rectangle of pixels.
+   *
+   * @param left the column of the first pixel, any number
+   * @param top the row of the first pixel, any number
+   * @param width in pixels, 1 to {@link ImageReader#MAX_SIDE}
+   * @param height in pixels, 1 to {@link ImageReader#MAX_SIDE}
+   */
+  record Window(int left, int top, int width, int height) {
+    /**
+     * @param name of the attribute, for messages
+     */
+    private static Window of(ByteBuffer box, String name) throws ImageFormatException {
+      int width = side(box.getInt(0), box.getInt(8), name);
+      int height = side(box.getInt(4), box.getInt(12), name);
+      ImageReader.checkSize(width, height);
+      return new Window(box.getInt(0), box.getInt(4), width, height);
+    }
+
+    /** Returns the number of pixels from the first to the last; the largest int if it is larger. */
+    private static int side(int first, int last, String name) throws ImageFormatException {
+      if (last < first) {
+        throw malformed("OpenEXR: the " + name + " window ends before it begins");
+      }
+      return (int) Math.min((long) last - first + 1, Integer.MAX_VALUE);
+    }
+  }
 
   /**
    * The sizes of tiles.
@@ -47,16 +75,10 @@ record ExrHeader(
   static ExrHeader read(ByteBuffer in, boolean isTiled, boolean isPicture)
       throws ImageFormatException {
     Map<String, Attribute> attributes = attributes(in);
-    ByteBuffer window = attribute(attributes, "dataWindow");
-    int width = side(window.getInt(0), window.getInt(8));
-    int height = side(window.getInt(4), window.getInt(12));
-    ImageReader.checkSize(width, height);
     boolean hasTiles = isTiled || type(attributes).equals("tiledimage");
     return new ExrHeader(
-        window.getInt(0),
-        window.getInt(4),
-        width,
-        height,
+        Window.of(attribute(attributes, "dataWindow"), "data"),
+        Window.of(attribute(attributes, "displayWindow"), "display"),
         ExrCompression.of(attribute(attributes, "compression").get(0)),
         channels(attribute(attributes, "channels"), isPicture),
         texts(attributes),
@@ -121,14 +143,6 @@ record ExrHeader(
     return type;
   }
 
-  /** Returns the number of pixels from the first to the last; the largest int if it is larger. */
-  private static int side(int first, int last) throws ImageFormatException {
-    if (last < first) {
-      throw malformed("OpenEXR: the data window ends before it begins");
-    }
-    return (int) Math.min((long) last - first + 1, Integer.MAX_VALUE);
-  }
-
   private static Tiles tiles(ByteBuffer value) throws ImageFormatException {
     int mode = value.get(8);
     Tiles tiles = new Tiles(value.getInt(0), value.getInt(4), mode & 0xf, mode >> 4 == 1);
@@ -136,6 +150,16 @@ record ExrHeader(
       throw malformed("OpenEXR: the description of tiles is damaged");
     }
     return tiles;
+  }
+
+  /** Returns the width of the data window. */
+  int width() {
+    return data.width;
+  }
+
+  /** Returns the height of the data window. */
+  int height() {
+    return data.height;
   }
 
   /** Returns the number of bytes of one pixel in all channels. */
@@ -148,7 +172,7 @@ record ExrHeader(
   }
 
   int blockWidth() {
-    return tiles.map(Tiles::width).orElse(width);
+    return tiles.map(Tiles::width).orElse(width());
   }
 
   int blockHeight() {
@@ -157,12 +181,12 @@ record ExrHeader(
 
   /** Returns the number of blocks in a row of the full-size picture. */
   int blocksAcross() {
-    return count(width, blockWidth());
+    return count(width(), blockWidth());
   }
 
   /** Returns the number of blocks of the full-size picture. */
   int blocks() {
-    return Math.multiplyExact(blocksAcross(), count(height, blockHeight()));
+    return Math.multiplyExact(blocksAcross(), count(height(), blockHeight()));
   }
 
   /** Returns the number of blocks of all levels. */
@@ -173,12 +197,12 @@ record ExrHeader(
     long across = 0;
     long down = 0;
     long mipmaps = 0;
-    int last = levels(Math.max(width, height)) - 1;
+    int last = levels(Math.max(width(), height())) - 1;
     for (int level = 0; level <= last; level++) {
-      int x = count(size(width, level), blockWidth());
-      int y = count(size(height, level), blockHeight());
-      across += level < levels(width) ? x : 0;
-      down += level < levels(height) ? y : 0;
+      int x = count(size(width(), level), blockWidth());
+      int y = count(size(height(), level), blockHeight());
+      across += level < levels(width()) ? x : 0;
+      down += level < levels(height()) ? y : 0;
       mipmaps += (long) x * y;
     }
     return tiles.get().levels() == 1 ? mipmaps : across * down;
@@ -199,7 +223,7 @@ record ExrHeader(
     return (int) (((long) size + blockSize - 1) / blockSize);
   }
 
-  /** Returns the next text, which ends with a zero byte. */
+  /** Returns the next text, in UTF-8, which ends with a zero byte. */
   static String text(ByteBuffer in) {
     int start = in.position();
     while (in.get() != 0) {
@@ -207,6 +231,6 @@ record ExrHeader(
     }
     byte[] name = new byte[in.position() - start - 1];
     in.get(start, name);
-    return new String(name, StandardCharsets.US_ASCII);
+    return new String(name, StandardCharsets.UTF_8);
   }
 }

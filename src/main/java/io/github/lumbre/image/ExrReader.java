@@ -2,6 +2,7 @@ package io.github.lumbre.image;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
+import io.github.lumbre.image.ExrHeader.Window;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -19,7 +20,7 @@ import java.util.zip.DataFormatException;
  * Reads OpenEXR files ("OpenEXR File Layout", openexr.com): scan lines and tiles, of which the
  * full-size level is read; of several parts, the first; no compression, RLE, ZIPS, ZIP or PIZ. The
  * channels are R, G and B, or the gray Y, and perhaps A, of the picture or of its only layer.
- * Colors are divided by alpha, since an {@link Image} keeps the two apart.
+ * The picture is that of the display window; pixels outside the data window are 0.
  */
 final class ExrReader {
   private static final int MAGIC = 20000630;
@@ -39,13 +40,13 @@ final class ExrReader {
   private final boolean hasParts;
   private final BitSet found = new BitSet();
 
-  /** Receives the values of a channel in a part of a row. */
+  /** Receives the values of a channel in a part of a row of the display window. */
   @FunctionalInterface
   private interface Rows {
     /**
      * @param raw holds the values next; the receiver consumes them
      * @param channel index in the header's list
-     * @param first index of the first pixel
+     * @param first index of the first pixel in the display window
      */
     void put(ByteBuffer raw, int channel, int first, int count);
   }
@@ -75,7 +76,7 @@ final class ExrReader {
   }
 
   /** Reads the picture of a file that {@link #startsIn} recognizes. */
-  static Image read(byte[] file, long maxPixels) throws ImageFormatException {
+  static LinearPicture read(byte[] file, long maxPixels) throws ImageFormatException {
     return intact(() -> new ExrReader(file, true).readPicture(maxPixels));
   }
 
@@ -112,11 +113,13 @@ final class ExrReader {
     }
   }
 
-  private Image readPicture(long maxPixels) throws ImageFormatException, DataFormatException {
-    ImageReader.checkPixels(header.width(), header.height(), maxPixels);
-    float[] rgb = LinearReader.raster(header.width(), header.height(), 3);
-    float[] alpha =
-        header.hasAlpha() ? LinearReader.raster(header.width(), header.height(), 1) : new float[0];
+  private LinearPicture readPicture(long maxPixels)
+      throws ImageFormatException, DataFormatException {
+    int width = header.display().width();
+    int height = header.display().height();
+    ImageReader.checkPixels(width, height, maxPixels);
+    float[] rgb = LinearReader.raster(width, height, 3);
+    float[] alpha = header.hasAlpha() ? LinearReader.raster(width, height, 1) : new float[0];
     readBlocks(
         (raw, channel, first, count) -> {
           ExrChannel read = header.channels().get(channel);
@@ -136,12 +139,13 @@ final class ExrReader {
             }
           }
         });
-    divide(rgb, alpha);
-    return new Image(header.width(), header.height(), rgb, alpha);
+    return new LinearPicture(width, height, rgb, alpha);
   }
 
   private LayeredImage readAll() throws ImageFormatException, DataFormatException {
-    int pixels = Math.multiplyExact(header.width(), header.height());
+    int width = header.display().width();
+    int height = header.display().height();
+    int pixels = Math.multiplyExact(width, height);
     List<ExrChannel> channels = header.channels();
     if ((long) channels.size() * pixels > LayeredImage.MAX_VALUES) {
       throw new ImageFormatException(
@@ -150,8 +154,8 @@ final class ExrReader {
               .formatted(LayeredImage.MAX_VALUES, channels.size(), pixels));
     }
     ImageReader.checkMemory(
-        header.width(),
-        header.height(),
+        width,
+        height,
         channels.size() * Float.BYTES,
         Runtime.getRuntime().maxMemory());
     Map<String, List<ExrChannel>> byLayer = new TreeMap<>();
@@ -165,7 +169,7 @@ final class ExrReader {
     for (Map.Entry<String, List<ExrChannel>> layer : byLayer.entrySet()) {
       List<ExrChannel> members = layer.getValue();
       members.sort(Comparator.comparingInt(ExrReader::rank));
-      float[] raster = LinearReader.raster(header.width(), header.height(), members.size());
+      float[] raster = LinearReader.raster(width, height, members.size());
       for (ExrChannel member : members) {
         int index = channels.indexOf(member);
         rasters[index] = raster;
@@ -178,8 +182,8 @@ final class ExrReader {
               layer.getKey(),
               members.stream().map(ExrChannel::component).toList(),
               isHalf ? ImageLayer.Precision.HALF : ImageLayer.Precision.FLOAT,
-              header.width(),
-              header.height(),
+              width,
+              height,
               raster));
     }
     readBlocks(
@@ -189,7 +193,7 @@ final class ExrReader {
             rasters[channel][i * strides[channel] + offsets[channel]] = type.next(raw);
           }
         });
-    return new LayeredImage(header.width(), header.height(), layers, header.texts());
+    return new LayeredImage(width, height, layers, header.texts());
   }
 
   /** Returns the place of a channel in its layer: R G B A, or by name. */
@@ -227,7 +231,7 @@ final class ExrReader {
 
   private void readLines(Rows rows) throws ImageFormatException, DataFormatException {
     int lines = header.blockHeight();
-    int first = Objects.checkIndex(in.getInt() - header.top(), header.height());
+    int first = Objects.checkIndex(in.getInt() - header.data().top(), header.height());
     if (first % lines != 0 || found.get(first / lines)) {
       throw malformed("OpenEXR is damaged: expected one block for every " + lines + " lines");
     }
@@ -264,23 +268,34 @@ final class ExrReader {
     in.get(data);
     ByteBuffer raw = little(header.compression().unpacked(data, header, width, height));
     for (int y = top; y < top + height; y++) {
-      int first = y * header.width() + left;
       for (int channel = 0; channel < header.channels().size(); channel++) {
-        int end = raw.position() + width * header.channels().get(channel).type().bytes();
-        rows.put(raw, channel, first, width);
+        int bytes = header.channels().get(channel).type().bytes();
+        int end = raw.position() + width * bytes;
+        putShown(raw, channel, bytes, left, y, width, rows);
         raw.position(end);
       }
     }
   }
 
-  private static void divide(float[] rgb, float[] alpha) throws ImageFormatException {
-    for (int i = 0; i < 3 * alpha.length; i++) {
-      float opacity = alpha[i / 3];
-      if (!(opacity >= 0 && opacity <= 1)) {
-        throw malformed("OpenEXR: expected alpha of 0 to 1, found " + opacity);
-      }
-      rgb[i] = opacity > 0 ? rgb[i] / opacity : 0;
+  /**
+   * Passes on the pixels of a part of a row that lie in the display window.
+   *
+   * @param left column of the first pixel in the data window
+   * @param y row in the data window
+   */
+  private void putShown(
+      ByteBuffer raw, int channel, int bytes, int left, int y, int width, Rows rows) {
+    Window data = header.data();
+    Window display = header.display();
+    long row = (long) y + data.top() - display.top();
+    long column = (long) left + data.left() - display.left();
+    long from = Math.max(0, column);
+    long to = Math.min(display.width(), column + width);
+    if (row < 0 || row >= display.height() || from >= to) {
+      return;
     }
+    raw.position(raw.position() + (int) (from - column) * bytes);
+    rows.put(raw, channel, (int) (row * display.width() + from), (int) (to - from));
   }
 
   private static ByteBuffer little(byte[] bytes) {

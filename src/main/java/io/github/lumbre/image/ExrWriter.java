@@ -68,7 +68,7 @@ final class ExrWriter {
     channels = new ArrayList<>();
     addPicture();
     layers.forEach(this::add);
-    channels.sort(Comparator.comparing(Channel::name));
+    channels.sort(Comparator.comparing(channel -> utf8(channel.name), Arrays::compareUnsigned));
     for (int i = 1; i < channels.size(); i++) {
       if (channels.get(i).name.equals(channels.get(i - 1).name)) {
         throw new IllegalArgumentException(
@@ -80,13 +80,9 @@ final class ExrWriter {
   private void addPicture() {
     List<String> names = List.of("R", "G", "B");
     for (int component = 0; component < 3; component++) {
-      int offset = component;
-      Values values =
-          (x, y) -> {
-            float value = ImageWriter.finite(image.rgb()[3 * (y * image.width() + x) + offset]);
-            return value * image.alpha(x, y);
-          };
-      channels.add(new Channel(names.get(component), ExrChannel.Type.FLOAT, values));
+      int c = component;
+      Values values = (x, y) -> image.associated(x, y, c);
+      channels.add(new Channel(names.get(c), ExrChannel.Type.FLOAT, values));
     }
     if (image.hasAlpha()) {
       channels.add(new Channel("A", ExrChannel.Type.FLOAT, image::alpha));
@@ -115,7 +111,8 @@ final class ExrWriter {
 
   /**
    * Writes a picture and its layers to an empty channel. Colors of the picture are multiplied by
-   * alpha; metadata become string attributes in UTF-8.
+   * alpha, where that is not 0, so that {@link LinearPicture#straight} returns them; names and
+   * metadata are in UTF-8.
    */
   static void write(
       Image image, List<ImageLayer> layers, Map<String, String> metadata, SeekableByteChannel file)
@@ -152,7 +149,7 @@ final class ExrWriter {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     boolean longNames =
         Stream.concat(metadata.keySet().stream(), channels.stream().map(Channel::name))
-            .anyMatch(name -> name.length() > SHORT_NAME);
+            .anyMatch(name -> utf8(name).length > SHORT_NAME);
     out.writeBytes(ints(MAGIC, VERSION | (longNames ? LONG_NAMES : 0)));
     byte[] window = ints(0, 0, image.width() - 1, image.height() - 1);
     attribute(out, "channels", "chlist", channelList());
@@ -165,7 +162,7 @@ final class ExrWriter {
     attribute(out, "screenWindowWidth", "float", ints(Float.floatToIntBits(1)));
     metadata.forEach(
         (keyword, text) ->
-            attribute(out, keyword, "string", text.getBytes(StandardCharsets.UTF_8)));
+            attribute(out, keyword, "string", utf8(text)));
     out.write(0);
     return out.toByteArray();
   }
@@ -188,9 +185,13 @@ final class ExrWriter {
     out.writeBytes(value);
   }
 
-  private static void text(ByteArrayOutputStream out, String ascii) {
-    out.writeBytes(ascii.getBytes(StandardCharsets.US_ASCII));
+  private static void text(ByteArrayOutputStream out, String text) {
+    out.writeBytes(utf8(text));
     out.write(0);
+  }
+
+  private static byte[] utf8(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
   }
 
   private static byte[] ints(int... values) {

@@ -77,6 +77,16 @@ public final class Image {
     return alpha.length == 0 ? 1 : alpha[index(x, y)];
   }
 
+  /**
+   * Returns a component of a pixel as OpenEXR files store it: multiplied by alpha where that is not
+   * 0, so that {@link LinearPicture#straight} returns the color.
+   */
+  float associated(int x, int y, int component) {
+    float value = rgb[3 * index(x, y) + component];
+    float share = alpha(x, y);
+    return share == 0 ? value : value * share;
+  }
+
   /** Returns the raster itself, not a copy: three values per pixel, row by row. */
   public float[] rgb() {
     return rgb;

@@ -67,6 +67,20 @@ public record ImageLayer(
     }
   }
 
+  /** Returns a picture as the layer without a name that OpenEXR files have: R, G, B, perhaps A. */
+  public static ImageLayer of(Image image) {
+    int count = image.hasAlpha() ? 4 : 3;
+    int width = image.width();
+    float[] values = new float[Math.multiplyExact(count, width * image.height())];
+    for (int i = 0; i < values.length; i++) {
+      int x = i / count % width;
+      int y = i / count / width;
+      values[i] = i % count < 3 ? image.associated(x, y, i % count) : image.alpha(x, y);
+    }
+    List<String> channels = List.of("R", "G", "B", "A").subList(0, count);
+    return new ImageLayer("", channels, Precision.FLOAT, width, image.height(), values);
+  }
+
   /** Returns a value. */
   public float value(int x, int y, int channel) {
     Objects.checkIndex(x, width);

@@ -19,7 +19,8 @@ import java.util.Objects;
  * <p>PNG and JPEG are for display: exposure and tone curve are applied. Alpha stays straight in
  * PNG; a JPEG has no alpha and shows the picture over black. PFM and OpenEXR store linear light
  * without exposure. They store infinite values as ±{@link Float#MAX_VALUE} and NaN as 0. In
- * OpenEXR, colors are multiplied by alpha, as the format requires; PFM has no alpha.
+ * OpenEXR, colors are multiplied by alpha where that is not 0, as the format requires; PFM has no
+ * alpha.
  *
  * <p>A file appears complete or not at all; see {@link OutputFile}.
  */

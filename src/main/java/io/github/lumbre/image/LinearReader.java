@@ -25,51 +25,63 @@ public final class LinearReader {
   }
 
   /**
-   * Returns the picture in a file, whose format is recognized by its content, not by its name.
+   * Returns the picture in a file, whose format is recognized by its content, not by its name. Its
+   * color is straight; see {@link LinearPicture#straight}.
    *
    * @throws ImageFormatException if the file is in none of the formats, damaged or too large
    * @throws IOException if the file cannot be read
    */
   public static Image read(Path file) throws IOException {
+    return open(file).straight();
+  }
+
+  /**
+   * Returns the picture in a file as it is stored; see {@link #read}.
+   *
+   * @throws ImageFormatException if the file is in none of the formats, damaged or too large
+   * @throws IOException if the file cannot be read
+   */
+  public static LinearPicture open(Path file) throws IOException {
     long bytes = Files.size(file);
     if (bytes > MAX_BYTES) {
       throw new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE,
           "the file has " + bytes + " bytes, expected at most " + MAX_BYTES);
     }
-    return decode(Files.readAllBytes(file));
+    return open(Files.readAllBytes(file), ImageReader.MAX_PIXELS);
   }
 
   /**
-   * Returns the picture in a file's bytes.
+   * Returns the picture in a file's bytes. Its color is straight; see {@link
+   * LinearPicture#straight}.
    *
    * @throws ImageFormatException if they are none of the formats, or damaged, or too large
    * @throws java.util.concurrent.CancellationException if the calling thread is interrupted; the
    *     interrupt status stays set
    */
   public static Image decode(byte[] file) throws ImageFormatException {
-    return decode(file, ImageReader.MAX_PIXELS);
+    return open(file, ImageReader.MAX_PIXELS).straight();
   }
 
   /**
-   * Returns the picture in a file's bytes; see {@link #decode(byte[])}.
+   * Returns the picture in a file's bytes as it is stored; see {@link #decode(byte[])}.
    *
    * @param maxPixels a limit below {@link ImageReader#MAX_PIXELS}, checked before the picture is
    *     decoded
    */
-  public static Image decode(byte[] file, long maxPixels) throws ImageFormatException {
+  public static LinearPicture open(byte[] file, long maxPixels) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
     if (ExrReader.startsIn(file)) {
       return ExrReader.read(file, maxPixels);
     }
     if (HdrReader.startsIn(file)) {
-      return HdrReader.read(file, maxPixels);
+      return LinearPicture.opaque(HdrReader.read(file, maxPixels));
     }
     if (PfmReader.startsIn(file)) {
-      return PfmReader.read(file, maxPixels);
+      return LinearPicture.opaque(PfmReader.read(file, maxPixels));
     }
     if (PngFile.startsIn(file) || JpegFile.startsIn(file)) {
-      return decoded(ImageReader.decode(file, maxPixels));
+      return LinearPicture.opaque(decoded(ImageReader.decode(file, maxPixels)));
     }
     throw malformed(
         "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found "

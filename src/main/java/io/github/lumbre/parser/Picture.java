@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.LinearPicture;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.BilinearTexture;
@@ -10,6 +11,8 @@ import io.github.lumbre.texture.ImageTexture.Role;
 import io.github.lumbre.texture.LinearTexture;
 import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
+import java.util.Optional;
+import java.util.function.Consumer;
 
 /** A texture before it has a role: color, data or normals. */
 interface Picture {
@@ -19,6 +22,11 @@ interface Picture {
 
   /** Returns the texture, with its values interpreted for a role. */
   Texture<Rgb> as(Role role);
+
+  /** Returns the texture as radiance, such as that of a sky. */
+  default Texture<Rgb> asLight() {
+    return as(Role.COLOUR);
+  }
 
   /** Returns the mean of a texel's stored components, without conversion; row 0 is the top row. */
   double value(int column, int row);
@@ -60,26 +68,57 @@ interface Picture {
   }
 
   /** A picture of linear light, such as a sky. As data, its values are unchanged. */
-  record Linear(Image image) implements Picture {
+  final class Linear implements Picture {
+    private final LinearPicture picture;
+    private final Image light;
+    private final Consumer<String> warnings;
+    private Optional<Image> straight = Optional.empty();
+
+    /**
+     * @param warnings receives a warning if alpha has to be clamped, at the first use as a surface
+     */
+    Linear(LinearPicture picture, Consumer<String> warnings) {
+      this.picture = picture;
+      this.warnings = warnings;
+      light = picture.light();
+    }
+
     @Override
     public int width() {
-      return image.width();
+      return light.width();
     }
 
     @Override
     public int height() {
-      return image.height();
+      return light.height();
     }
 
     @Override
     public Texture<Rgb> as(Role role) {
-      return new LinearTexture(image);
+      return new LinearTexture(straight());
+    }
+
+    @Override
+    public Texture<Rgb> asLight() {
+      return new LinearTexture(light);
     }
 
     @Override
     public double value(int column, int row) {
-      Rgb value = image.pixel(column, row);
+      Rgb value = straight().pixel(column, row);
       return (value.r() + value.g() + value.b()) / 3;
+    }
+
+    private Image straight() {
+      if (straight.isEmpty()) {
+        straight = Optional.of(picture.straight());
+        int clamped = picture.clampedAlphas();
+        if (clamped > 0) {
+          String pixels = clamped == 1 ? "1 pixel" : clamped + " pixels";
+          warnings.accept("has alpha outside 0 to 1 in " + pixels + ", which is clamped");
+        }
+      }
+      return straight.get();
     }
   }
 

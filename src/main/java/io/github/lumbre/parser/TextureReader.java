@@ -5,6 +5,7 @@ import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.LinearPicture;
 import io.github.lumbre.image.LinearReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
@@ -182,9 +183,12 @@ final class TextureReader {
       return decoded(content).map(pixels -> new Picture.Decoded(pixels, filter));
     }
     try {
-      Image image = LinearReader.decode(content.bytes(), data.allowance().texelsLeft());
-      data.allowance().addTexels((long) image.width() * image.height());
-      return positive(content, image).map(Picture.Linear::new);
+      LinearPicture read = LinearReader.open(content.bytes(), data.allowance().texelsLeft());
+      Image light = read.light();
+      data.allowance().addTexels((long) light.width() * light.height());
+      return isPositive(content, light.rgb())
+          ? Optional.of(new Picture.Linear(read, content::warn))
+          : Optional.empty();
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
@@ -192,14 +196,13 @@ final class TextureReader {
     }
   }
 
-  /** Returns a picture with 0 in place of negative colors; empty if one is not finite. */
-  private static Optional<Image> positive(AssetData.Content content, Image image) {
-    float[] rgb = image.rgb();
+  /** Replaces negative colors by 0; returns false, and reports it, if one is not finite. */
+  private static boolean isPositive(AssetData.Content content, float[] rgb) {
     int negative = 0;
     for (int i = 0; i < rgb.length; i++) {
       if (!Float.isFinite(rgb[i])) {
         content.error(Kind.ASSET, "expected finite colors, found " + rgb[i]);
-        return Optional.empty();
+        return false;
       }
       if (rgb[i] < 0) {
         negative++;
@@ -209,7 +212,7 @@ final class TextureReader {
     if (negative > 0) {
       content.warn("has " + negative + " negative colors, which count as 0");
     }
-    return Optional.of(image);
+    return true;
   }
 
   private Optional<Pixels> decoded(AssetData.Content content) {
@@ -312,7 +315,7 @@ final class TextureReader {
     }
     return EnvironmentLight.image(
         axes,
-        TintedTexture.of(radiance, watched(picture.get(), Role.COLOUR)),
+        TintedTexture.of(radiance, change.watched(picture.get().asLight())),
         picture.get().domeColumns(),
         picture.get().domeRows());
   }

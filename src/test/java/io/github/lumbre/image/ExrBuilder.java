@@ -33,6 +33,9 @@ final class ExrBuilder {
   private int tileWidth;
   private int tileHeight;
   private int levelMode;
+  private int left;
+  private int top;
+  private byte[] display;
 
   /**
    * @param compression 0 none, 1 RLE, 2 ZIPS, 3 ZIP
@@ -41,6 +44,7 @@ final class ExrBuilder {
     this.width = width;
     this.height = height;
     this.compression = compression;
+    display = ints(0, 0, width - 1, height - 1);
   }
 
   /** Adds a channel. Values of halves must be powers of two or 0. */
@@ -71,6 +75,14 @@ final class ExrBuilder {
     tileWidth = newWidth;
     tileHeight = newHeight;
     levelMode = mode;
+    return this;
+  }
+
+  /** Moves the data window, and shows other pixels than those of the file. */
+  ExrBuilder windows(int newLeft, int newTop, int... newDisplay) {
+    left = newLeft;
+    top = newTop;
+    display = ints(newDisplay);
     return this;
   }
 
@@ -119,11 +131,11 @@ final class ExrBuilder {
           list.writeBytes(ints(channel.type, 0, 1, 1));
         });
     list.write(0);
-    byte[] window = ints(0, 0, width - 1, height - 1);
+    byte[] window = ints(left, top, left + width - 1, top + height - 1);
     attribute(out, "channels", "chlist", list.toByteArray());
     attribute(out, "compression", "compression", new byte[] {(byte) compression});
     attribute(out, "dataWindow", "box2i", window);
-    attribute(out, "displayWindow", "box2i", window);
+    attribute(out, "displayWindow", "box2i", display);
     attribute(out, "lineOrder", "lineOrder", new byte[1]);
     attribute(out, "pixelAspectRatio", "float", ints(Float.floatToIntBits(1)));
     attribute(out, "screenWindowCenter", "v2f", ints(0, 0));
@@ -143,7 +155,7 @@ final class ExrBuilder {
       int lines = compression == 3 ? 16 : 1;
       for (int y = 0; y < height; y += lines) {
         out.writeBytes(start);
-        out.writeBytes(ints(y));
+        out.writeBytes(ints(top + y));
         writeBlock(out, 0, y, width, Math.min(lines, height - y), 0);
       }
       return (height + lines - 1) / lines;
@@ -262,7 +274,7 @@ final class ExrBuilder {
   }
 
   private static void text(ByteArrayOutputStream out, String text) {
-    out.writeBytes(text.getBytes(StandardCharsets.US_ASCII));
+    out.writeBytes(text.getBytes(StandardCharsets.UTF_8));
     out.write(0);
   }
 

@@ -238,4 +238,29 @@ class ExrLayersTest {
     assertThatThrownBy(() -> LayeredImage.of(picture().toPng()))
         .hasMessageContaining("expected an OpenEXR file, found a PNG picture");
   }
+
+  /** Channels are sorted by bytes, where \uff5e is before \ud83c\udf33, unlike in Java's order. */
+  @Test
+  void namesBeyondAsciiAreUtf8() throws IOException {
+    List<String> names = List.of("größe", "高さ", "\uff5e", "\ud83c\udf33", "é".repeat(16));
+    List<ImageLayer> layers =
+        names.stream().map(name -> layer(name, "Ä Ω", Precision.FLOAT, 6)).toList();
+    Path file = written(layers, Map.of());
+    byte[] bytes = Files.readAllBytes(file);
+    assertThat(bytes[5]).as("long names, by their bytes").isEqualTo((byte) 4);
+    String text = new String(bytes, StandardCharsets.ISO_8859_1);
+    int last = 0;
+    for (String channel : List.of("größe.Ä", "高さ.Ω", "\uff5e.Ä", "\ud83c\udf33.Ω")) {
+      byte[] utf8Bytes = channel.getBytes(StandardCharsets.UTF_8);
+      String utf8 = new String(utf8Bytes, StandardCharsets.ISO_8859_1);
+      assertThat(text.indexOf(utf8 + "\0")).as(channel).isGreaterThan(last);
+      last = text.indexOf(utf8 + "\0");
+    }
+    LayeredImage read = LayeredImage.read(file);
+    for (ImageLayer layer : layers) {
+      ImageLayer found = read.layer(layer.name()).orElseThrow();
+      assertThat(found.channels()).containsExactly("Ä", "Ω");
+      assertThat(found.values()).isEqualTo(layer.values());
+    }
+  }
 }

@@ -79,10 +79,12 @@ class ExrReaderTest {
       return block.array();
     }
 
-    /** Moves the window to another position in the plane. */
+    /** Moves both windows to another position in the plane. */
     Parts at(int x, int y) {
-      ByteBuffer window = little(header).position(valueOf("dataWindow"));
-      window.putInt(x).putInt(y).putInt(x + image.width() - 1).putInt(y + image.height() - 1);
+      for (String name : new String[] {"dataWindow", "displayWindow"}) {
+        ByteBuffer window = little(header).position(valueOf(name));
+        window.putInt(x).putInt(y).putInt(x + image.width() - 1).putInt(y + image.height() - 1);
+      }
       blocks.forEach(block -> little(block).putInt(0, little(block).getInt(0) + y));
       return this;
     }
@@ -171,29 +173,25 @@ class ExrReaderTest {
   }
 
   @Test
-  void alphaOfNothingAndAllAreRead() throws IOException {
-    Image image = new Image(2, 1, new float[] {.25f, .5f, 1, 3, 4, 5}, new float[] {0, 1});
-    Image read = LinearReader.decode(new Parts(image, 3, 16).file());
-    assertThat(read.alpha(0, 0)).isZero();
-    assertThat(read.alpha(1, 0)).isEqualTo(1);
-    assertThat(read.rgb()).containsExactly(0, 0, 0, 3, 4, 5);
-  }
-
-  @Test
-  void alphaIsAShare() throws IOException {
-    for (float alpha : new float[] {-.01f, 1.01f, Float.NaN}) {
-      Image image = new Image(1, 1, new float[3], new float[] {alpha});
-      assertRefused(new Parts(image, 3, 16).file(), "alpha of 0 to 1, found " + alpha);
-    }
-  }
-
-  @Test
   void windowsBeyondTheLimitsAreRefusedByTheHeader() throws IOException {
     Parts parts = new Parts(ImageFixture.random(1, 1, false), 3, 16);
     ByteBuffer header = little(parts.header);
     int window = parts.valueOf("dataWindow");
     header.putInt(window + 8, 65534);
     assertRefused(parts.file(), "OpenEXR ends too early");
+    int shown = parts.valueOf("displayWindow");
+    header.putInt(window + 8, 0).putInt(shown, 65535 - (1 << 17));
+    assertRefused(parts.file(), "the picture has 65538x1 pixels");
+    header.putInt(shown, 0).putInt(shown + 8, 65534).putInt(shown + 12, 65534);
+    assertRefused(parts.file(), "the picture has 65535x65535 pixels");
+    assertThatThrownBy(() -> LayeredImage.of(parts.file()))
+        .hasMessageContaining("the picture has 65535x65535 pixels");
+    header.putInt(shown + 12, 0);
+    assertThatThrownBy(() -> LinearReader.open(parts.file(), 65534))
+        .hasMessage("the picture has 65535x1 pixels, expected at most 65534 in total");
+    header.putInt(shown, 1).putInt(shown + 8, 0);
+    assertRefused(parts.file(), "the display window ends before it begins");
+    header.putInt(shown, 0);
     header.putInt(window + 8, 65535);
     assertRefused(parts.file(), "the picture has 65536x1 pixels");
     header.putInt(window, Integer.MIN_VALUE).putInt(window + 8, Integer.MAX_VALUE);

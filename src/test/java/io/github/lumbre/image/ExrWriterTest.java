@@ -58,14 +58,14 @@ class ExrWriterTest {
   }
 
   @Test
-  void coloursAreMultipliedByAlpha() throws IOException, DataFormatException {
+  void coloursAreMultipliedByAlphaAboveZero() throws IOException, DataFormatException {
     float[] rgb = {1, 2, 3, 1, 2, 3, 1, 2, 3};
     ExrFixture file = read(new Image(3, 1, rgb, new float[] {0, .5f, 1}));
     assertThat(file.channels().keySet()).containsExactly("A", "B", "G", "R");
     assertThat(component(file, "A")).containsExactly(0, .5f, 1);
-    assertThat(component(file, "R")).containsExactly(0, .5f, 1);
-    assertThat(component(file, "G")).containsExactly(0, 1, 2);
-    assertThat(component(file, "B")).containsExactly(0, 1.5f, 3);
+    assertThat(component(file, "R")).containsExactly(1, .5f, 1);
+    assertThat(component(file, "G")).containsExactly(2, 1, 2);
+    assertThat(component(file, "B")).containsExactly(3, 1.5f, 3);
   }
 
   @Test

@@ -3,16 +3,23 @@ package io.github.lumbre.parser;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Vec3;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
-/** Pictures of linear light as skies. */
+/** Pictures of linear light as skies and textures. */
 class LinearPictureTest {
   private static final byte[] HEADER = "PF\n1 1\n-1.0\n".getBytes(StandardCharsets.US_ASCII);
 
@@ -57,6 +64,58 @@ class LinearPictureTest {
       assertThatThrownBy(() -> parse(1, wrong, 1))
           .isInstanceOf(SceneFormatException.class)
           .hasMessage("scene.json: $.assets[0].base64PNG: expected finite colors, found " + wrong);
+    }
+  }
+
+  /** Returns a scene whose sky and only material have an OpenEXR picture of one pixel. */
+  private static SceneFile scene(float color, float alpha, String users) throws Exception {
+    Path exr = Files.createTempFile("lumbre", ".exr");
+    try {
+      ImageWriter.write(
+          new Image(1, 1, new float[] {color, color, color}, new float[] {alpha}), exr);
+      String scene =
+          """
+          {"mainCameraId": 1,
+           "assets": [{"id": 2, "assetType": "Texture", "base64PNG": "%s"},
+             {"id": 3, "assetType": "Material", "materialType": "Diffuse", "colorTextureId": 2}],
+           "objects": [%s {"id": 1, "type": "Camera", "cameraType": "Pinhole"}]}
+          """
+              .formatted(Base64.getEncoder().encodeToString(Files.readAllBytes(exr)), users);
+      return new SceneParser().parse(scene.getBytes(StandardCharsets.UTF_8), Path.of("scene.json"));
+    } finally {
+      Files.delete(exr);
+    }
+  }
+
+  private static final String SKY =
+      "{\"type\": \"Light\", \"lightType\": \"Dome\", \"intensity\": 1, \"textureId\": 2},";
+  private static final String BALL =
+      "{\"type\": \"Shape\", \"shapeType\": \"Sphere\", \"materialID\": 3},";
+
+  /** The writer stores color times alpha, and color where alpha is 0. */
+  @ParameterizedTest
+  @CsvSource({"1, .25", "0, .25", ".5, .125", "1.25, .3125"})
+  void radianceOfASkyIsTheColorInTheFile(float alpha, float stored) throws Exception {
+    SceneFile file = scene(.25f, alpha, SKY);
+    assertThat(sky(file)).isEqualTo(Rgb.grey(stored));
+    assertThat(file.warnings())
+        .extracting(Problem::message)
+        .noneMatch(message -> message.contains("alpha"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, .25", "0, .25", ".5, .25", "1.25, .3125"})
+  void colorOfASurfaceIsDividedByAlpha(float alpha, float straight) throws Exception {
+    SceneFile file = scene(.25f, alpha, SKY + BALL + BALL);
+    Matte matte = (Matte) file.scene().primitives().get(0).material();
+    assertThat(matte.albedo().at(.5, .5)).isEqualTo(Rgb.grey(straight));
+    List<String> warnings =
+        file.warnings().stream().map(Problem::message).filter(m -> m.contains("alpha")).toList();
+    if (alpha > 1) {
+      assertThat(warnings)
+          .containsExactly("has alpha outside 0 to 1 in 1 pixel, which is clamped");
+    } else {
+      assertThat(warnings).isEmpty();
     }
   }
 }

@@ -4,6 +4,7 @@ import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
@@ -56,21 +57,14 @@ public final class LayerInput {
     }
   }
 
+  /** Returns the layers that an OpenEXR file of the film would have. */
   private static LayeredImage developed(FilmFile file) {
     FilmPicture picture = FilmPicture.of(file.film(), file.header().layers());
-    int width = picture.image().width();
-    int height = picture.image().height();
+    Image image = picture.image();
     List<ImageLayer> layers = new ArrayList<>();
-    layers.add(
-        new ImageLayer(
-            "",
-            List.of("R", "G", "B"),
-            ImageLayer.Precision.FLOAT,
-            width,
-            height,
-            picture.image().rgb()));
+    layers.add(ImageLayer.of(image));
     layers.addAll(picture.layers());
-    return new LayeredImage(width, height, layers, picture.metadata());
+    return new LayeredImage(image.width(), image.height(), layers, picture.metadata());
   }
 
   /**
