@@ -7,12 +7,22 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PlanReport;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelAnimation;
+import io.github.lumbre.parser.ModelContents;
 import io.github.lumbre.parser.SceneContents;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.scene.RenderSettings;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,6 +48,8 @@ import picocli.CommandLine.Spec;
       "7:Internal error"
     })
 final class CheckCommand implements Callable<Integer> {
+  private static final int MOST_NAMES = 20;
+
   @Mixin SceneOptions options;
 
   @Option(names = "--json", description = "Print the contents as one line of JSON.")
@@ -71,6 +83,7 @@ final class CheckCommand implements Callable<Integer> {
   private static int print(SceneFile file, JsonSummary report, Messages out) {
     report.putScene(file);
     report.putContents(file.contents());
+    file.text().flatMap(SceneText::model).ifPresent(report::putModel);
     report.put("exit_code", ExitCodes.OK);
     report.print(out);
     return ExitCodes.OK;
@@ -88,9 +101,61 @@ final class CheckCommand implements Callable<Integer> {
     out.line("meshes     " + contents.meshes());
     out.line("triangles  " + contents.triangles());
     out.line("lights     " + contents.lights());
-    out.line("materials  " + contents.materials());
+    Optional<ModelContents> model = file.text().flatMap(SceneText::model);
+    List<String> names = model.map(ModelContents::materials).orElse(List.of());
+    String materials = listed(names.stream().map(CheckCommand::quoted));
+    out.line("materials  " + contents.materials() + (materials.isEmpty() ? "" : ": " + materials));
     out.line("textures   " + contents.textures());
+    model.ifPresent(m -> describe(m, out));
     out.line("warnings   " + file.warnings().size());
+  }
+
+  /** Prints the names that flags take, and the bounds of a model. */
+  private static void describe(ModelContents model, Messages out) {
+    line("cameras   ", listed(model.cameras().stream().map(CheckCommand::quoted)), out);
+    line("animations", listed(model.animations().stream().map(CheckCommand::shown)), out);
+    line("variants  ", listed(model.variants().stream().map(CheckCommand::quoted)), out);
+    Vec3 size = model.max().minus(model.min());
+    out.line(
+        "bounds     %s to %s, size %s x %s x %s"
+            .formatted(
+                shown(model.min()),
+                shown(model.max()),
+                shown(size.x()),
+                shown(size.y()),
+                shown(size.z())));
+  }
+
+  private static void line(String title, String names, Messages out) {
+    if (!names.isEmpty()) {
+      out.line(title + " " + names);
+    }
+  }
+
+  private static String listed(Stream<String> items) {
+    List<String> all = items.toList();
+    int more = Math.max(0, all.size() - MOST_NAMES);
+    return all.stream().limit(MOST_NAMES).collect(Collectors.joining(", "))
+        + (more == 0 ? "" : " and " + more + " more");
+  }
+
+  private static String shown(ModelAnimation animation) {
+    return quoted(animation.name())
+        + (animation.seconds().isPresent()
+            ? " (" + shown(animation.seconds().getAsDouble()) + " s)"
+            : "");
+  }
+
+  private static String quoted(String name) {
+    return '"' + name + '"';
+  }
+
+  private static String shown(Vec3 v) {
+    return "(" + shown(v.x()) + ", " + shown(v.y()) + ", " + shown(v.z()) + ")";
+  }
+
+  private static String shown(double value) {
+    return new BigDecimal(value).round(new MathContext(4)).stripTrailingZeros().toPlainString();
   }
 
   private static String depths(RenderSettings settings) {

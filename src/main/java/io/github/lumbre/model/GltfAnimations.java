@@ -4,6 +4,7 @@ import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
 /** The animations of a glTF file (glTF 2.0, section 3.11). */
@@ -16,13 +17,37 @@ final class GltfAnimations {
     this.accessors = accessors;
   }
 
-  /** Returns the names of all animations; the index of one that has no name. */
-  List<String> names() throws ModelFormatException {
-    List<String> names = new ArrayList<>();
+  /** Returns all animations. */
+  List<ModelAnimation> all() throws ModelFormatException {
+    List<ModelAnimation> all = new ArrayList<>();
     for (GltfJson json : document.section("animations")) {
-      names.add(json.text("name", Integer.toString(names.size())));
+      String name = json.text("name", Integer.toString(all.size()));
+      all.add(new ModelAnimation(name, seconds(json)));
     }
-    return names;
+    return all;
+  }
+
+  private List<String> names() throws ModelFormatException {
+    return all().stream().map(ModelAnimation::name).toList();
+  }
+
+  /** Returns the largest time that the accessors of times state; empty if one states none. */
+  private OptionalDouble seconds(GltfJson animation) {
+    double end = 0;
+    try {
+      for (GltfJson sampler : animation.objects("samplers")) {
+        int input = sampler.requireIndex("input", document.size("accessors"));
+        double[] max = document.section("accessors").get(input).numbers("max");
+        if (max.length != 1 || !Double.isFinite(max[0])) {
+          return OptionalDouble.empty();
+        }
+        end = Math.max(end, max[0]);
+      }
+    } catch (ModelFormatException e) {
+      // What is wrong with an animation matters to its pose alone.
+      return OptionalDouble.empty();
+    }
+    return OptionalDouble.of(end);
   }
 
   /**

@@ -98,7 +98,7 @@ final class GltfReader {
         placedCameras,
         placedLights,
         variants.names(),
-        animations.names(),
+        animations.all(),
         document.warnings().all());
   }
 

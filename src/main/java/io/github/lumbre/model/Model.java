@@ -15,7 +15,7 @@ import java.util.Objects;
  * @param cameras in the order of the file; empty if the file has none
  * @param lights in the order of the file; empty if the file has none
  * @param variants names of material variants that the file offers; empty if it offers none
- * @param animations names of animations that the file offers; empty if it has none
+ * @param animations animations that the file offers; empty if it has none
  * @param warnings problems that do not prevent rendering, each with its place in the file; empty if
  *     there are none
  */
@@ -25,7 +25,7 @@ public record Model(
     List<ModelCamera> cameras,
     List<ModelLight> lights,
     List<String> variants,
-    List<String> animations,
+    List<ModelAnimation> animations,
     List<String> warnings) {
   /** The number of warnings in the error of a model without surfaces. */
   private static final int MAX_REASONS = 3;

@@ -84,9 +84,14 @@ final class ModelFraming {
     parts.forEach(part -> part.forEach(visitor));
   }
 
-  /** Returns the height of the lowest vertex. */
-  double bottom() {
-    return min.y();
+  /** Returns the least coordinates of the vertices. */
+  Vec3 min() {
+    return min;
+  }
+
+  /** Returns the largest coordinates of the vertices. */
+  Vec3 max() {
+    return max;
   }
 
   /**

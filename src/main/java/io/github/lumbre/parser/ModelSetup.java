@@ -332,12 +332,18 @@ public record ModelSetup(
       throws SceneFormatException, IOException {
     String name = String.valueOf(file.getFileName());
     requireSky(name);
+    ModelFraming framing = ModelFraming.of(model);
     JsonObject scene =
         checked(
             name,
-            () -> new ModelStage(this, model).scene(folder.relativize(file), folder, aspect));
+            () ->
+                new ModelStage(this, model, framing)
+                    .scene(folder.relativize(file), folder, aspect));
     // One line, which the header of a checkpoint file can hold.
-    return new SceneText(scene.toString().getBytes(StandardCharsets.UTF_8), folder.resolve(name));
+    return new SceneText(
+        scene.toString().getBytes(StandardCharsets.UTF_8),
+        folder.resolve(name),
+        Optional.of(ModelContents.of(model, framing)));
   }
 
   /** Work with a model that may be damaged. */

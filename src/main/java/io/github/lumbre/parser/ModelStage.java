@@ -16,7 +16,6 @@ import io.github.lumbre.parser.ModelSetup.View;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.text.Spelling;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -25,8 +24,9 @@ import java.util.OptionalDouble;
  * Writes the scene around a model: the model, a camera, the sky and the ground.
  *
  * @param setup what is around the model
+ * @param framing of the model
  */
-record ModelStage(ModelSetup setup, Model model) {
+record ModelStage(ModelSetup setup, Model model, ModelFraming framing) {
   /** The path of the sky's texture in the scene. */
   static final String SKY_PICTURE = "$.assets[0]";
 
@@ -69,13 +69,12 @@ record ModelStage(ModelSetup setup, Model model) {
     scene.add("renderOptions", renderOptions());
     JsonArray assets = new JsonArray();
     JsonArray objects = new JsonArray();
-    ModelFraming framing = ModelFraming.of(model);
-    objects.add(cameraObject(framing, aspect));
+    objects.add(cameraObject(aspect));
     objects.add(dome(assets, folder));
     objects.add(modelObject(name));
     if (setup.ground()) {
       assets.add(groundMaterial());
-      objects.add(floor(framing.bottom()));
+      objects.add(floor(framing.min().y()));
     }
     scene.add("assets", assets);
     scene.add("objects", objects);
@@ -96,8 +95,7 @@ record ModelStage(ModelSetup setup, Model model) {
     return render;
   }
 
-  private JsonObject cameraObject(ModelFraming framing, OptionalDouble aspect)
-      throws ModelFormatException {
+  private JsonObject cameraObject(OptionalDouble aspect) throws ModelFormatException {
     Optional<ModelCamera> own = ownCamera();
     if (own.isPresent()) {
       return cameraObject(own.get());
@@ -117,11 +115,7 @@ record ModelStage(ModelSetup setup, Model model) {
     if (setup.camera().isEmpty()) {
       return setup.view().isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
     }
-    List<String> names = new ArrayList<>();
-    for (ModelCamera each : model.cameras()) {
-      // A camera without a name is named by its index.
-      names.add(each.name().isEmpty() ? Integer.toString(names.size()) : each.name());
-    }
+    List<String> names = ModelContents.cameraNames(model);
     int index = names.indexOf(setup.camera().get());
     if (index < 0) {
       String wanted = Problems.quoted(setup.camera().get());

@@ -288,7 +288,17 @@ public final class SceneParser {
    * @throws CancellationException if the calling thread is interrupted
    */
   public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
-    return parse(new SceneText(content, file), Map.of(), Optional.empty());
+    return parse(new SceneText(content, file));
+  }
+
+  /**
+   * Reads a scene that is not in a file; see {@link #parse(byte[], Path)}.
+   *
+   * @throws SceneFormatException if the scene cannot be used; it lists the errors
+   * @throws CancellationException if the calling thread is interrupted
+   */
+  public SceneFile parse(SceneText text) throws SceneFormatException {
+    return parse(text, Map.of(), Optional.empty());
   }
 
   /**

@@ -418,7 +418,7 @@ class ModelCommandsTest {
             "meshes     1",
             "triangles  4",
             "lights     1",
-            "materials  1",
+            "materials  1: \"paint\"",
             "textures   1");
     Files.writeString(directory.resolve("a.mtl"), "newmtl red\nKd 1 0 0\nnewmtl unused\n");
     Files.writeString(
@@ -426,6 +426,42 @@ class ModelCommandsTest {
         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl red\nf 3 2 1\n");
     assertThat(run("check T/a.obj --json").out())
         .contains("\"shapes\":2", "\"meshes\":2", "\"materials\":1", "\"textures\":0");
+  }
+
+  @Test
+  void checkNamesWhatFlagsCanChoose() throws IOException {
+    assertThat(run("check T/sample.glb").out().lines())
+        .contains(
+            "cameras    \"close\", \"1\"",
+            "animations \"lift\" (1 s)",
+            "variants   \"red\", \"blue\"",
+            "bounds     (5, 1, -2) to (6, 2, -1), size 1 x 1 x 1");
+    assertThat(run("check T/sample.glb --json").out())
+        .contains(
+            "\"cameras\":[\"close\",\"1\"]",
+            "\"animations\":[{\"name\":\"lift\",\"seconds\":1.0}]",
+            "\"variants\":[\"red\",\"blue\"]",
+            "\"material_names\":[\"paint\"]",
+            "\"bounds\":[[5.0,1.0,-2.0],[6.0,2.0,-1.0]]");
+    // Only what the file has is listed.
+    Files.writeString(directory.resolve("a.obj"), "v 0 0 1\nv 2 0 1\nv 0 1.5 1\nf 1 2 3\n");
+    assertThat(run("check T/a.obj").out())
+        .contains("bounds     (0, 0, 1) to (2, 1.5, 1), size 2 x 1.5 x 0\n")
+        .doesNotContain("cameras", "animations", "variants");
+    assertThat(run("check T/a.obj --up z --unit 10").out()).contains("size 20 x 0 x 15");
+  }
+
+  @Test
+  void manyNamesAreCounted() throws IOException {
+    StringBuilder obj = new StringBuilder("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    StringBuilder mtl = new StringBuilder();
+    for (int i = 0; i < 25; i++) {
+      mtl.append("newmtl m").append(i).append('\n');
+      obj.append("usemtl m").append(i).append("\nf 1 2 3\n");
+    }
+    Files.writeString(directory.resolve("a.mtl"), mtl);
+    Files.writeString(directory.resolve("a.obj"), obj);
+    assertThat(run("check T/a.obj").out()).contains("\"m0\", ", "\"m19\" and 5 more\n");
   }
 
   @Test

@@ -215,7 +215,7 @@ public final class SceneOptions {
         return parsed(standardInput(), parser);
       }
       if (isModel()) {
-        return parser.parse(ofModel().json(), ofModel().path());
+        return parser.parse(ofModel());
       }
       SceneParser.requireScene(scene);
       model.requireNone();

@@ -4,6 +4,8 @@ import com.google.gson.GsonBuilder;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.ModelContents;
 import io.github.lumbre.parser.SceneContents;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -127,6 +129,29 @@ public final class JsonSummary {
     values.put("lights", contents.lights());
     values.put("materials", contents.materials());
     values.put("textures", contents.textures());
+  }
+
+  /** Adds the names of what a model offers, and its bounds. */
+  public void putModel(ModelContents model) {
+    values.put("cameras", model.cameras());
+    values.put(
+        "animations",
+        model.animations().stream()
+            .map(
+                animation -> {
+                  Map<String, Object> entry = new LinkedHashMap<>();
+                  entry.put("name", animation.name());
+                  animation.seconds().ifPresent(seconds -> entry.put("seconds", seconds));
+                  return entry;
+                })
+            .toList());
+    values.put("variants", model.variants());
+    values.put("material_names", model.materials());
+    values.put("bounds", List.of(vector(model.min()), vector(model.max())));
+  }
+
+  private static List<Double> vector(Vec3 vector) {
+    return List.of(vector.x(), vector.y(), vector.z());
   }
 
   /** Adds the estimated memory of a render. */

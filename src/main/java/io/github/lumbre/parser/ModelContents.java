@@ -1,0 +1,62 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.Model;
+import io.github.lumbre.model.ModelAnimation;
+import io.github.lumbre.model.ModelCamera;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What a model offers, by the names that users give, and where it is.
+ *
+ * @param cameras the names of its cameras; the index of one that has no name
+ * @param animations its animations
+ * @param variants the names of its material variants
+ * @param materials the names of the materials in use; the place in the file of one that has no name
+ * @param min the least coordinates of its vertices: right-handed, +Y up
+ * @param max the largest coordinates
+ */
+public record ModelContents(
+    List<String> cameras,
+    List<ModelAnimation> animations,
+    List<String> variants,
+    List<String> materials,
+    Vec3 min,
+    Vec3 max) {
+  public ModelContents {
+    cameras = List.copyOf(cameras);
+    animations = List.copyOf(animations);
+    variants = List.copyOf(variants);
+    materials = List.copyOf(materials);
+  }
+
+  static ModelContents of(Model model, ModelFraming framing) {
+    Map<String, String> materials = new LinkedHashMap<>();
+    model.parts().stream()
+        .map(part -> part.material())
+        .filter(material -> !material.location().isEmpty())
+        .forEach(m -> materials.put(m.location(), m.name().isEmpty() ? m.location() : m.name()));
+    // The framing is left-handed.
+    Vec3 low = framing.min();
+    Vec3 high = framing.max();
+    return new ModelContents(
+        cameraNames(model),
+        model.animations(),
+        model.variants(),
+        List.copyOf(materials.values()),
+        new Vec3(low.x(), low.y(), 0 - high.z()),
+        new Vec3(high.x(), high.y(), 0 - low.z()));
+  }
+
+  /** Returns the names of a model's cameras, in the order of the file. */
+  static List<String> cameraNames(Model model) {
+    List<String> names = new ArrayList<>();
+    for (ModelCamera each : model.cameras()) {
+      names.add(each.name().isEmpty() ? Integer.toString(names.size()) : each.name());
+    }
+    return names;
+  }
+}
