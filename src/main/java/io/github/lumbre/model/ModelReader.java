@@ -90,7 +90,7 @@ public final class ModelReader {
     return switch (format) {
       case GLTF -> GltfReader.read(content, folder, options);
       case OBJ -> ObjModelReader.read(content, folder, options);
-      case PLY -> PlyReader.read(content, options);
+      case PLY -> PlyReader.read(content, folder, options);
       case STL -> StlReader.read(content, options);
     };
   }

@@ -8,10 +8,16 @@ import java.util.Optional;
 /**
  * The header of a PLY file.
  *
+ * @param textures names of pictures, which comments state
  * @param bodyOffset of the first byte after the header
  * @param bodyLine number of the first line after the header
  */
-record PlyHeader(Format format, List<PlyElement> elements, int bodyOffset, int bodyLine) {
+record PlyHeader(
+    Format format,
+    List<PlyElement> elements,
+    List<String> textures,
+    int bodyOffset,
+    int bodyLine) {
 
   /** The forms of numbers after the header. */
   enum Format {
@@ -32,13 +38,14 @@ record PlyHeader(Format format, List<PlyElement> elements, int bodyOffset, int b
     }
     boolean endsInReturn = endsInReturn(file, scanner.position());
     scanner.endLine();
-    Format format = readFormat(scanner);
+    List<String> textures = new ArrayList<>();
+    Format format = readFormat(scanner, textures);
     List<PlyElement> elements = new ArrayList<>();
     String element = "";
     int count = 0;
     List<PlyProperty> properties = new ArrayList<>();
     while (true) {
-      String word = nextKeyword(scanner);
+      String word = nextKeyword(scanner, textures);
       if (word.equals("property") && !element.isEmpty()) {
         if (properties.size() == ModelLimits.MAX_PARTS) {
           throw scanner.tooLarge("expected at most " + ModelLimits.MAX_PARTS + " properties");
@@ -50,7 +57,7 @@ record PlyHeader(Format format, List<PlyElement> elements, int bodyOffset, int b
           properties.clear();
         }
         if (word.equals("end_header")) {
-          return atEnd(file, scanner, endsInReturn, format, elements);
+          return atEnd(file, scanner, endsInReturn, format, elements, textures);
         }
         element = name(scanner);
         requireNew(scanner, element, elements);
@@ -77,18 +84,21 @@ record PlyHeader(Format format, List<PlyElement> elements, int bodyOffset, int b
       TextScanner scanner,
       boolean endsInReturn,
       Format format,
-      List<PlyElement> elements) {
+      List<PlyElement> elements,
+      List<String> textures) {
     while (scanner.nextWord()) {
       // Nothing else belongs on this line, but binary data begins after it.
     }
     int lineEnd = scanner.position();
     scanner.endLine();
     int offset = endsInReturn ? Math.min(lineEnd + 1, file.length) : scanner.position();
-    return new PlyHeader(format, List.copyOf(elements), offset, scanner.line());
+    return new PlyHeader(
+        format, List.copyOf(elements), List.copyOf(textures), offset, scanner.line());
   }
 
-  private static Format readFormat(TextScanner scanner) throws ModelFormatException {
-    String word = nextKeyword(scanner);
+  private static Format readFormat(TextScanner scanner, List<String> textures)
+      throws ModelFormatException {
+    String word = nextKeyword(scanner, textures);
     if (!word.equals("format")) {
       throw scanner.error("expected \"format\", found " + PrintableText.quoted(word));
     }
@@ -112,15 +122,34 @@ record PlyHeader(Format format, List<PlyElement> elements, int bodyOffset, int b
     };
   }
 
-  /** Returns the first word of the next line that is no comment. */
-  private static String nextKeyword(TextScanner scanner) throws ModelFormatException {
+  /**
+   * Returns the first word of the next line that is no comment.
+   *
+   * @param textures receives the names of pictures that comments state
+   */
+  private static String nextKeyword(TextScanner scanner, List<String> textures)
+      throws ModelFormatException {
     while (scanner.nextWordOfText()) {
       if (!scanner.wordIs("comment") && !scanner.wordIs("obj_info")) {
         return scanner.word();
       }
+      if (scanner.nextWord() && scanner.word().equalsIgnoreCase("TextureFile")) {
+        addTexture(scanner, textures);
+      }
       scanner.endLine();
     }
     throw scanner.error("expected \"end_header\", found the end of the file");
+  }
+
+  private static void addTexture(TextScanner scanner, List<String> textures)
+      throws ModelFormatException {
+    String name = scanner.remainingWords();
+    if (textures.size() == ModelLimits.MAX_PARTS) {
+      throw scanner.tooLarge("expected at most " + ModelLimits.MAX_PARTS + " textures, found more");
+    }
+    if (!name.isEmpty()) {
+      textures.add(name);
+    }
   }
 
   private static String name(TextScanner scanner) throws ModelFormatException {

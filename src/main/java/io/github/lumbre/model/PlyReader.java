@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -22,6 +23,9 @@ final class PlyReader {
   private final int vertexCount;
   private TriangleList triangles = new TriangleList(0);
 
+  /** What the faces have besides their corners; empty if there are no faces. */
+  private Optional<PlyFaceData> faceData = Optional.empty();
+
   private PlyReader(byte[] file, ModelOptions options) throws ModelFormatException {
     this.options = options;
     header = PlyHeader.read(file, warnings);
@@ -41,8 +45,9 @@ final class PlyReader {
   }
 
   /** Returns the triangles of a PLY file. */
-  static Model read(byte[] file, ModelOptions options) throws ModelFormatException {
-    return new PlyReader(file, options).read();
+  static Model read(byte[] file, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return new PlyReader(file, options).read(folder);
   }
 
   /** Checks that the file is as large as its header requires, before memory is allocated. */
@@ -79,7 +84,7 @@ final class PlyReader {
         : Optional.empty();
   }
 
-  private Model read() throws ModelFormatException {
+  private Model read(ModelFolder folder) throws ModelFormatException, IOException {
     for (PlyElement element : header.elements()) {
       if (element.isVertex()) {
         vertices.read(body);
@@ -90,14 +95,54 @@ final class PlyReader {
     if (header.format() != PlyHeader.Format.TEXT && body.remainingBytes() > 0) {
       warnings.add("", "ignored " + body.remainingBytes() + " bytes after the last element");
     }
+    if (faceData.isPresent() && faceData.get().isUsed()) {
+      separateTriangles(faceData.get());
+    }
     int dropped = triangles.removeFlat(vertices.positions());
     if (dropped > 0) {
       warnings.add("", "dropped triangles of zero area: " + dropped);
     }
     ModelMaterial material = material();
-    ModelPart part =
-        new ModelPart("", "", vertices.geometry(triangles.toArray()), material, options.toWorld());
-    return PlainModel.of(List.of(part), warnings.all());
+    ModelGeometry mesh = vertices.geometry(triangles.toArray());
+    PlyTextures textures = textures(mesh, folder);
+    List<ModelPart> parts =
+        textures.isPresent()
+            ? textures.parts(mesh, material, this::textureOf, options)
+            : List.of(new ModelPart("", "", mesh, material, options.toWorld()));
+    return PlainModel.of(parts, warnings.all());
+  }
+
+  private void separateTriangles(PlyFaceData faces) {
+    faces.warnOfIncomplete(warnings);
+    int count = triangles.count();
+    vertices.separate(triangles.toArray(), faces);
+    triangles = new TriangleList(count);
+    for (int i = 0; i < count; i++) {
+      triangles.add(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+  }
+
+  /** Returns the number of the texture of the triangle that has a vertex. */
+  private int textureOf(int vertex) {
+    return faceData.filter(PlyFaceData::isUsed).map(f -> f.texture(vertex / 3)).orElse(0);
+  }
+
+  private PlyTextures textures(ModelGeometry mesh, ModelFolder folder)
+      throws ModelFormatException, IOException {
+    boolean isUsed = mesh.uv0().length > 0;
+    if (!isUsed && !header.textures().isEmpty()) {
+      warnings.add("comment TextureFile", "ignored, since there are no texture coordinates");
+    }
+    PlyTextures textures =
+        new PlyTextures(
+            isUsed ? header.textures() : List.of(),
+            new ModelFiles(folder, options.limits(), warnings),
+            options,
+            warnings);
+    if (textures.isPresent() && mesh.colors().length > 0) {
+      warnings.add("", "ignored the colors, since there is a texture");
+    }
+    return textures;
   }
 
   private ModelMaterial material() {
@@ -121,10 +166,15 @@ final class PlyReader {
   private void readOther(PlyElement element) throws ModelFormatException {
     Optional<PlyProperty> indices = indexProperty(element);
     boolean isStrip = element.name().equals("tristrips");
+    Optional<PlyFaceData> data =
+        indices.isPresent() && !isStrip
+            ? Optional.of(new PlyFaceData(element, !vertices.hasColors(), options.limits()))
+            : Optional.empty();
     if (indices.isPresent()) {
+      faceData = data.isPresent() ? data : faceData;
       List<String> ignored =
           element.properties().stream()
-              .filter(p -> p != indices.get())
+              .filter(p -> p != indices.get() && data.filter(d -> d.uses(p)).isEmpty())
               .map(PlyProperty::name)
               .collect(Collectors.toList());
       warnIgnored(element, ignored, warnings);
@@ -139,9 +189,12 @@ final class PlyReader {
         Interrupts.check();
       }
       body.beginItem(element, i);
+      int before = triangles.count();
       for (PlyProperty property : element.properties()) {
         if (indices.isPresent() && property == indices.get()) {
           readIndices(property, isStrip);
+        } else if (data.isPresent() && data.get().uses(property)) {
+          data.get().read(property, body);
         } else if (property.isList()) {
           skipList(property, body);
         } else {
@@ -149,6 +202,9 @@ final class PlyReader {
         }
       }
       body.endItem();
+      if (data.isPresent()) {
+        data.get().endFace(triangles.count() - before);
+      }
     }
   }
 

@@ -38,10 +38,10 @@ final class PlyVertices {
   /** The attribute of each property, as an index into NAMES; NONE if the property is ignored. */
   private final int[] attributes;
 
-  private final double[] positions;
-  private final double[] normals;
-  private final double[] uvs;
-  private final float[] colors;
+  private double[] positions;
+  private double[] normals;
+  private double[] uvs;
+  private float[] colors;
 
   /**
    * @throws ModelFormatException if the element has no positions, or too many vertices
@@ -170,9 +170,43 @@ final class PlyVertices {
   }
 
   /** Returns linear light of an sRGB-encoded integer or of a linear float; alpha is linear. */
-  private static double color(double value, PlyType type, boolean isAlpha) {
+  static double color(double value, PlyType type, boolean isAlpha) {
     double limited = Math.max(0, Math.min(type.isInteger() ? value / type.max() : value, 1));
     return type.isInteger() && !isAlpha ? Srgb.decode(limited) : limited;
+  }
+
+  /** Returns whether the vertices have colors. */
+  boolean hasColors() {
+    return colors.length > 0;
+  }
+
+  /**
+   * Gives each triangle vertices of its own, with the data of its face.
+   *
+   * @param corners three vertices per triangle
+   */
+  void separate(int[] corners, PlyFaceData faces) {
+    positions = gathered(positions, 3, corners);
+    normals = gathered(normals, 3, corners);
+    double[] own = faces.uvs();
+    uvs = own.length > 0 ? Arrays.copyOf(own, 2 * corners.length) : gathered(uvs, 2, corners);
+    float[] painted = faces.colors();
+    float[] all = new float[painted.length + colors.length == 0 ? 0 : 4 * corners.length];
+    for (int i = 0; i < all.length; i++) {
+      all[i] =
+          painted.length > 0
+              ? painted[4 * (i / 12) + i % 4]
+              : colors[4 * corners[i / 4] + i % 4];
+    }
+    colors = all;
+  }
+
+  private static double[] gathered(double[] values, int size, int... corners) {
+    double[] all = new double[values.length == 0 ? 0 : size * corners.length];
+    for (int i = 0; i < all.length; i++) {
+      all[i] = values[size * corners[i / size] + i % size];
+    }
+    return all;
   }
 
   /** Returns three coordinates per vertex. */
