@@ -46,7 +46,7 @@ final class SparkEngine implements Engine {
       plan.require();
       Broadcast<SceneBundle> bundle = SparkFailures.explained(spark, () -> spark.broadcast(files));
       int goal = scene.settings().samples();
-      return new SparkPasses(spark, bundle, local, goal, unitSeconds, isTimed);
+      return new SparkPasses(spark, bundle, local, goal, unitSeconds, isTimed, messages);
     } catch (IOException e) {
       throw new TaskException(Kind.SCENE, e.getMessage(), e);
     }

@@ -51,9 +51,13 @@ final class SparkFailures {
       return first.substring(own + EXECUTOR_FAILURE.length());
     }
     return spark.sc().isStopped() || first.contains(REMOVED)
-        ? ("the executors of %1$s could not start, or all have ended; their logs name the cause:"
-                + " work/%1$s/*/stderr on the workers")
-            .formatted(spark.sc().applicationId())
+        ? "the executors could not start, or all have ended; " + logs(spark)
         : first;
+  }
+
+  /** Returns where the cause of executors that do not start is found. */
+  static String logs(JavaSparkContext spark) {
+    return "the logs of the workers and work/%s/*/stderr there name the cause"
+        .formatted(spark.sc().applicationId());
   }
 }

@@ -18,6 +18,7 @@ import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.apache.spark.SimpleFutureAction;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.broadcast.Broadcast;
@@ -47,12 +48,18 @@ final class SparkPasses implements PassRenderer {
 
   private static final long POLL_MILLIS = 100;
 
+  /** The time after which missing executors are told; Spark itself goes on trying. */
+  private static final double PATIENCE_SECONDS = 30;
+
   private final JavaSparkContext spark;
   private final Broadcast<SceneBundle> bundle;
   private final FilmRenderer local;
   private final int goal;
   private final double unitSeconds;
   private final boolean isTimed;
+  private final Consumer<String> messages;
+  private final long start = System.nanoTime();
+  private boolean isMissingTold;
   private double measuredSamples;
   private double measuredSeconds;
 
@@ -60,6 +67,7 @@ final class SparkPasses implements PassRenderer {
    * @param goal samples per pixel at the end
    * @param unitSeconds time that a unit should take
    * @param isTimed whether a time ends the render, so that passes should be short
+   * @param messages receives lines for the user
    */
   SparkPasses(
       JavaSparkContext spark,
@@ -67,13 +75,15 @@ final class SparkPasses implements PassRenderer {
       FilmRenderer local,
       int goal,
       double unitSeconds,
-      boolean isTimed) {
+      boolean isTimed,
+      Consumer<String> messages) {
     this.spark = spark;
     this.bundle = bundle;
     this.local = local;
     this.goal = goal;
     this.unitSeconds = unitSeconds;
     this.isTimed = isTimed;
+    this.messages = messages;
   }
 
   /** Returns passes that end where a render on one machine checks its error. */
@@ -186,6 +196,8 @@ final class SparkPasses implements PassRenderer {
           UnitResult result = arrived.poll(POLL_MILLIS, TimeUnit.MILLISECONDS);
           if (result != null) {
             accept(result);
+          } else {
+            tellMissingExecutors();
           }
           if (!isCancelled && progress.isCancelled()) {
             isCancelled = true;
@@ -234,6 +246,20 @@ final class SparkPasses implements PassRenderer {
       film.addAll(result.decoded(film.layers()));
       statistics = statistics.plus(result.statistics());
       progress.advanced(result.unit().samples());
+    }
+  }
+
+  /** Tells once that no executor has started. */
+  private void tellMissingExecutors() {
+    // The driver counts as an executor, and in local mode it is the only one.
+    if (!isMissingTold
+        && (System.nanoTime() - start) * 1e-9 > PATIENCE_SECONDS
+        && !spark.isLocal()
+        && spark.sc().getExecutorMemoryStatus().size() < 2) {
+      isMissingTold = true;
+      messages.accept(
+          "warning: no executor has started for %.0f s; %s"
+              .formatted(PATIENCE_SECONDS, SparkFailures.logs(spark)));
     }
   }
 

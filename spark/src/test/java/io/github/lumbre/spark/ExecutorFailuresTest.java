@@ -51,7 +51,8 @@ class ExecutorFailuresTest {
 
   private void render(SceneBundle sent) throws InterruptedException {
     FilmRenderer local = new FilmRenderer(scene.settings(), scene.scene());
-    SparkPasses passes = new SparkPasses(spark, spark.broadcast(sent), local, 2, 1, false);
+    SparkPasses passes =
+        new SparkPasses(spark, spark.broadcast(sent), local, 2, 1, false, line -> {});
     Film film = local.newFilm(0);
     passes.addSamples(film, passes.schedule().next(film).orElseThrow(), Progress.NONE);
     assertThat(film.fewestSamples()).isPositive();

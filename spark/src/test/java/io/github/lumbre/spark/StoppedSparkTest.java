@@ -31,11 +31,10 @@ class StoppedSparkTest {
     assertThatThrownBy(work)
         .isInstanceOf(RenderException.class)
         .hasMessage(
-            "rendering on Spark failed: the executors of "
+            "rendering on Spark failed: the executors could not start, or all have ended; the logs"
+                + " of the workers and work/"
                 + application
-                + " could not start, or all have ended; their logs name the cause: work/"
-                + application
-                + "/*/stderr on the workers");
+                + "/*/stderr there name the cause");
   }
 
   @Test
@@ -47,7 +46,8 @@ class StoppedSparkTest {
     FilmRenderer local = new FilmRenderer(scene.settings(), scene.scene());
     try (JavaSparkContext spark = context()) {
       SparkPasses passes =
-          new SparkPasses(spark, spark.broadcast(SceneBundle.of(SCENE, scene)), local, 2, 1, false);
+          new SparkPasses(
+              spark, spark.broadcast(SceneBundle.of(SCENE, scene)), local, 2, 1, false, line -> {});
       Film film = local.newFilm(0);
       SampleTarget target = passes.schedule().next(film).orElseThrow();
       spark.stop();
