@@ -38,7 +38,6 @@ import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -53,7 +52,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -239,15 +237,7 @@ final class RenderCommand implements Callable<Integer> {
     require(
         options.isModel() && checkpoint.isEmpty() && !isStandardOutput(),
         "--turntable: requires a model file, and cannot be combined with --checkpoint or -o -");
-    Path first = target();
-    return IntStream.range(0, count).mapToObj(i -> numbered(first, i)).toList();
-  }
-
-  private static Path numbered(Path path, int number) {
-    String name = path.getFileName().toString();
-    int dot = name.lastIndexOf('.');
-    return path.resolveSibling(
-        "%s-%03d%s".formatted(name.substring(0, dot), number, name.substring(dot)));
+    return Frames.numbered(target(), count);
   }
 
   /** Renders one frame. */

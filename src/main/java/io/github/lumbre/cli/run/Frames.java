@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * The pictures that one command renders in turn. All are reserved before the first is rendered, and
@@ -38,6 +39,22 @@ public final class Frames implements AutoCloseable {
     this.targets = List.copyOf(targets);
     this.interruption = interruption;
     this.deadline = deadline;
+  }
+
+  /**
+   * Returns the paths of several pictures: {@code a-000.png}, {@code a-001.png} and so on for
+   * {@code a.png}.
+   *
+   * @param path with an ending
+   */
+  public static List<Path> numbered(Path path, int count) {
+    String name = path.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    String pattern = "%s-%03d%s";
+    return IntStream.range(0, count)
+        .mapToObj(i -> pattern.formatted(name.substring(0, dot), i, name.substring(dot)))
+        .map(path::resolveSibling)
+        .toList();
   }
 
   /**

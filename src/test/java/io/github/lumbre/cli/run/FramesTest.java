@@ -13,7 +13,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,10 +33,7 @@ class FramesTest {
   }
 
   private Frames frames(int count) throws TaskException {
-    List<Path> targets =
-        IntStream.range(0, count)
-            .mapToObj(i -> directory.resolve("a-%03d.png".formatted(i)))
-            .toList();
+    List<Path> targets = Frames.numbered(directory.resolve("a.png"), count);
     Frames frames = new Frames(targets, interruption, deadline);
     frames.reserve(Optional.empty(), Fallback.TEMPORARY);
     return frames;
