@@ -29,22 +29,24 @@ public final class OutputFile implements Closeable {
   private final Path target;
   private final Path destination;
   private final LockedFile temporary;
+  private final MadeFolders made;
   private boolean done;
 
-  private OutputFile(Disk disk, Path target, Path destination, LockedFile temporary) {
+  private OutputFile(
+      Disk disk, Path target, Path destination, LockedFile temporary, MadeFolders made) {
     this.disk = disk;
     this.target = target;
     this.destination = destination;
     this.temporary = temporary;
+    this.made = made;
   }
 
   /**
-   * Reserves an output file. If the target is a symbolic link, the link stays and the file it leads
-   * to is replaced.
+   * Reserves an output file. Missing directories are made, and deleted again if nothing is written.
+   * If the target is a symbolic link, the link stays and the file it leads to is replaced.
    *
-   * @throws IOException with a message for the user, if the directory is missing or cannot be
-   *     written, if the target is not a regular file or is protected, or if another run has
-   *     reserved it
+   * @throws IOException with a message for the user, if the directory cannot be made or written, if
+   *     the target is not a regular file or is protected, or if another run has reserved it
    */
   public static OutputFile open(Path target) throws IOException {
     return open(target, Disk.REAL);
@@ -55,9 +57,15 @@ public final class OutputFile implements Closeable {
    * #open(Path)}.
    */
   public static OutputFile open(Path target, Disk disk) throws IOException {
-    Path destination = destination(Objects.requireNonNull(target, "target"));
-    LockedFile temporary = LockedFile.open(target, hidden(destination, ".tmp"));
-    return new OutputFile(disk, target, destination, temporary);
+    MadeFolders made = MadeFolders.of(Objects.requireNonNull(target, "target"));
+    try {
+      Path destination = destination(target);
+      LockedFile temporary = LockedFile.open(target, hidden(destination, ".tmp"));
+      return new OutputFile(disk, target, destination, temporary, made);
+    } catch (IOException e) {
+      made.deleteEmpty();
+      throw e;
+    }
   }
 
   /**
@@ -68,7 +76,12 @@ public final class OutputFile implements Closeable {
    * @throws IOException as {@link #open(Path)}
    */
   public static Closeable reserve(Path target) throws IOException {
-    return LockedFile.open(target, hidden(destination(target), ".lock"));
+    MadeFolders made = MadeFolders.of(target);
+    LockedFile lock = LockedFile.open(target, hidden(destination(target), ".lock"));
+    return () -> {
+      lock.close();
+      made.deleteEmpty();
+    };
   }
 
   /**
@@ -171,6 +184,7 @@ public final class OutputFile implements Closeable {
     }
     done = true;
     temporary.close();
+    made.deleteEmpty();
   }
 
   private void requireOpen() {

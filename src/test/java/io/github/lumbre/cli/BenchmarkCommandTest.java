@@ -132,7 +132,8 @@ class BenchmarkCommandTest {
   }
 
   @Test
-  void unwritableCsvIsFoundBeforeTheWork() {
+  void unwritableCsvIsFoundBeforeTheWork() throws IOException {
+    Files.writeString(directory.resolve("no"), "");
     benchmark("--csv", directory + "/no/out.csv").assertFailed(ExitCodes.OUTPUT, "no");
   }
 

@@ -119,7 +119,8 @@ class PerfCommandTest {
   }
 
   @Test
-  void unwritableFileIsFoundBeforeTheWork() {
+  void unwritableFileIsFoundBeforeTheWork() throws IOException {
+    Files.writeString(directory.resolve("no"), "");
     bench("--json", directory + "/no/out.json").assertFailed(ExitCodes.OUTPUT, "no");
   }
 

@@ -184,11 +184,13 @@ class RenderCommandTest {
   }
 
   @Test
-  void unwritableOutputIsFoundBeforeTheSceneIsRead() {
-    Outcome.of("render", "no-such-scene.json", "-o", directory + "/missing/p.png")
-        .assertFailed(ExitCodes.OUTPUT, "missing");
-    Outcome.of("render", "no-such-scene.json", "-o", writable("p.png") + "/p.png")
-        .assertFailed(ExitCodes.OUTPUT, "p.png");
+  void unwritableOutputIsFoundBeforeTheSceneIsRead() throws IOException {
+    Outcome.of("render", "no-such-scene.json", "-o", directory + "/missing/too/p.png")
+        .assertFailed(ExitCodes.SCENE, "no-such-scene.json");
+    assertThat(directory.resolve("missing")).doesNotExist();
+    Files.writeString(directory.resolve("file"), "");
+    Outcome.of("render", "no-such-scene.json", "-o", directory + "/file/p.png")
+        .assertFailed(ExitCodes.OUTPUT, "/file cannot be created");
   }
 
   private Path writable(String name) {

@@ -104,7 +104,8 @@ class RunnableJarIT {
     Outcome version = Program.run(directory, with(lumbre, "--version"));
     assertThat(version.out()).contains("Kernel: scalar, because " + reason);
     TinyScene.write(directory, TinyScene.JSON);
-    Outcome outcome = Program.run(directory, with(lumbre, "render", "tiny.json", "--kernel=vector"));
+    Outcome outcome =
+        Program.run(directory, with(lumbre, "render", "tiny.json", "--kernel=vector"));
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
     assertThat(outcome.err()).contains("--kernel: vector is not available: " + reason);
     outcome = Program.run(directory, with(lumbre, "render", "tiny.json", "--kernel=scalar"));
@@ -203,7 +204,9 @@ class RunnableJarIT {
     lumbre("render", "none.json").assertFailed(ExitCodes.SCENE, "none.json");
     lumbre("render", "none.json", "-s", "0").assertFailed(ExitCodes.USAGE, "--samples");
     lumbre("render", "none.json", "-o", "p.gif").assertFailed(ExitCodes.USAGE, "p.gif");
-    lumbre("render", "none.json", "-o", "no/p.png").assertFailed(ExitCodes.OUTPUT, "no");
+    Files.writeString(directory.resolve("file"), "");
+    lumbre("render", "none.json", "-o", "file/p.png")
+        .assertFailed(ExitCodes.OUTPUT, "/file cannot");
     lumbre("render", ".", "-o", "p.png").assertFailed(ExitCodes.SCENE, "directory");
   }
 

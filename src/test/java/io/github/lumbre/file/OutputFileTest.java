@@ -118,11 +118,28 @@ class OutputFileTest {
   }
 
   @Test
-  void aMissingDirectoryIsNamed() {
-    Path target = directory.resolve("no").resolve("a.png");
+  void missingDirectoriesAreMadeAndDeletedIfNothingIsWritten() throws IOException {
+    Path target = directory.resolve("no/such/a.png");
+    OutputFile.open(target).close();
+    OutputFile.reserve(target).close();
+    assertThat(directory).isEmptyDirectory();
+    try (OutputFile file = OutputFile.open(target)) {
+      put(file, "new");
+      file.commit();
+    }
+    assertThat(target).hasContent("new");
+    OutputFile.open(target.resolveSibling("b.png")).close();
+    assertThat(target).exists();
+  }
+
+  @Test
+  void aDirectoryThatCannotBeMadeIsNamed() throws IOException {
+    Files.writeString(directory.resolve("file"), "");
+    Path target = directory.resolve("file/such/a.png");
     assertThatThrownBy(() -> OutputFile.open(target))
         .isInstanceOf(IOException.class)
-        .hasMessage(target + ": the directory " + target.getParent() + " does not exist");
+        .hasMessageStartingWith(
+            target + ": the directory " + target.getParent() + " cannot be created: ");
   }
 
   @Test

@@ -1,6 +1,5 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -109,7 +108,7 @@ public final class OutputGuard {
   }
 
   /**
-   * Checks all outputs, and makes their missing folders.
+   * Checks all outputs.
    *
    * @throws TaskException with {@link ExitCodes#OUTPUT} for the first output that must not be
    *     written
@@ -129,9 +128,6 @@ public final class OutputGuard {
     checkAssets();
     for (Output output : outputs) {
       requireReplaceable(output);
-    }
-    for (Output output : outputs) {
-      makeFolder(output);
     }
   }
 
@@ -209,25 +205,6 @@ public final class OutputGuard {
             + "; "
             + advice(output.flag)
             + ", or replace the file with --overwrite");
-  }
-
-  private static void makeFolder(Output output) throws TaskException {
-    Path folder = output.path.toAbsolutePath().getParent();
-    if (folder == null || Files.isDirectory(folder)) {
-      return;
-    }
-    try {
-      Files.createDirectories(folder);
-    } catch (IOException e) {
-      throw refused(
-          output.path
-              + ": the folder "
-              + folder
-              + " cannot be created: "
-              + FileFailure.reason(e)
-              + "; "
-              + advice(output.flag));
-    }
   }
 
   private static String advice(String flag) {

@@ -163,10 +163,12 @@ public final class Frames implements AutoCloseable {
     return to - from == 1 ? last + " is" : targets.get(from) + " to " + last + " are";
   }
 
-  /** Releases the reserved files that are not written. */
+  /** Releases the reserved files that are not written, in reverse order. */
   @Override
   public void close() {
     denoised.forEach(DenoisedPicture::close);
-    pictures.forEach(PictureOutput::close);
+    for (int i = pictures.size() - 1; i >= 0; i--) {
+      pictures.get(i).close();
+    }
   }
 }
