@@ -71,11 +71,6 @@ class LumbreTest {
   }
 
   @Test
-  void withoutACommandTheCommandsAreNamed() {
-    Outcome.of().assertFailed(ExitCodes.USAGE, "render", "check");
-  }
-
-  @Test
   void versionNamesProgramMachineAndSystem() {
     Outcome outcome = Outcome.of("--version");
     assertThat(outcome.exitCode()).isZero();
