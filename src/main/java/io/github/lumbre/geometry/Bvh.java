@@ -96,7 +96,7 @@ public final class Bvh {
    * @return whether there is a hit
    */
   public boolean intersect(NearestHit nearest) {
-    return search(nearest);
+    return nearest.hasPassedMany() && nearest.moveToCoinciding(this) || search(nearest);
   }
 
   /**
@@ -113,7 +113,8 @@ public final class Bvh {
     return search(scratch);
   }
 
-  private boolean search(NearestHit nearest) {
+  /** Finds a hit, as {@link Traversal#traverse} does. */
+  boolean search(NearestHit nearest) {
     // Tested here, so that the JIT removes the call in scenes without unbounded shapes.
     boolean found = !unbounded.isEmpty() && unbounded.intersect(nearest);
     if (found && nearest.any) {

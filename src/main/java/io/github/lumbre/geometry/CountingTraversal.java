@@ -78,8 +78,8 @@ final class CountingTraversal implements Traversal {
     }
 
     /**
-     * Returns the t at which the ray enters a box, at least that of the hit which it has passed; NaN
-     * if it misses the box or has left it before.
+     * Returns the t at which the ray enters a box, at least that of the hit which it has passed;
+     * NaN if it misses the box or has left it before.
      */
     private double entry(double[] box) {
       double in = nearest.passedT;

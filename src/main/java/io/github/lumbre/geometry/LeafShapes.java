@@ -44,17 +44,34 @@ final class LeafShapes {
     if (number < nearest.shape) {
       nearest.t = Math.nextUp(best);
     }
-    int passed = nearest.passedShape;
-    if (passed != NearestHit.NONE) {
-      nearest.passedShape = NearestHit.passedRelativeTo(number, passed);
-    }
-    boolean found = shape.intersect(nearest);
-    nearest.passedShape = passed;
+    boolean found =
+        nearest.passedShape == NearestHit.NONE
+            ? shape.intersect(nearest)
+            : intersectBehind(shape, number, nearest);
     if (found) {
       nearest.shape = number;
       return true;
     }
     nearest.t = best;
     return false;
+  }
+
+  /** Tests one shape with a ray that has passed some hit. */
+  private static boolean intersectBehind(Shape shape, int number, NearestHit nearest) {
+    int passedShape = nearest.passedShape;
+    int passedElement = nearest.passedElement;
+    nearest.passedShape = NearestHit.passedRelativeTo(number, passedShape);
+    nearest.testedShape = number;
+    boolean found = shape.intersect(nearest);
+    while (found && nearest.isCollecting) {
+      nearest.collect(number, nearest.element, 0, 0);
+      nearest.passedShape = 0;
+      nearest.passedElement = nearest.element;
+      nearest.t = Math.nextUp(nearest.passedT);
+      found = shape.intersect(nearest);
+    }
+    nearest.passedShape = passedShape;
+    nearest.passedElement = passedElement;
+    return found;
   }
 }

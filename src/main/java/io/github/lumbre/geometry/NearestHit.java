@@ -13,6 +13,9 @@ public final class NearestHit {
   /** The maximum stack depth of one traversal: seven entries for each level of eight-wide nodes. */
   private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 2;
 
+  /** The number of passed hits at the same t from which on all others there are collected. */
+  private static final int MANY = 16;
+
   /** A shape's number beyond all others: no hit at the same t comes after it. */
   static final int NONE = Integer.MAX_VALUE;
 
@@ -52,7 +55,18 @@ public final class NearestHit {
    */
   int passedShape;
 
-  private int passedElement;
+  int passedElement;
+
+  /** The number of hits at the same t that the ray has passed before that hit. */
+  private int passedAtT;
+
+  /** Whether the search collects all further hits at the passed t and stores none. */
+  boolean isCollecting;
+
+  /** The number of the shape under test, for hits of its parts; set while the search collects. */
+  int testedShape;
+
+  private final CoincidingHits coinciding = new CoincidingHits();
 
   /** The barycentric weights of a triangle's second and third vertex. */
   double b1;
@@ -118,6 +132,7 @@ public final class NearestHit {
     end = tMax;
     passedT = 0;
     passedShape = NONE;
+    passedAtT = 0;
     shape = -1;
     stackTop = 0;
     any = false;
@@ -130,11 +145,43 @@ public final class NearestHit {
    * each surface once, also where several surfaces coincide.
    */
   public void pass() {
+    passedAtT = t == passedT ? passedAtT + 1 : 0;
     passedT = t;
     passedShape = shape;
     passedElement = element;
     t = end;
     shape = -1;
+  }
+
+  /**
+   * Returns whether the ray has passed so many hits at the same t that the others are collected.
+   */
+  boolean hasPassedMany() {
+    return passedAtT >= MANY;
+  }
+
+  /**
+   * Moves to the next hit at the passed t; returns whether there is one. All of them are collected
+   * by one search: in a stack of n surfaces at one place, n searches would take n² tests.
+   *
+   * @param search the hierarchy that finds them
+   */
+  boolean moveToCoinciding(Bvh search) {
+    if (passedAtT == MANY) {
+      coinciding.clear();
+      isCollecting = true;
+      t = Math.nextUp(passedT);
+      search.search(this);
+      isCollecting = false;
+      t = end;
+      coinciding.sort();
+    }
+    return coinciding.moveToNext(this);
+  }
+
+  /** Collects a hit of a shape, or of a part of the shape under test. */
+  void collect(int hitShape, int hitElement, double hitB1, double hitB2) {
+    coinciding.add(inPart ? testedShape : hitShape, hitElement, hitB1, hitB2);
   }
 
   /** Returns whether a hit comes after the one that the ray has passed. */

@@ -16,9 +16,9 @@ public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle,
 
   /**
    * Finds the first hit along the ray of {@code nearest} beyond what it has {@linkplain
-   * NearestHit#pass passed}, with 0 &lt; t &lt; {@code nearest.t}. If there is one, stores its t and
-   * the data that {@link #surfaceAt} needs; otherwise changes nothing. The caller stores the shape
-   * number.
+   * NearestHit#pass passed}, with 0 &lt; t &lt; {@code nearest.t}. If there is one, stores its t
+   * and the data that {@link #surfaceAt} needs; otherwise changes nothing. The caller stores the
+   * shape number.
    *
    * @return whether a hit was found and stored
    */

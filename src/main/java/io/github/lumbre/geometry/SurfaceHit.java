@@ -231,8 +231,8 @@ public final class SurfaceHit implements SurfacePoint {
 
   /**
    * Returns whether the ray that hit the surface starts on it, as far as rounding can tell. The
-   * surface then coincides with the one that the ray leaves, which has the smaller error bound: that
-   * bound is exceeded twice at most by the ray's origin, and once by the hit.
+   * surface then coincides with the one that the ray leaves, which has the smaller error bound:
+   * that bound is exceeded twice at most by the ray's origin, and once by the hit.
    */
   public boolean isAtOriginOf(NearestHit ray) {
     double distance =

@@ -178,6 +178,10 @@ final class Triangles {
         || !nearest.isAfterPassed(t, shape[i], element[i])) {
       return false;
     }
+    if (nearest.isCollecting) {
+      nearest.collect(shape[i], element[i], b1, b2);
+      return false;
+    }
     nearest.t = t;
     nearest.shape = shape[i];
     nearest.element = element[i];

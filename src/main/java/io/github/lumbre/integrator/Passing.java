@@ -61,7 +61,8 @@ final class Passing {
           scale(Rgb.BLACK);
           return true;
         }
-      } else if (!isLeft && !passes(material, surface, sampler.get1d(Sampler.passing(vertex, layer)))) {
+      } else if (!isLeft
+          && !passes(material, surface, sampler.get1d(Sampler.passing(vertex, layer)))) {
         return true;
       }
       hit.pass();

@@ -44,8 +44,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Surfaces at the place of others that rays pass: the others have the same light, bit for bit, as if
- * they were alone.
+ * Surfaces at the place of others that rays pass: the others have the same light, bit for bit, as
+ * if they were alone.
  */
 class CoincidingSurfacesTest {
   private static final int RAYS = 200;
@@ -120,8 +120,7 @@ class CoincidingSurfacesTest {
   }
 
   private static List<Transform> places() {
-    return List.of(
-        Transform.IDENTITY, at(.3, 0, -.7), at(.1, .2, .3).times(turned(20, 130, -15)));
+    return List.of(Transform.IDENTITY, at(.3, 0, -.7), at(.1, .2, .3).times(turned(20, 130, -15)));
   }
 
   private static List<Integrator> integrators(Scene scene) {
@@ -242,7 +241,9 @@ class CoincidingSurfacesTest {
         .add(point(place.point(new Vec3(1, 3, 2)), 20));
   }
 
-  /** Checks that each ray finds the wall's light, or the black decal; returns how many find that. */
+  /**
+   * Checks that each ray finds the wall's light, or the black decal; returns how many find that.
+   */
   private static int decals(Integrator both, Integrator alone, List<Ray> rays) {
     int decals = 0;
     for (int sample = 0; sample < rays.size(); sample++) {
@@ -261,7 +262,11 @@ class CoincidingSurfacesTest {
     Shape below = new Rectangle(turned(180, 0, 0), 1e4, 1e4, true);
     Shape blocker = new Rectangle(at(0, 1, 0), 1, 1, true);
     Scene alone =
-        empty().add(floor(), catcher).add(blocker, matte(.5)).add(point(Vec3.Y.times(2), 3)).build();
+        empty()
+            .add(floor(), catcher)
+            .add(blocker, matte(.5))
+            .add(point(Vec3.Y.times(2), 3))
+            .build();
     SceneBuilder builder = empty();
     if (isFirst) {
       builder.add(below, hidden);
