@@ -2,13 +2,14 @@ package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.guiding.Guide;
+import io.github.lumbre.guiding.GuideSample;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
@@ -16,7 +17,6 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.GuideReport.Outcome;
-import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Guiding;
@@ -24,6 +24,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.Texture;
 import java.nio.file.Path;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -239,6 +240,10 @@ class GuidePilotTest {
     assertThat(report.text()).startsWith("paths are not guided: nothing was learned in a pilot");
   }
 
+  /**
+   * A gray floor under a white sky scatters half of the radiance everywhere, however far, and all
+   * light comes from above. A guide that learned nothing has no cells.
+   */
   @Test
   void anInfinitePlaneIsLearned() throws Exception {
     Scene plane =
@@ -247,14 +252,23 @@ class GuidePilotTest {
             .addBackground(Rgb.WHITE)
             .build();
     RenderSettings settings = scene("cornell-box", Guiding.ON).settings();
-    Guide guide = GuidePilot.learn(settings, plane, PilotRows.HERE).guide();
-    FilmRenderer renderer =
-        new FilmRenderer(
-            settings, plane, Integrator.of(plane, settings, guide), SobolSampler::new);
-    Film film = renderer.newFilm();
-    renderer.addSamples(film, 64, Progress.NONE);
-    Rgb floor = film.develop().pixel(32, 44);
-    assertThat(floor.g()).isBetween(.35, .65);
+    GuidePilot.Learned learned = GuidePilot.learn(settings, plane, PilotRows.HERE);
+    assertThat(learned.report().outcome()).isEqualTo(Outcome.GUIDED);
+    Guide guide = learned.guide();
+    for (double z : new double[] {1, 30, 1e6}) {
+      int cell = guide.cell(0, 0, z, 0, 1, 0);
+      assertThat(cell).as("cell at z = %s", z).isNotEqualTo(Guide.NO_CELL);
+      assertThat(guide.mean(cell)).isCloseTo(.5, within(.025));
+      SplittableRandom random = new SplittableRandom(17);
+      GuideSample sample = new GuideSample();
+      int fromAbove = 0;
+      for (int i = 0; i < 1000; i++) {
+        guide.sample(cell, random.nextDouble(), random.nextDouble(), sample);
+        fromAbove += sample.y() > 0 ? 1 : 0;
+      }
+      assertThat(fromAbove).isGreaterThan(970);
+    }
+    assertThat(guide.cell(0, 0, 1, 0, -1, 0)).as("below the floor").isEqualTo(Guide.NO_CELL);
   }
 
   @Test

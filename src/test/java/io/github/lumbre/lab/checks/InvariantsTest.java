@@ -2,8 +2,15 @@ package io.github.lumbre.lab.checks;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.testing.Effort;
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,6 +28,44 @@ class InvariantsTest {
   @MethodSource("laws")
   void lawHolds(Invariant law) {
     assertThat(law.measure(TRIES).worst()).as(law.name()).isBetween(0.0, law.limit());
+  }
+
+  /**
+   * Every class that scatters light is measured. The others bend normals or count less of another
+   * BSDF, or return black.
+   */
+  @Test
+  void everyLobeOfEveryMaterialIsMeasured() throws Exception {
+    Set<String> measured = new TreeSet<>();
+    for (Bsdf bsdf : MaterialInvariants.everything()) {
+      addParts(bsdf, measured);
+    }
+    Path classes =
+        Path.of(Bsdf.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    Set<String> expected = new TreeSet<>();
+    try (Stream<Path> files = Files.list(classes.resolve("io/github/lumbre/material"))) {
+      for (Path file : files.filter(path -> path.toString().endsWith(".class")).toList()) {
+        String name = file.getFileName().toString().replace(".class", "");
+        Class<?> type = Class.forName("io.github.lumbre.material." + name);
+        if (Bsdf.class.isAssignableFrom(type) && !Modifier.isAbstract(type.getModifiers())) {
+          expected.add(name);
+        }
+      }
+    }
+    expected.removeAll(Set.of("Absorber", "Faded", "Tilted"));
+    assertThat(measured).containsAll(expected);
+  }
+
+  private static void addParts(Object part, Set<String> names) throws IllegalAccessException {
+    if (part instanceof Bsdf) {
+      names.add(part.getClass().getSimpleName());
+      for (Field field : part.getClass().getDeclaredFields()) {
+        if (!Modifier.isStatic(field.getModifiers())) {
+          field.setAccessible(true);
+          addParts(field.get(part), names);
+        }
+      }
+    }
   }
 
   @Test
