@@ -46,15 +46,22 @@ public final class LinearPicture {
    * raster with this picture.
    */
   public Image straight() {
-    if (alpha.length == 0) {
-      return light();
+    return alpha.length == 0 ? light() : straight(rgb.clone(), alpha.clone());
+  }
+
+  /** Returns {@link #straight} in the rasters of this picture, which must not be used any more. */
+  Image intoStraight() {
+    return straight(rgb, alpha);
+  }
+
+  private Image straight(float[] colors, float[] shares) {
+    for (int i = 0; i < shares.length; i++) {
+      shares[i] = shares[i] > 0 ? Math.min(1, shares[i]) : 0;
     }
-    float[] colors = new float[rgb.length];
-    float[] shares = new float[alpha.length];
-    for (int i = 0; i < rgb.length; i++) {
-      float share = alpha[i / 3] > 0 ? Math.min(1, alpha[i / 3]) : 0;
-      shares[i / 3] = share;
-      colors[i] = share > 0 ? divided(rgb[i], share) : rgb[i];
+    for (int i = 0; i < 3 * shares.length; i++) {
+      if (shares[i / 3] > 0) {
+        colors[i] = divided(colors[i], shares[i / 3]);
+      }
     }
     return new Image(width, height, colors, shares);
   }

@@ -32,7 +32,7 @@ public final class LinearReader {
    * @throws IOException if the file cannot be read
    */
   public static Image read(Path file) throws IOException {
-    return open(file).straight();
+    return open(file).intoStraight();
   }
 
   /**
@@ -60,7 +60,7 @@ public final class LinearReader {
    *     interrupt status stays set
    */
   public static Image decode(byte[] file) throws ImageFormatException {
-    return open(file, ImageReader.MAX_PIXELS).straight();
+    return open(file, ImageReader.MAX_PIXELS).intoStraight();
   }
 
   /**
@@ -107,6 +107,12 @@ public final class LinearReader {
   static float[] raster(int width, int height, int channels) throws ImageFormatException {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();
     ImageReader.checkMemory(width, height, channels * Float.BYTES, maxHeapBytes);
-    return new float[Math.multiplyExact(channels, width * height)];
+    try {
+      return new float[Math.multiplyExact(channels, width * height)];
+    } catch (OutOfMemoryError e) {
+      // A single allocation. If it fails, nothing else is affected.
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", e);
+    }
   }
 }
