@@ -1,11 +1,13 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
@@ -14,11 +16,18 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.OptionalDouble;
 
 /** The summary that is printed after a render. */
 public final class Summary {
   /** The luminance after exposure below which a pixel is dark. */
   private static final double DARK = .1;
+
+  /** The luminance after exposure above which a surface is burnt out: twice as bright as white. */
+  private static final double BURNT = 2;
+
+  /** The luminance after exposure of middle gray. */
+  private static final double MIDDLE = .18;
 
   /** The number of digits of a mean number of samples. */
   private static final int DIGITS = 3;
@@ -133,11 +142,60 @@ public final class Summary {
                         + ReplayCommand.of(scene, settings, s)));
   }
 
-  /** Prints a hint if the picture will look dark on a screen. */
-  public void printIfDark(Messages messages) {
+  /**
+   * Prints a hint if the picture will look dark or burnt on a screen, or shows none of the objects.
+   */
+  public void printHint(Scene scene, Messages messages) {
     boolean isFixed = settings.exposure().stops().isPresent();
-    if (isFixed && result.complete() && isDark()) {
+    if (!result.complete()) {
+      return;
+    }
+    Visible visible = new Visible(scene, settings);
+    if (visible.isNothing()) {
+      messages.line(
+          "hint: nothing is in view: no camera ray hits an object; turn or move the camera");
+    } else if (!isFixed) {
+      return;
+    } else if (isDark()) {
       messages.line("hint: 99 % of the picture is darker than " + DARK + "; try --exposure auto");
+    } else {
+      printIfBurnt(visible.medianLuminance(result.image()), messages);
+    }
+  }
+
+  /**
+   * Returns the exposure of the picture. An automatic one scales the median luminance of the pixels
+   * that objects other than infinite planes cover to 18 % gray, if there are other pixels, too.
+   */
+  public Exposure exposure(Scene scene) {
+    if (settings.exposure().stops().isPresent()) {
+      return settings.exposure();
+    }
+    OptionalDouble median = new Visible(scene, settings).medianOfSome(result.image());
+    return median.isPresent() && median.getAsDouble() > 0
+        ? Exposure.of(stops(median.getAsDouble()))
+        : settings.exposure();
+  }
+
+  /** Returns the stops that make a luminance middle gray. */
+  private static double stops(double luminance) {
+    double limited = Math.max(1e-30, Math.min(luminance, Float.MAX_VALUE));
+    return StrictMath.log(MIDDLE / limited) / StrictMath.log(2);
+  }
+
+  private void printIfBurnt(OptionalDouble median, Messages messages) {
+    double shown =
+        median.isPresent()
+            ? median.getAsDouble() * settings.exposure().factor(result.image())
+            : 0;
+    if (shown > BURNT) {
+      messages.line(
+          String.format(
+              Locale.ROOT,
+              "hint: half of what is in view is burnt out, %s times as bright as white;"
+                  + " try --exposure %.1f",
+              String.format(Locale.ROOT, shown < 10 ? "%.1f" : "%.0f", shown),
+              stops(median.getAsDouble())));
     }
   }
 

@@ -326,7 +326,11 @@ public record RenderJob(
     }
     ImageWriter.Options options =
         new ImageWriter.Options(
-            settings.exposure(), settings.toneCurve(), how.bits(), how.jpegQuality(), metadata);
+            summary.exposure(file.scene()),
+            settings.toneCurve(),
+            how.bits(),
+            how.jpegQuality(),
+            metadata);
     picture.write(result.image(), layers, options);
     tell(summary, noise, light);
     warn(result.complete() ? Optional.empty() : keeper.saved().map(RenderJob::continuation));
@@ -405,7 +409,7 @@ public record RenderJob(
       noise.printDoubts(messages);
     }
     if (!how.quiet() && picture.isForScreen()) {
-      summary.printIfDark(messages);
+      summary.printHint(file.scene(), messages);
     }
     if (how.stats()) {
       summary.printStatistics(messages);

@@ -1,18 +1,28 @@
 package io.github.lumbre.cli.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import io.github.lumbre.stopping.NoiseEstimate;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -46,7 +56,61 @@ class SummaryTest {
             "p.png: stopped early, partial picture of 4x2 pixels, 5 of 10 samples per pixel, 2.00"
                 + " s")
         .contains("20 samples/s");
-    assertThat(lines(partial::printIfDark)).isEmpty();
+    assertThat(lines(messages -> partial.printHint(scene(3), messages))).isEmpty();
+  }
+
+  /** Returns a scene of a sphere, at a distance in front of the camera, that covers the center. */
+  private static Scene scene(double distance) {
+    return Scene.builder()
+        .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 2, 60))
+        .add(new Sphere(Transform.translation(new Vec3(0, 0, distance)), 1), Matte.GREY)
+        .build();
+  }
+
+  /** Pixels of the sphere have the luminance; those of the sky are dark or bright. */
+  @ParameterizedTest
+  @CsvSource({
+    "2.5, .5, 0, 0, ",
+    "2.5, .5, 100, 0, ",
+    "2.5, 1.9, 0, 0, ",
+    "2.5, 1.9, 0, 2, 7.6 times as bright as white; try --exposure -3.4",
+    "2.5, 1440, 0, 0, try --exposure -13.0",
+    "2.5, 1440, 0, -13, ",
+    "2.5, .01, .01, 0, darker than 0.1; try --exposure auto",
+    "-2.5, .01, .01, 0, nothing is in view",
+    "-2.5, 5, 5, 0, nothing is in view"
+  })
+  void hintsNameTheCause(double distance, float luminance, float sky, double stops, String hint) {
+    float[] rgb = new float[24];
+    Arrays.fill(rgb, sky);
+    for (int pixel : new int[] {1, 2, 5, 6}) {
+      Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, luminance);
+    }
+    Image image = new Image(4, 2, rgb, new float[0]);
+    RenderSettings settings = SETTINGS.toBuilder().exposure(Exposure.of(stops)).build();
+    RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
+    String line =
+        lines(m -> new Summary(settings, result, 2).printHint(scene(distance), m)).strip();
+    assertThat(line.lines().count()).isEqualTo(hint == null ? 0 : 1);
+    assertThat(line).contains(hint == null ? "" : hint);
+  }
+
+  /** A dark or bright background does not change the exposure of the sphere. */
+  @ParameterizedTest
+  @CsvSource({"0, 1e-3", "1e6, 1e-3", "0, 1e6", "1, 1e6", "1e6, .3", ".5, 20"})
+  void automaticExposureIsThatOfTheObjects(float sky, float luminance) {
+    float[] rgb = new float[24];
+    Arrays.fill(rgb, sky);
+    for (int pixel : new int[] {1, 2, 5, 6}) {
+      Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, luminance);
+    }
+    Image image = new Image(4, 2, rgb, new float[0]);
+    RenderSettings settings = SETTINGS.toBuilder().exposure(Exposure.AUTO).build();
+    RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
+    double factor = new Summary(settings, result, 2).exposure(scene(2.5)).factor(image);
+    assertThat(factor * luminance).isCloseTo(.18, within(1e-6));
+    assertThat(new Summary(settings, result, 2).exposure(scene(-2.5))).isEqualTo(Exposure.AUTO);
+    assertThat(new Summary(settings, result, 2).exposure(scene(.5))).isEqualTo(Exposure.AUTO);
   }
 
   @ParameterizedTest
