@@ -521,7 +521,7 @@ class ModelCommandsTest {
       delimiter = '|',
       value = {
         "none.png|expected a file, found none at \"none.png\"",
-        "../paint.png|expected a relative path inside the scene's folder, found \"../paint.png\"",
+        "../no.png|expected a relative path inside the scene's folder, found \"../no.png\"",
         "folder|expected a file, found a folder at \"folder\"",
         "a\0b|expected a relative path inside the scene's folder, found \"a\\u0000b\"",
         "paint.png/b|expected a readable file, found \"paint.png/b\": not a directory",
@@ -537,6 +537,20 @@ class ModelCommandsTest {
     assertThat(outcome.err().lines())
         .singleElement(InstanceOfAssertFactories.STRING)
         .contains("warning", "a.obj: a.mtl line 3: " + warning, "; the picture is left out");
+  }
+
+  @Test
+  void aPictureOutsideTheFolderIsReplacedByThatInside() throws IOException {
+    Path folder = Files.createDirectories(directory.resolve("obj/maps")).getParent();
+    Files.writeString(
+        folder.resolve("a.obj"), "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+    Files.writeString(folder.resolve("a.mtl"), "newmtl m\nmap_Kd ../PAINT.png\n");
+    Files.copy(directory.resolve("paint.png"), folder.resolve("maps/paint.png"));
+    Outcome outcome = run("render T/obj/a.obj -o T/a.png" + SMALL);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    assertThat(outcome.err()).contains("; \"maps/paint.png\" is used");
+    run("render T/obj/a.obj -o T/obj/maps/paint.png --overwrite" + SMALL)
+        .assertFailed(ExitCodes.OUTPUT, "paint.png");
   }
 
   @Test
