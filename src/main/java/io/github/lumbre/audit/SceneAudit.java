@@ -9,6 +9,8 @@ import java.util.List;
 public final class SceneAudit {
   private static final List<Check> CHECKS =
       List.of(
+          new VisibilityCheck(),
+          new LightCheck(),
           new ParserWarnings(),
           new ReflectanceCheck(),
           new UnusedAssets(),
@@ -16,22 +18,20 @@ public final class SceneAudit {
           new ScaleCheck(),
           new NormalMapCheck(),
           new TextureSizeCheck(),
-          new LightCheck(),
-          new DepthCheck(),
-          new VisibilityCheck());
+          new DepthCheck());
 
   private SceneAudit() {}
 
   /**
-   * Returns the findings, warnings first; empty if there are none. Renders a small pilot, and is
-   * deterministic for a scene. If the calling thread is interrupted, findings may be missing and
-   * the interrupt status stays set.
+   * Returns the findings, warnings first, and those without a fix last; empty if there are none.
+   * Renders a small pilot, and is deterministic for a scene. If the calling thread is interrupted,
+   * findings may be missing and the interrupt status stays set.
    */
   public static List<Finding> of(SceneFile file) {
     Pilot pilot = Pilot.of(file);
     return CHECKS.stream()
         .flatMap(check -> check.of(file, pilot).stream())
-        .sorted(Comparator.comparing(Finding::severity))
+        .sorted(Comparator.comparing(Finding::severity).thenComparing(f -> f.advice().isEmpty()))
         .toList();
   }
 

@@ -1,13 +1,26 @@
 package io.github.lumbre.audit;
 
+import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Reports objects that no ray of the pilot render hits. */
+/** Reports a camera that sees nothing, and objects that no ray of the pilot render hits. */
 final class VisibilityCheck implements Check {
+  private static final String LAW = "unseen";
+
   @Override
   public List<Finding> of(SceneFile file, Pilot pilot) {
+    int objects = file.scene().primitives().size();
+    if (objects > 0 && IntStream.range(0, objects).allMatch(i -> pilot.met(i) == 0)) {
+      return List.of(
+          Finding.warning(
+              LAW,
+              new Origin("$", ""),
+              "the camera sees no object: none of " + pilot.paths() + " pilot paths hits one",
+              "the image shows the background alone",
+              "turn or move the camera, or check where the objects are"));
+    }
     List<Integer> unmet =
         IntStream.range(0, file.scene().primitives().size())
             .filter(i -> pilot.met(i) == 0)
@@ -21,7 +34,7 @@ final class VisibilityCheck implements Check {
     String others = unmet.size() == 1 ? "" : ", and " + (unmet.size() - 1) + " other objects";
     return List.of(
         Finding.note(
-            "unseen",
+            LAW,
             file.origins().primitives().get(unmet.get(0)),
             "none of " + pilot.paths() + " pilot paths hit it" + others,
             "it may be out of view, inside another object, very small, or a one-sided plane seen"

@@ -292,6 +292,31 @@ class SceneAuditTest {
   }
 
   @Test
+  void cameraThatSeesNothingComesFirst() throws Exception {
+    String behind =
+        "{\"type\": \"Shape\", \"shapeType\": \"Sphere\", \"colour\": 1,"
+            + " \"localPosition\": {\"x\": 0, \"y\": 1, \"z\": -40}}";
+    List<Finding> findings = audit("\"maxTraceDepth\": 5", "", behind, LAMP);
+    assertThat(findings.get(0).found()).startsWith("the camera sees no object: none of ");
+    assertThat(findings.get(0).severity()).isEqualTo(Severity.WARNING);
+    assertThat(findings).filteredOn(f -> f.law().equals("unseen")).hasSize(1);
+  }
+
+  @Test
+  void sharesOfLightsComeLast() throws Exception {
+    String lamp = LAMP.replace("\"x\": 0", "\"x\": 2");
+    String unused = material("Diffuse", GREY).replace("\"id\": 1", "\"id\": 7");
+    List<Finding> findings =
+        auditOf(material("Diffuse", GREY) + "," + unused, sphere(0, -3, 1), lamp);
+    assertThat(findings)
+        .extracting(Finding::law)
+        .containsExactly("unseen", "unused", "light", "light");
+    assertThat(findings)
+        .extracting(f -> f.advice().isEmpty())
+        .containsExactly(false, false, true, true);
+  }
+
+  @Test
   void samplesThatAreNoRadianceAreCounted() throws Exception {
     String blinding =
         "{\"type\": \"Light\", \"lightType\": \"Directional\", \"intensity\": 1.7e308,"
