@@ -406,7 +406,7 @@ final class JsonNode {
 
   /** Returns the vector {x, y, z}; the default replaces missing components. */
   Vec3 vec3(String childKey, Vec3 missing) {
-    Optional<JsonNode> node = object(childKey);
+    Optional<JsonNode> node = parts(childKey, "x", "y", "z");
     if (node.isEmpty()) {
       return missing;
     }
@@ -417,6 +417,26 @@ final class JsonNode {
         node.get().number("z", missing.z(), Range.ANY));
   }
 
+  /**
+   * Returns the object under a key whose members are numbers. If it is something else, the error
+   * has an example, with the numbers of an array.
+   */
+  private Optional<JsonNode> parts(String childKey, String... keys) {
+    Optional<JsonNode> child = find(childKey);
+    if (child.isEmpty() || child.get().isObject()) {
+      return child;
+    }
+    List<JsonNode> given = child.get().isArray() ? child.get().elements() : List.of();
+    List<String> members = new ArrayList<>();
+    for (String each : keys) {
+      int i = members.size();
+      boolean isNumber = i < given.size() && given.get(i).value instanceof Literal;
+      members.add('"' + each + "\": " + (isNumber ? given.get(i).found() : "1"));
+    }
+    child.get().unexpected("an object such as {" + String.join(", ", members) + "}");
+    return Optional.empty();
+  }
+
   /** Returns the vector {x, y}; the default replaces missing components. */
   Point2 vec2(String childKey, Point2 missing) {
     Vec3 found = vec3(childKey, new Vec3(missing.x(), missing.y(), 0));
@@ -425,7 +445,7 @@ final class JsonNode {
 
   /** Returns the color {r, g, b} under a key; missing components, or all of them, are 1. */
   Rgb rgb(String childKey) {
-    return object(childKey).map(JsonNode::rgb).orElse(Rgb.WHITE);
+    return parts(childKey, "r", "g", "b").map(JsonNode::rgb).orElse(Rgb.WHITE);
   }
 
   /** Returns this object as a color; alpha is checked and ignored. */

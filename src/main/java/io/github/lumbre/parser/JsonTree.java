@@ -90,7 +90,9 @@ final class JsonTree {
     } catch (CharacterCodingException e) {
       throw broken("$", "expected UTF-8, found invalid bytes");
     } catch (MalformedJsonException e) {
-      throw broken(in.getPath(), "expected JSON (RFC 8259), found a syntax error " + location(in));
+      throw broken(
+          in.getPath(),
+          "expected JSON (RFC 8259), found %s %s".formatted(mistake(in, e), location(in)));
     } catch (EOFException e) {
       throw root.isEmpty()
           ? broken("$", "expected an object, found an empty file")
@@ -133,6 +135,17 @@ final class JsonTree {
     return matcher.find()
         ? "at line " + matcher.group(1) + ", column " + matcher.group(2)
         : "at an unknown position";
+  }
+
+  private String mistake(JsonReader in, MalformedJsonException e) {
+    Matcher matcher = LOCATION.matcher(in.toString());
+    return matcher.find()
+        ? JsonMistake.of(
+            text,
+            Integer.parseInt(matcher.group(1)),
+            Integer.parseInt(matcher.group(2)),
+            String.valueOf(e.getMessage()))
+        : "a syntax error";
   }
 
   private void readAll(JsonReader in) throws IOException, SceneFormatException {

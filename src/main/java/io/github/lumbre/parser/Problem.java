@@ -16,6 +16,8 @@ public record Problem(String file, String path, String message) implements Seria
     Objects.requireNonNull(file, "file");
     Objects.requireNonNull(path, "path");
     Objects.requireNonNull(message, "message");
+    // The root of the JSON is the file.
+    path = path.equals("$") ? "" : path;
   }
 
   /**

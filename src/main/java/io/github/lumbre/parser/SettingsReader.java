@@ -130,8 +130,11 @@ final class SettingsReader {
       return Optional.empty();
     }
     if (!node.get().isObject()) {
+      String example = "{\"r\": 1, \"g\": 1, \"b\": 1}";
       node.get()
-          .error("expected {r, g, b} or \"" + TRANSPARENT + "\", found " + node.get().found());
+          .error(
+              "expected an object such as %s or \"%s\", found %s"
+                  .formatted(example, TRANSPARENT, node.get().found()));
       return Optional.empty();
     }
     return Optional.of(node.get().rgb());

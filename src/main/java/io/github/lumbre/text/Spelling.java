@@ -3,9 +3,16 @@ package io.github.lumbre.text;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
+import java.util.function.BinaryOperator;
 
 /** Suggests corrections for misspelled words. */
 public final class Spelling {
+  /** The shortest part of a word that suggests it. */
+  private static final int SHORTEST = 4;
+
+  /** Keeps one suggestion; of several, none is right. */
+  private static final BinaryOperator<String> ONLY = (one, other) -> "";
+
   private Spelling() {}
 
   /** Returns {@code "; did you mean …?"}, or an empty text if no known word is similar. */
@@ -20,8 +27,22 @@ public final class Spelling {
         .min(
             Comparator.comparingInt((String candidate) -> distance(word, candidate))
                 .thenComparing(Comparator.naturalOrder()))
+        .or(() -> known.stream().filter(candidate -> isShort(word, candidate)).reduce(ONLY))
+        .filter(candidate -> !candidate.isEmpty())
         .map(candidate -> "; did you mean " + candidate + "?")
         .orElse("");
+  }
+
+  /**
+   * Returns whether a word is short for another one: its initials, as fov of fieldOfView, or its
+   * beginning or end, as position of localPosition.
+   */
+  private static boolean isShort(String word, String whole) {
+    String initials = whole.isEmpty() ? "" : whole.charAt(0) + whole.replaceAll("[^A-Z]", "");
+    String small = word.toLowerCase(Locale.ROOT);
+    String all = whole.toLowerCase(Locale.ROOT);
+    return initials.length() > 1 && initials.equalsIgnoreCase(word)
+        || word.length() >= SHORTEST && (all.startsWith(small) || all.endsWith(small));
   }
 
   /**

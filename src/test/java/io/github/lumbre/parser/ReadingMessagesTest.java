@@ -44,7 +44,7 @@ class ReadingMessagesTest {
   @ParameterizedTest
   @CsvSource({"null, null", "true, true", "7, 7", "[], an array"})
   void scenesThatAreNoObjects(String text, String found) {
-    assertRefused(text, Kind.INVALID, "scene.json: $: expected an object, found " + found);
+    assertRefused(text, Kind.INVALID, "scene.json: expected an object, found " + found);
   }
 
   @Test

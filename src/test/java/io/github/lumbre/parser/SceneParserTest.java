@@ -58,7 +58,7 @@ class SceneParserTest {
             SceneFormatException.class, () -> new SceneParser().parse(folder.resolve("no.json")));
     String path = folder.resolve("no.json").toString();
     assertThat(refusal)
-        .hasMessage("no.json: $: expected a scene file, found none at \"" + path + '"');
+        .hasMessage("no.json: expected a scene file, found none at \"" + path + '"');
     assertThat(refusal.kind()).isEqualTo(Kind.INVALID);
   }
 
@@ -72,8 +72,8 @@ class SceneParserTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "``|$: expected an object, found an empty file",
-        "[]|$: expected an object, found an array",
+        "``|expected an object, found an empty file",
+        "[]|expected an object, found an array",
         "{}|$.mainCameraId: expected the id of a camera, found nothing; none exists",
         "{'mainCameraId': null}"
             + "|$.mainCameraId: expected the id of a camera, found nothing; none exists",
@@ -126,7 +126,8 @@ class SceneParserTest {
             + "|.radius: expected a number <= 1e150, found 1e308",
         "'localPosition': {'x': 1e300}, 'type': 'Shape', 'shapeType': 'Sphere'"
             + "|: expected a shape within 1e150 of the origin, found one that extends beyond",
-        "'localPosition': [1, 2, 3]|.localPosition: expected an object, found an array",
+        "'localPosition': [1, 2, 3]|.localPosition: expected an object such as"
+            + " {'x': 1, 'y': 2, 'z': 3}, found an array",
         "'children': {}|.children: expected an array, found an object",
         "'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 99"
             + "|.materialID: expected the id of a Material, found 99; existing ids: 2, 5",
@@ -537,7 +538,8 @@ class SceneParserTest {
             + "|.roughness: expected a number from 0 to 1, found 2",
         "'materialType': 'Diffuse', 'colorTextureId': 9"
             + "|.colorTextureId: expected the id of a Texture, found 9; existing id: 3",
-        "'materialType': 'Diffuse', 'colorScale': 2" + "|.colorScale: expected an object, found 2",
+        "'materialType': 'Diffuse', 'colorScale': 2"
+            + "|.colorScale: expected an object such as {'x': 1, 'y': 1, 'z': 1}, found 2",
       })
   void errorsInMaterialsInUseSayWhereAndWhat(String material, String message) {
     String assets =

@@ -129,6 +129,8 @@ class SettingsReaderTest {
   void backgroundOfAnotherTypeIsAnError() {
     SettingsReader.background(options("{\"background\": \"blue\"}"));
     assertThat(problems.exception())
-        .hasMessage("s.json: $.background: expected {r, g, b} or \"transparent\", found \"blue\"");
+        .hasMessage(
+            "s.json: $.background: expected an object such as {\"r\": 1, \"g\": 1, \"b\": 1} or"
+                + " \"transparent\", found \"blue\"");
   }
 }

@@ -42,6 +42,20 @@ class SpellingTest {
   }
 
   @Test
+  void wholeOfAShortFormIsSuggested() {
+    List<String> known =
+        List.of(
+            "fieldOfView", "localPosition", "localRotation", "lookAt", "roughness", "roughWood");
+    assertThat(Spelling.suggestion("fov", known)).isEqualTo("; did you mean fieldOfView?");
+    assertThat(Spelling.suggestion("position", known)).isEqualTo("; did you mean localPosition?");
+    assertThat(Spelling.suggestion("Rotation", known)).isEqualTo("; did you mean localRotation?");
+    assertThat(Spelling.suggestion("look", known)).isEqualTo("; did you mean lookAt?");
+    // Of several, none.
+    assertThat(Spelling.suggestion("rough", known)).isEmpty();
+    assertThat(Spelling.suggestion("loc", known)).isEmpty();
+  }
+
+  @Test
   void wordsOfMoreThanFortyLettersGetNoSuggestion() {
     String forty = "x".repeat(40);
     assertThat(Spelling.suggestion(forty, List.of(forty))).contains(forty);

@@ -175,7 +175,7 @@ class RenderOnSparkTest {
     args.addAll(List.of("-s", "9", "--size", "40x30", "--unit", "0.1s", "-o", path("out")));
     Outcome outcome = onSpark(args);
     assertThat(outcome.exitCode()).isEqualTo(3);
-    assertThat(outcome.err()).contains("no-such-scene.json: $: expected a scene file, found none");
+    assertThat(outcome.err()).contains("no-such-scene.json: expected a scene file, found none");
     for (String name : names) {
       String own = path(name + ".png");
       assertDone(here("render", SCENES + name + ".json", "-s", "9", "--size", "40x30", "-o", own));
