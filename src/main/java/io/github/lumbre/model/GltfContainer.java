@@ -3,6 +3,8 @@ package io.github.lumbre.model;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -10,8 +12,9 @@ import java.util.Optional;
  *
  * @param json the text
  * @param binary bytes of the first buffer; empty if the file has none
+ * @param warnings of what is wrong and has no effect
  */
-record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary) {
+record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary, List<String> warnings) {
   private static final int MAGIC = 0x46546c67;
   private static final int JSON = 0x4e4f534a;
   private static final int BIN = 0x004e4942;
@@ -27,7 +30,7 @@ record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary) {
     ByteBuffer bytes = ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN);
     return content.length >= 4 && bytes.getInt(0) == MAGIC
         ? ofBinary(bytes)
-        : new GltfContainer(bytes, Optional.empty());
+        : new GltfContainer(bytes, Optional.empty(), List.of());
   }
 
   private static GltfContainer ofBinary(ByteBuffer bytes) throws ModelFormatException {
@@ -37,15 +40,20 @@ record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary) {
       throw malformed(HEADER, "expected a JSON chunk, found another one");
     }
     Optional<ByteBuffer> binary = Optional.empty();
-    int at = next(HEADER, json);
+    List<String> warnings = new ArrayList<>();
+    int at = next(bytes, HEADER, json, warnings);
     while (at < size) {
+      if (binary.isPresent() && size - at < CHUNK_HEADER) {
+        warnings.add("byte " + at + ": ignored " + (size - at) + " bytes after the last chunk");
+        break;
+      }
       ByteBuffer chunk = chunk(bytes, at, size);
       if (binary.isEmpty() && bytes.getInt(at + 4) == BIN) {
         binary = Optional.of(chunk);
       }
-      at = next(at, chunk);
+      at = next(bytes, at, chunk, warnings);
     }
-    return new GltfContainer(withoutPadding(json), binary);
+    return new GltfContainer(withoutPadding(json), binary, warnings);
   }
 
   private static int checkedLength(ByteBuffer bytes) throws ModelFormatException {
@@ -78,9 +86,19 @@ record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary) {
     return bytes.slice(at + CHUNK_HEADER, (int) length).order(ByteOrder.LITTLE_ENDIAN);
   }
 
-  /** Returns the offset after a chunk; chunks begin at multiples of 4. */
-  private static int next(int at, ByteBuffer chunk) {
-    return (int) Math.min(Integer.MAX_VALUE, at + CHUNK_HEADER + (chunk.limit() + 3L & ~3L));
+  /** Returns the offset after a chunk; chunks begin at multiples of 4, if they are padded. */
+  private static int next(ByteBuffer bytes, int at, ByteBuffer chunk, List<String> warnings) {
+    long end = (long) at + CHUNK_HEADER + chunk.limit();
+    long padded = end + 3 & ~3L;
+    if (end != padded && isBinary(bytes, end) && !isBinary(bytes, padded)) {
+      warnings.add("byte " + at + ": expected a chunk that is padded to 4 bytes, found none");
+      return (int) end;
+    }
+    return (int) Math.min(Integer.MAX_VALUE, padded);
+  }
+
+  private static boolean isBinary(ByteBuffer bytes, long at) {
+    return at + CHUNK_HEADER <= bytes.limit() && bytes.getInt((int) at + 4) == BIN;
   }
 
   /** Returns a text without zeros at its end, with which some programs pad it. */

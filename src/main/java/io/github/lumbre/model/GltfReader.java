@@ -74,6 +74,7 @@ final class GltfReader {
     budget.allocate("", (long) content.length + container.json().remaining());
     GltfJson root = GltfJsonReader.read(container.json(), budget);
     GltfDocument document = new GltfDocument(root, budget);
+    container.warnings().forEach(warning -> document.warnings().add("", warning));
     GltfExtensions.check(document);
     ModelFiles files = new ModelFiles(folder, options.limits(), document.warnings());
     GltfBuffers buffers = new GltfBuffers(document, container.binary(), files);

@@ -90,13 +90,22 @@ final class MtlMapReader {
       }
       default -> {
         if (!IGNORED.contains(option)) {
-          throw scanner.error(
-              "expected an option such as -s or a file, found " + PrintableText.quoted(option));
+          ignored.accept(PrintableText.shortened(option));
+          skipUnknownValue();
+          return;
         }
         nextWord();
       }
     }
     hasWord = scanner.nextWord();
+  }
+
+  /** Skips the value of an unknown option, unless the line has only one more word: the file. */
+  private void skipUnknownValue() throws ModelFormatException {
+    hasWord = scanner.nextWord();
+    if (hasWord && !OPTION.matcher(scanner.word()).matches() && scanner.hasMoreWords()) {
+      hasWord = scanner.nextWord();
+    }
   }
 
   /** Reads one to three numbers, and moves to the next word. */

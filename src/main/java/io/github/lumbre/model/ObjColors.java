@@ -36,13 +36,17 @@ final class ObjColors {
    * Reads the numbers after a position. A single number there is a weight, which has no effect on
    * polygons.
    */
-  void read(TextScanner scanner, int vertex) throws ModelFormatException {
+  void read(TextScanner scanner, int vertex, Tally tally) throws ModelFormatException {
     double[] read = new double[3];
     int count = 0;
     while (count < 3 && scanner.nextWord()) {
-      read[count++] = Math.max(0, scanner.number());
+      read[count++] = Math.max(0, scanner.numberOrNan());
     }
     if (count < 3) {
+      return;
+    }
+    if (Double.isNaN(read[0] + read[1] + read[2])) {
+      tally.add("ignored colors of vertices that are not finite", scanner.location());
       return;
     }
     if (rgb.length == 0) {

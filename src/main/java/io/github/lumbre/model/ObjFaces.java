@@ -37,10 +37,7 @@ final class ObjFaces {
 
   private final ObjSmoothing smoothing = new ObjSmoothing();
   private int[] face = new int[12];
-  private int narrowFaces;
-
-  /** The place of the first face of one or two corners. */
-  private String narrowFace = "";
+  private final Tally tally = new Tally();
 
   /**
    * @param isModel whether colors of vertices are read, faces without normals in a smoothing group
@@ -71,17 +68,13 @@ final class ObjFaces {
    */
   boolean read(ObjSurface surface) throws ModelFormatException {
     if (scanner.wordIs("v")) {
-      readVector(positions, 3 * counts[POSITION]);
-      if (isModel) {
-        colors.read(scanner, counts[POSITION]);
-      }
-      counts[POSITION]++;
+      readPosition();
     } else if (scanner.wordIs("vn")) {
       readVector(normals, 3 * counts[NORMAL]++);
     } else if (scanner.wordIs("vt")) {
       int to = BARYCENTRIC.length + 2 * counts[UV]++;
-      uvs[to] = scanner.nextNumber();
-      uvs[to + 1] = scanner.nextNumberOrZero();
+      uvs[to] = coordinate(0);
+      uvs[to + 1] = coordinate(1);
     } else if (scanner.wordIs("f")) {
       readFace(surface);
     } else {
@@ -90,10 +83,46 @@ final class ObjFaces {
     return true;
   }
 
+  private void readPosition() throws ModelFormatException {
+    int to = 3 * counts[POSITION];
+    for (int i = 0; i < 3; i++) {
+      if (!scanner.nextWord()) {
+        if (!isModel || i < 2) {
+          throw scanner.error("expected a number, found the end of the line");
+        }
+        tally.add("took z for 0 in vertices of two numbers", scanner.location());
+        break;
+      }
+      positions[to + i] = number();
+    }
+    if (isModel) {
+      colors.read(scanner, counts[POSITION], tally);
+    }
+    counts[POSITION]++;
+  }
+
   private void readVector(double[] target, int to) throws ModelFormatException {
     for (int i = 0; i < 3; i++) {
-      target[to + i] = scanner.nextNumber();
+      target[to + i] = scanner.nextWord() ? number() : scanner.nextNumber();
     }
+  }
+
+  /** Returns the current word as a number; in models, NaN if it is not finite. */
+  private double number() throws ModelFormatException {
+    return isModel ? scanner.numberOrNan() : scanner.number();
+  }
+
+  /** Returns the next word as a texture coordinate; the second one may be missing. */
+  private double coordinate(int index) throws ModelFormatException {
+    if (!scanner.nextWord()) {
+      return index == 0 ? scanner.nextNumber() : 0;
+    }
+    double number = number();
+    if (Double.isNaN(number)) {
+      tally.add("took texture coordinates that are not finite for 0", scanner.location());
+      return 0;
+    }
+    return number;
   }
 
   private void readFace(ObjSurface surface) throws ModelFormatException {
@@ -109,29 +138,34 @@ final class ObjFaces {
       }
       count++;
     }
-    if (count < 3) {
-      ignoreOrRefuse(count);
+    if (isBroken(count)) {
+      return;
     }
     for (int k = 2; k < count; k++) {
       addTriangle(surface, 0, k - 1, k);
     }
   }
 
-  /** Some tools write loose edges as faces of two corners. */
-  private void ignoreOrRefuse(int count) throws ModelFormatException {
-    if (!isModel || count == 0) {
+  /**
+   * Returns whether a face is left out. Some tools write loose edges as faces of two corners.
+   *
+   * @throws ModelFormatException if the file is not a model
+   */
+  private boolean isBroken(int count) throws ModelFormatException {
+    if (count < 3 && !isModel) {
       throw scanner.error("expected at least 3 corners per face, found " + count);
     }
-    if (narrowFaces++ == 0) {
-      narrowFace = scanner.location();
+    if (count < 3) {
+      tally.add(Tally.NARROW, scanner.location());
+      return true;
     }
-  }
-
-  /** Adds a warning if faces of one or two corners were ignored. */
-  void warnOfNarrowFaces(Warnings warnings) {
-    if (narrowFaces > 0) {
-      warnings.add(narrowFace, "ignored faces of fewer than 3 corners: " + narrowFaces);
+    for (int k = 0; k < count; k++) {
+      if (!position(face[3 * k]).isFinite()) {
+        tally.add(Tally.BROKEN, scanner.location());
+        return true;
+      }
     }
+    return false;
   }
 
   /** Returns a zero-based index, or NONE if it is missing or the file has no such list. */
@@ -148,7 +182,12 @@ final class ObjFaces {
               + ", found "
               + index);
     }
-    return found;
+    // A normal that is not finite is as none.
+    return list == NORMAL && !isFinite(normals, 3 * found) ? NONE : found;
+  }
+
+  private static boolean isFinite(double[] numbers, int at) {
+    return Double.isFinite(numbers[at] + numbers[at + 1] + numbers[at + 2]);
   }
 
   private void addTriangle(ObjSurface surface, int... fan) {
@@ -213,6 +252,7 @@ final class ObjFaces {
   void finish(Warnings warnings) {
     smoothing.store(normals);
     colors.finish(warnings);
+    tally.addTo(warnings);
   }
 
   /** Returns a surface's arrays, after {@link #finish}. */

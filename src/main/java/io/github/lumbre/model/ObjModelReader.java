@@ -53,7 +53,7 @@ final class ObjModelReader {
   private final ObjFaces faces;
   private final ModelFiles folder;
   private final ModelOptions options;
-  private final Warnings warnings = new Warnings();
+  private final Warnings warnings;
   private final Map<Key, Part> parts = new LinkedHashMap<>();
   private final Map<String, String> libraries = new LinkedHashMap<>();
   private final ObjSurface none = new ObjSurface(0);
@@ -63,8 +63,9 @@ final class ObjModelReader {
   private String materialLocation = "";
   private ObjSurface surface = none;
 
-  private ObjModelReader(byte[] text, ModelFolder folder, ModelOptions options)
+  private ObjModelReader(byte[] text, ModelFolder folder, ModelOptions options, Warnings warnings)
       throws ModelFormatException {
+    this.warnings = warnings;
     scanner = new TextScanner(text);
     faces = new ObjFaces(scanner, ObjCensus.of(text, options.limits()), true);
     this.folder = new ModelFiles(folder, options.limits(), warnings);
@@ -74,10 +75,9 @@ final class ObjModelReader {
   /** Returns the content of an OBJ file. */
   static Model read(byte[] text, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
-    if (text.length >= 2 && (text[0] & text[1] & 0xff) >= 0xfe && text[0] != text[1]) {
-      throw new ModelFormatException(Kind.UNSUPPORTED, "", "expected UTF-8 text, found UTF-16");
-    }
-    return new ObjModelReader(text, folder, options).read();
+    Warnings warnings = new Warnings();
+    byte[] utf8 = Utf16.decoded(text, "", options.limits(), warnings);
+    return new ObjModelReader(utf8, folder, options, warnings).read();
   }
 
   private Model read() throws ModelFormatException, IOException {
@@ -88,7 +88,6 @@ final class ObjModelReader {
       scanner.endLine();
     }
     faces.finish(warnings);
-    faces.warnOfNarrowFaces(warnings);
     List<ModelPart> result = new ArrayList<>();
     Map<String, ModelMaterial> materials = readMaterials();
     for (Map.Entry<Key, Part> entry : parts.entrySet()) {
@@ -199,7 +198,12 @@ final class ObjModelReader {
     for (Map.Entry<String, String> library : libraries.entrySet()) {
       byte[] text;
       try {
-        text = folder.read(library.getKey(), library.getValue());
+        text =
+            Utf16.decoded(
+                folder.read(library.getKey(), library.getValue()),
+                library.getValue(),
+                options.limits(),
+                warnings);
       } catch (ModelFormatException e) {
         if (e.kind() != Kind.ASSET) {
           throw e;

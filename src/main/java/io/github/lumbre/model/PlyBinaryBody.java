@@ -94,10 +94,12 @@ final class PlyBinaryBody implements PlyBody {
   }
 
   @Override
+  public String location() {
+    return element.isEmpty() ? "" : "element " + PrintableText.shortened(element) + " " + item;
+  }
+
+  @Override
   public ModelFormatException error(String message) {
-    return new ModelFormatException(
-        Kind.MALFORMED,
-        element.isEmpty() ? "" : "element " + PrintableText.shortened(element) + " " + item,
-        message);
+    return new ModelFormatException(Kind.MALFORMED, location(), message);
   }
 }

@@ -25,7 +25,10 @@ interface PlyBody {
   int listLength(PlyProperty property) throws ModelFormatException;
 
   /** Ends an item, all of whose properties have been read. */
-  void endItem() throws ModelFormatException;
+  void endItem();
+
+  /** Returns the place of the item, for messages. */
+  String location();
 
   /** Returns an exception that names the place. */
   ModelFormatException error(String message);

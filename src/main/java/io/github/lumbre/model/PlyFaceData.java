@@ -82,7 +82,8 @@ final class PlyFaceData {
     } else if (colors.contains(property)) {
       int channel = colors.indexOf(property);
       double value = body.number(property);
-      color[channel] = (float) PlyVertices.color(value, property.type(), channel == 3);
+      double sound = Double.isNaN(value) ? 1 : value;
+      color[channel] = (float) PlyVertices.color(sound, property.type(), channel == 3);
     } else {
       texture = (int) body.number(property);
     }

@@ -19,6 +19,7 @@ final class PlyReader {
   private final PlyHeader header;
   private final PlyBody body;
   private final Warnings warnings = new Warnings();
+  private final Tally tally = new Tally();
   private final PlyVertices vertices;
   private final int vertexCount;
   private TriangleList triangles = new TriangleList(0);
@@ -31,7 +32,7 @@ final class PlyReader {
     header = PlyHeader.read(file, warnings);
     body =
         header.format() == PlyHeader.Format.TEXT
-            ? new PlyTextBody(file, header)
+            ? new PlyTextBody(file, header, tally)
             : new PlyBinaryBody(file, header);
     requireBytes();
     Optional<PlyElement> vertex =
@@ -41,7 +42,7 @@ final class PlyReader {
     }
     requireFaces();
     vertexCount = vertex.get().count();
-    vertices = new PlyVertices(vertex.get(), options.limits(), warnings);
+    vertices = new PlyVertices(vertex.get(), options.limits(), warnings, tally);
   }
 
   /** Returns the triangles of a PLY file. */
@@ -98,10 +99,16 @@ final class PlyReader {
     if (faceData.isPresent() && faceData.get().isUsed()) {
       separateTriangles(faceData.get());
     }
+    tally.addTo(warnings);
+    int broken = triangles.removeBroken(vertices.positions());
+    if (broken > 0) {
+      warnings.add("", "left out triangles with a vertex that is not a finite number: " + broken);
+    }
     int dropped = triangles.removeFlat(vertices.positions());
     if (dropped > 0) {
       warnings.add("", "dropped triangles of zero area: " + dropped);
     }
+    vertices.repair(triangles, warnings);
     ModelMaterial material = material();
     ModelGeometry mesh = vertices.geometry(triangles.toArray());
     PlyTextures textures = textures(mesh, folder);
@@ -215,7 +222,11 @@ final class PlyReader {
       return;
     }
     if (length < 3) {
-      throw body.error("expected at least 3 corners per face, found " + length);
+      tally.add(Tally.NARROW, body.location());
+      for (int i = 0; i < length; i++) {
+        body.integer(property);
+      }
+      return;
     }
     int first = vertex(body.integer(property));
     int previous = vertex(body.integer(property));

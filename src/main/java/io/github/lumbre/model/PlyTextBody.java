@@ -9,7 +9,13 @@ final class PlyTextBody implements PlyBody {
   /** Whether the scanner is at the first word of an item. */
   private boolean isAtFirstWord;
 
-  PlyTextBody(byte[] text, PlyHeader header) {
+  private final Tally tally;
+
+  /**
+   * @param tally receives the items whose line has more words than numbers
+   */
+  PlyTextBody(byte[] text, PlyHeader header, Tally tally) {
+    this.tally = tally;
     this.text = text;
     scanner = TextScanner.plain(text, header.bodyOffset(), header.bodyLine());
   }
@@ -49,7 +55,7 @@ final class PlyTextBody implements PlyBody {
     nextWord(property);
     return property.type().isInteger()
         ? scanner.integer(property.type().min(), property.type().max())
-        : scanner.number();
+        : scanner.numberOrNan();
   }
 
   @Override
@@ -67,11 +73,16 @@ final class PlyTextBody implements PlyBody {
   }
 
   @Override
-  public void endItem() throws ModelFormatException {
+  public void endItem() {
     if (scanner.nextWord()) {
-      throw error("expected the end of the line, found " + PrintableText.quoted(scanner.word()));
+      tally.add("ignored words at the end of a line", location());
     }
     scanner.endLine();
+  }
+
+  @Override
+  public String location() {
+    return scanner.location() + ": element " + PrintableText.shortened(element);
   }
 
   @Override

@@ -34,6 +34,7 @@ final class PlyVertices {
   private static final double MAX_NUMBER = 1e150;
 
   private final PlyElement element;
+  private final Tally tally;
 
   /** The attribute of each property, as an index into NAMES; NONE if the property is ignored. */
   private final int[] attributes;
@@ -44,11 +45,13 @@ final class PlyVertices {
   private float[] colors;
 
   /**
+   * @param tally receives values that are not finite
    * @throws ModelFormatException if the element has no positions, or too many vertices
    */
-  PlyVertices(PlyElement element, Limits limits, Warnings warnings)
+  PlyVertices(PlyElement element, Limits limits, Warnings warnings, Tally tally)
       throws ModelFormatException {
     this.element = element;
+    this.tally = tally;
     attributes = new int[element.properties().size()];
     Arrays.fill(attributes, NONE);
     boolean[] has = new boolean[NAMES.size()];
@@ -150,9 +153,13 @@ final class PlyVertices {
     if (attribute == NONE) {
       return;
     }
-    if (!(Math.abs(value) <= MAX_NUMBER)) {
+    if (!Double.isFinite(value)) {
+      putNan(vertex, attribute, body);
+      return;
+    }
+    if (Math.abs(value) > MAX_NUMBER) {
       throw body.error(
-          "expected a finite number of at most 1e150 for "
+          "expected a number of at most 1e150 for "
               + NAMES.get(attribute).get(0)
               + ", found "
               + value);
@@ -166,6 +173,39 @@ final class PlyVertices {
     } else {
       PlyType type = element.properties().get(property).type();
       colors[4 * vertex + attribute - COLOR] = (float) color(value, type, attribute == ALPHA);
+    }
+  }
+
+  /** Marks a position or a normal as broken; {@link #repair} follows. */
+  private void putNan(int vertex, int attribute, PlyBody body) {
+    if (attribute < NORMAL) {
+      positions[3 * vertex + attribute] = Double.NaN;
+    } else if (attribute < UV) {
+      normals[3 * vertex + attribute - NORMAL] = Double.NaN;
+    } else {
+      tally.add("ignored texture coordinates and colors that are not finite", body.location());
+    }
+  }
+
+  /**
+   * Removes numbers that are not finite: unused positions become 0, and if a normal of a triangle
+   * is broken, all normals are ignored.
+   */
+  void repair(TriangleList triangles, Warnings warnings) {
+    for (int i = 0; i < positions.length; i++) {
+      positions[i] = Double.isNaN(positions[i]) ? 0 : positions[i];
+    }
+    boolean hasBroken = false;
+    for (int i = 0; normals.length > 0 && i < 3 * triangles.count(); i++) {
+      int at = 3 * triangles.vertex(i);
+      hasBroken |= Double.isNaN(normals[at] + normals[at + 1] + normals[at + 2]);
+    }
+    if (hasBroken) {
+      warnings.add("element vertex", "ignored the normals, of which some are not finite");
+      normals = new double[0];
+    }
+    for (int i = 0; i < normals.length; i++) {
+      normals[i] = Double.isNaN(normals[i]) ? 0 : normals[i];
     }
   }
 

@@ -74,10 +74,6 @@ final class StlReader {
       int at = HEADER_BYTES + Integer.BYTES + FACET_BYTES * i;
       for (int k = 0; k < facet.length; k++) {
         facet[k] = in.getFloat(at + Float.BYTES * k);
-        if (k >= 3 && !Double.isFinite(facet[k])) {
-          throw new ModelFormatException(
-              Kind.MALFORMED, "triangle " + (i + 1), "expected a finite number, found " + facet[k]);
-        }
       }
       solid.add(facet);
     }

@@ -12,6 +12,7 @@ final class StlSolid {
   private final PositionIndex positions = new PositionIndex();
   private final TriangleList triangles;
   private int contradictions;
+  private int broken;
 
   /**
    * @param name empty if it has none
@@ -31,6 +32,12 @@ final class StlSolid {
    * @param facet the normal, then three vertices
    */
   void add(double[] facet) {
+    for (int i = 3; i < facet.length; i++) {
+      if (!Double.isFinite(facet[i])) {
+        broken++;
+        return;
+      }
+    }
     int a = positions.number(facet[3], facet[4], facet[5]);
     int b = positions.number(facet[6], facet[7], facet[8]);
     int c = positions.number(facet[9], facet[10], facet[11]);
@@ -56,6 +63,9 @@ final class StlSolid {
     if (dropped > 0) {
       warnings.add(
           "triangles of zero area", location, "dropped triangles of zero area: " + dropped);
+    }
+    if (broken > 0) {
+      warnings.add(Tally.BROKEN, location, Tally.BROKEN + ": " + broken);
     }
     if (contradictions > 0) {
       warnings.add(

@@ -69,7 +69,7 @@ final class StlText {
       require("vertex");
       for (int k = 0; k < 3; k++) {
         nextWord("a number");
-        facet[3 + 3 * i + k] = scanner.number();
+        facet[3 + 3 * i + k] = scanner.numberOrNan();
       }
     }
     require("endloop");

@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
 
 /**
  * Splits the text of a model file into lines and words. Lines end with LF, CR LF or CR. A UTF-8
@@ -14,6 +15,10 @@ final class TextScanner {
 
   /** The largest absolute value: products of two numbers must not overflow. */
   private static final double MAX_NUMBER = 1e150;
+
+  /** Words for NaN and infinities, such as nan, -inf, nan(ind) and 1.#QNAN. */
+  private static final Pattern NOT_FINITE =
+      Pattern.compile("[-+]?(nan(\\(\\w*\\))?|inf(inity)?|1\\.#\\w+)", Pattern.CASE_INSENSITIVE);
 
   private final byte[] text;
   private final String file;
@@ -94,6 +99,20 @@ final class TextScanner {
     }
     end = at;
     return end > start;
+  }
+
+  /** Returns whether another word follows on this line. */
+  boolean hasMoreWords() {
+    int savedAt = at;
+    int savedLine = line;
+    int savedStart = start;
+    int savedEnd = end;
+    boolean found = nextWord();
+    at = savedAt;
+    line = savedLine;
+    start = savedStart;
+    end = savedEnd;
+    return found;
   }
 
   /** Skips the rest of this line and moves to the beginning of the next one. */
@@ -233,6 +252,15 @@ final class TextScanner {
       throw error("expected a number of at most 1e150, found " + PrintableText.quoted(word()));
     }
     return number;
+  }
+
+  /** Returns the current word as a number, or NaN if it is a word for NaN or infinity. */
+  double numberOrNan() throws ModelFormatException {
+    double simple = Decimals.exact(text, start, end);
+    if (!Double.isNaN(simple)) {
+      return simple;
+    }
+    return NOT_FINITE.matcher(word()).matches() ? Double.NaN : number();
   }
 
   /**

@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /** A growing list of triangles: three vertex numbers each. Mutable. */
 final class TriangleList {
@@ -27,9 +28,44 @@ final class TriangleList {
     size += 3;
   }
 
+  /** Returns a vertex number of the list of all corners. */
+  int vertex(int corner) {
+    return indices[corner];
+  }
+
   /** Returns the number of triangles. */
   int count() {
     return size / 3;
+  }
+
+  /**
+   * Removes triangles with a vertex that is not finite.
+   *
+   * @param positions three coordinates per vertex
+   * @return the number of removed triangles
+   */
+  int removeBroken(double[] positions) {
+    return removeUnless(
+        i -> {
+          double sum = 0;
+          for (int k = 0; k < 9; k++) {
+            sum += positions[3 * indices[i + k / 3] + k % 3];
+          }
+          return Double.isFinite(sum);
+        });
+  }
+
+  private int removeUnless(IntPredicate isKept) {
+    int kept = 0;
+    for (int i = 0; i < size; i += 3) {
+      if (isKept.test(i)) {
+        System.arraycopy(indices, i, indices, kept, 3);
+        kept += 3;
+      }
+    }
+    int removed = (size - kept) / 3;
+    size = kept;
+    return removed;
   }
 
   /**
@@ -39,16 +75,8 @@ final class TriangleList {
    * @return the number of removed triangles
    */
   int removeFlat(double[] positions) {
-    int kept = 0;
-    for (int i = 0; i < size; i += 3) {
-      if (hasArea(positions, indices[i], indices[i + 1], indices[i + 2])) {
-        System.arraycopy(indices, i, indices, kept, 3);
-        kept += 3;
-      }
-    }
-    int removed = (size - kept) / 3;
-    size = kept;
-    return removed;
+    return removeUnless(
+        i -> hasArea(positions, indices[i], indices[i + 1], indices[i + 2]));
   }
 
   /** Returns whether a triangle between three vertices has an area. */

@@ -212,12 +212,9 @@ class PlyReaderTest {
       value = {
         "0 0 0;1 0 0;0 1;3 0 1 2|line 13: element vertex: expected a number for z, found the end"
             + " of the line",
-        "0 0 0;1 0 0;0 1 0 7;3 0 1 2|line 13: element vertex: expected the end of the line, found"
-            + " \"7\"",
         "0 0 0;1 0 0;0 1 x;3 0 1 2|line 13: expected a finite number, found \"x\"",
-        "0 0 0;1 0 0;0 1 nan;3 0 1 2|line 13: expected a finite number, found" + " \"nan\"",
-        "0 0 0;1 0 0;0 1 0;2 0 1  |line 14: element face: expected at least 3 corners per face,"
-            + " found 2",
+        "0 0 0;1 0 0;0 1 1e200;3 0 1 2|line 13: expected a number of at most 1e150, found"
+            + " \"1e200\"",
         "0 0 0;1 0 0;0 1 0;3 0 1 3|line 14: element face: expected a vertex from 0 to 2, found 3",
         "0 0 0;1 0 0;0 1 0;3 0 1 -1|line 14: element face: expected a vertex from 0 to 2, found"
             + " -1",
@@ -288,11 +285,6 @@ class PlyReaderTest {
                 + " one of 9");
     assertThat(with(header, vertices, (byte) 3, 0, 1, 7).refusal())
         .isEqualTo("MALFORMED element face 0: expected a vertex from 0 to 2, found 7");
-    vertices[4] = Float.NaN;
-    assertThat(with(header, vertices, (byte) 3, 0, 1, 2).refusal())
-        .isEqualTo(
-            "MALFORMED element vertex 1: expected a finite number of at most 1e150 for y, found"
-                + " NaN");
   }
 
   private static ModelFixture with(String header, Object[] vertices, Object... face) {

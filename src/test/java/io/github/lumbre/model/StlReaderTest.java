@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the reading of STL files. */
 class StlReaderTest {
@@ -135,12 +136,15 @@ class StlReaderTest {
         .isEqualTo("MALFORMED expected 214748364834 bytes for 4294967295 triangles, found 84");
   }
 
-  @Test
-  void coordinatesAreFinite() {
+  @ParameterizedTest
+  @ValueSource(floats = {Float.NaN, Float.POSITIVE_INFINITY})
+  void facetsThatAreNotFiniteAreLeftOut(float number) throws ModelFormatException {
     float[] broken = SQUARE.clone();
-    broken[20] = Float.NaN;
-    assertThat(stl(binary("", broken)).refusal())
-        .isEqualTo("MALFORMED triangle 2: expected a finite number, found NaN");
+    broken[20] = number;
+    Model model = stl(binary("", broken)).read();
+    assertThat(model.parts().get(0).geometry().triangleCount()).isEqualTo(1);
+    assertThat(model.warnings())
+        .containsExactly("left out faces with a vertex that is not a finite number: 1");
   }
 
   @ParameterizedTest
@@ -150,8 +154,8 @@ class StlReaderTest {
         "solid a;facett|line 2: expected \"facet\", found \"facett\"",
         "solid a;facet normal 0 0|line 2: expected a number, found the end of the file",
         "solid a;facet normal 0 0 x|line 2: expected a finite number, found \"x\"",
-        "solid a;facet normal 0 0 1 outer loop vertex 1 2;inf|"
-            + "line 3: expected a finite number, found \"inf\"",
+        "solid a;facet normal 0 0 1 outer loop vertex 1 2;1e999|"
+            + "line 3: expected a finite number, found \"1e999\"",
         "solid a;facet normal 0 0 1 outer loop endloop|line 2: expected \"vertex\", found"
             + " \"endloop\"",
         "solid a;endsolid;facet|line 3: expected \"solid\", found \"facet\""
