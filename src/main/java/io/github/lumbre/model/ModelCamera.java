@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.OptionalDouble;
 
@@ -32,6 +33,16 @@ public record ModelCamera(String name, String location, Lens lens, Transform toW
    * @param halfHeight half the height of the frame, in units of the camera's local space
    */
   public record Parallel(double halfWidth, double halfHeight) implements Lens {}
+
+  /** Returns the width over the height of the frame, in world space; empty if the file has none. */
+  public OptionalDouble aspect() {
+    if (lens instanceof Perspective perspective) {
+      return perspective.aspect();
+    }
+    Parallel parallel = (Parallel) lens;
+    double width = parallel.halfWidth() * toWorld.vector(Vec3.X).length();
+    return OptionalDouble.of(width / (parallel.halfHeight() * toWorld.vector(Vec3.Y).length()));
+  }
 
   public ModelCamera {
     Objects.requireNonNull(name, "name");

@@ -66,7 +66,7 @@ record ModelStage(ModelSetup setup, Model model, ModelFraming framing) {
     model.requireSurface();
     JsonObject scene = new JsonObject();
     scene.addProperty("mainCameraId", 1);
-    scene.add("renderOptions", renderOptions());
+    scene.add("renderOptions", renderOptions(ownCamera().flatMap(ModelStage::aspect)));
     JsonArray assets = new JsonArray();
     JsonArray objects = new JsonArray();
     objects.add(cameraObject(aspect));
@@ -81,10 +81,22 @@ record ModelStage(ModelSetup setup, Model model, ModelFraming framing) {
     return scene;
   }
 
-  private JsonObject renderOptions() {
+  private static Optional<Double> aspect(ModelCamera camera) {
+    OptionalDouble aspect = camera.aspect();
+    return aspect.isPresent() ? Optional.of(aspect.getAsDouble()) : Optional.empty();
+  }
+
+  /**
+   * Returns the settings. The longer side of the picture is {@link ModelSetup#DEFAULT_WIDTH}.
+   *
+   * @param aspect width over height of the camera's frame; empty for the default
+   */
+  private JsonObject renderOptions(Optional<Double> aspect) {
     JsonObject render = new JsonObject();
-    render.addProperty("width", ModelSetup.DEFAULT_WIDTH);
-    render.addProperty("height", ModelSetup.DEFAULT_HEIGHT);
+    double ratio = aspect.orElse((double) ModelSetup.DEFAULT_WIDTH / ModelSetup.DEFAULT_HEIGHT);
+    double side = ModelSetup.DEFAULT_WIDTH;
+    render.addProperty("width", Math.max(1, Math.round(side * Math.min(1, ratio))));
+    render.addProperty("height", Math.max(1, Math.round(side / Math.max(1, ratio))));
     render.addProperty("maxTraceDepth", 12);
     ToneCurve curve = Setting.TONE_MAP.inModels().orElseThrow();
     render.addProperty(Setting.TONE_MAP.name(), Setting.TONE_MAP.type().format(curve));
