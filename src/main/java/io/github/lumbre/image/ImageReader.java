@@ -76,7 +76,8 @@ public final class ImageReader {
       PngFile png = PngFile.read(file);
       checkPixels(png.width(), png.height(), maxPixels);
       checkMemory(png.width(), png.height(), 1, Runtime.getRuntime().maxMemory());
-      return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0)));
+      return decode(
+          "PNG", png.content(), reader -> Pixels.of(reader.read(0), png.transparency()));
     }
     if (JpegFile.startsIn(file)) {
       JpegFile jpeg = JpegFile.read(file);
@@ -88,7 +89,7 @@ public final class ImageReader {
           reader ->
               jpeg.components() == 4
                   ? jpeg.inks(reader.readRaster(0, null))
-                  : Pixels.of(reader.read(0)));
+                  : Pixels.of(reader.read(0), PngTransparency.NONE));
     }
     throw unknown(file);
   }

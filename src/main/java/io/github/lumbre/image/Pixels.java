@@ -37,8 +37,23 @@ public final class Pixels {
   /** Offset of alpha in a pixel; -1 without alpha. */
   private final int alpha;
 
+  /** The samples of the color that is transparent: one of gray, or three; empty if there is none. */
+  private final int[] key;
+
   private Pixels(
       int width, int height, byte[] bytes, short[] shorts, int pixelStride, int[] bandOffsets) {
+    this(width, height, bytes, shorts, pixelStride, bandOffsets, new int[0]);
+  }
+
+  private Pixels(
+      int width,
+      int height,
+      byte[] bytes,
+      short[] shorts,
+      int pixelStride,
+      int[] bandOffsets,
+      int[] key) {
+    this.key = key;
     this.width = width;
     this.height = height;
     this.bytes = bytes;
@@ -70,11 +85,15 @@ public final class Pixels {
     return new Pixels(width, height, NO_BYTES, values, channels, natural(channels));
   }
 
-  /** Returns the values of a decoded picture, without copying them if possible. */
-  static Pixels of(BufferedImage picture) {
+  /**
+   * Returns the values of a decoded picture, without copying them if possible.
+   *
+   * @param transparency of colors of a picture without alpha
+   */
+  static Pixels of(BufferedImage picture, PngTransparency transparency) {
     Raster raster = picture.getRaster();
     if (picture.getColorModel() instanceof IndexColorModel palette) {
-      return looked(raster, palette);
+      return looked(raster, palette, transparency);
     }
     ComponentSampleModel model = (ComponentSampleModel) raster.getSampleModel();
     boolean wide = raster.getDataBuffer() instanceof DataBufferUShort;
@@ -85,16 +104,18 @@ public final class Pixels {
             wide ? NO_BYTES : ((DataBufferByte) raster.getDataBuffer()).getData(),
             wide ? ((DataBufferUShort) raster.getDataBuffer()).getData() : NO_SHORTS,
             model.getPixelStride(),
-            model.getBandOffsets());
+            model.getBandOffsets(),
+            transparency.key());
     if (model.getScanlineStride() != pixels.rowStride) {
       throw new IllegalArgumentException("picture: expected rows without gaps");
     }
     return pixels;
   }
 
-  private static Pixels looked(Raster raster, IndexColorModel palette) {
+  private static Pixels looked(
+      Raster raster, IndexColorModel palette, PngTransparency transparency) {
     int width = raster.getWidth();
-    int channels = palette.hasAlpha() ? 4 : 3;
+    int channels = transparency.isPresent() ? 4 : 3;
     byte[] rgb = new byte[channels * width * raster.getHeight()];
     int[] row = new int[width];
     int i = 0;
@@ -106,7 +127,7 @@ public final class Pixels {
         rgb[i++] = (byte) palette.getGreen(index);
         rgb[i++] = (byte) palette.getBlue(index);
         if (channels == 4) {
-          rgb[i++] = (byte) palette.getAlpha(index);
+          rgb[i++] = (byte) transparency.alpha(index);
         }
       }
     }
@@ -166,12 +187,21 @@ public final class Pixels {
 
   /** Returns an encoded alpha from 0 to {@link #max}, which is the result without alpha. */
   public int alpha(int x, int y) {
-    return alpha < 0 ? max() : at(x, y, alpha);
+    return alpha >= 0 ? at(x, y, alpha) : isKey(x, y) ? 0 : max();
+  }
+
+  private boolean isKey(int x, int y) {
+    for (int i = 0; i < key.length; i++) {
+      if (raw(x, y, i) != key[i]) {
+        return false;
+      }
+    }
+    return key.length > 0;
   }
 
   /** Returns whether the picture has alpha. */
   public boolean hasAlpha() {
-    return alpha >= 0;
+    return alpha >= 0 || key.length > 0;
   }
 
   private int at(int x, int y, int offset) {

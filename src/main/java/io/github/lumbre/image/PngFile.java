@@ -3,6 +3,7 @@ package io.github.lumbre.image;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 import java.util.zip.CRC32;
 
 /**
@@ -10,17 +11,23 @@ import java.util.zip.CRC32;
  *
  * @param width in pixels
  * @param height in pixels
+ * @param transparency of colors
  * @param content the file without the chunks that decoding does not need, see {@link PngContent}.
  *     Without them, no profile or gamma can change the values, and no compressed text can exhaust
  *     memory
  */
-record PngFile(int width, int height, byte[] content) {
+record PngFile(int width, int height, PngTransparency transparency, byte[] content) {
   private static final long SIGNATURE = 0x89504e470d0a1a0aL;
   private static final int IHDR = 0x49484452;
   private static final int PLTE = 0x504c5445;
   static final int IDAT = 0x49444154;
   private static final int IEND = 0x49454e44;
+  private static final int TRNS = 0x74524e53;
   private static final int HEADER_BYTES = 13;
+
+  /** The largest number of colors of a palette. */
+  private static final int MAX_COLORS = 256;
+
   static final int FRAME_BYTES = 12;
 
   /**
@@ -46,7 +53,10 @@ record PngFile(int width, int height, byte[] content) {
     int width = header.getInt();
     int height = header.getInt();
     ImageReader.checkSize(width, height);
-    int bits = bitsPerPixel(header.get(), header.get());
+    int depth = header.get();
+    int colorType = header.get();
+    int bits = bitsPerPixel(depth, colorType);
+    byte[] transparency = {};
     long deflated = 0;
     int type;
     in.position(Long.BYTES);
@@ -62,12 +72,17 @@ record PngFile(int width, int height, byte[] content) {
         content.add(type, start, length);
         deflated += type == IDAT ? length : 0;
       }
+      if (type == TRNS) {
+        checkSum(file, start, length);
+        transparency = Arrays.copyOfRange(file, start + 8, start + 8 + Math.min(length, MAX_COLORS));
+      }
       in.position(start + length + FRAME_BYTES);
     } while (type != IEND);
     if ((long) width * height * bits / 8 > MAX_INFLATION * deflated) {
       throw malformed("PNG data are too short for " + width + "x" + height + " pixels");
     }
-    return new PngFile(width, height, content.bytes());
+    return new PngFile(
+        width, height, new PngTransparency(colorType, depth, transparency), content.bytes());
   }
 
   private static ByteBuffer header(byte[] file) throws ImageFormatException {
