@@ -6,6 +6,7 @@ import io.github.lumbre.file.FileContent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Objects;
 
 /**
@@ -91,9 +92,16 @@ public final class LinearReader {
   private static Image decoded(Pixels pixels) throws ImageFormatException {
     int width = pixels.width();
     float[] rgb = raster(width, pixels.height(), 3);
+    // A picture has few different values, and a power takes far longer than reading a pixel.
+    float[] decoded = new float[pixels.max() + 1];
+    Arrays.fill(decoded, Float.NaN);
     for (int i = 0; i < rgb.length; i++) {
       int pixel = i / 3;
-      rgb[i] = (float) Srgb.decode(pixels.value(pixel % width, pixel / width, i % 3));
+      int raw = pixels.raw(pixel % width, pixel / width, i % 3);
+      if (Float.isNaN(decoded[raw])) {
+        decoded[raw] = (float) Srgb.decode((double) raw / pixels.max());
+      }
+      rgb[i] = decoded[raw];
     }
     return new Image(width, pixels.height(), rgb, new float[0]);
   }

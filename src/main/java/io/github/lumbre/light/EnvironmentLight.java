@@ -8,6 +8,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Distribution2d;
 import io.github.lumbre.sampling.Warp;
+import io.github.lumbre.texture.GridMaxima;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 import java.util.Optional;
@@ -66,11 +67,19 @@ public final class EnvironmentLight implements Light {
     Objects.requireNonNull(axes, "axes");
     Objects.requireNonNull(radiance, "radiance");
     double[][] weights = new double[rows][columns];
+    Optional<GridMaxima> maxima = GridMaxima.of(radiance, columns, rows);
     double total = 0;
     for (int row = 0; row < rows; row++) {
       double solidAngle = solidAngle(row, rows);
+      if (maxima.isPresent()) {
+        maxima.get().read(row, weights[row]);
+      }
       for (int column = 0; column < columns; column++) {
-        weights[row][column] = solidAngle * brightest(radiance, column, row, columns, rows);
+        double brightest =
+            maxima.isPresent()
+                ? weights[row][column]
+                : brightest(radiance, column, row, columns, rows);
+        weights[row][column] = solidAngle * brightest;
         total += weights[row][column];
       }
     }
@@ -95,11 +104,10 @@ public final class EnvironmentLight implements Light {
   private static double brightest(
       Texture<Rgb> radiance, int column, int row, int columns, int rows) {
     double most = 0;
-    for (double dy = 0; dy <= 1; dy += .5) {
-      for (double dx = 0; dx <= 1; dx += .5) {
-        // Stay just inside the cell, so that an unfiltered neighbor does not count.
-        double u = (column + .001 + .998 * dx) / columns;
-        double v = (row + .001 + .998 * dy) / rows;
+    for (int y = 0; y <= 2; y++) {
+      for (int x = 0; x <= 2; x++) {
+        double u = GridMaxima.coordinate(column, x, columns);
+        double v = GridMaxima.coordinate(row, y, rows);
         most = Math.max(most, radiance.at(u, v).max());
       }
     }

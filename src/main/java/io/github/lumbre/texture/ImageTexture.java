@@ -147,6 +147,28 @@ public final class ImageTexture implements Texture<Rgb> {
         texel(around.x1(), around.y1(), channel));
   }
 
+  /** Returns the decoded texels without the constant factor. */
+  GridMaxima.TexelRows texels() {
+    return new GridMaxima.TexelRows() {
+      @Override
+      public int width() {
+        return pixels.width();
+      }
+
+      @Override
+      public int height() {
+        return pixels.height();
+      }
+
+      @Override
+      public void read(int y, int channel, double[] row) {
+        for (int x = 0; x < row.length; x++) {
+          row[x] = texel(x, y, channel);
+        }
+      }
+    };
+  }
+
   private double texel(int x, int y, int channel) {
     return decoded[pixels.raw(x, y, channel)];
   }

@@ -22,6 +22,29 @@ public final class LinearTexture implements Texture<Rgb> {
     return image;
   }
 
+  /** Returns the texels. */
+  GridMaxima.TexelRows texels() {
+    return new GridMaxima.TexelRows() {
+      @Override
+      public int width() {
+        return image.width();
+      }
+
+      @Override
+      public int height() {
+        return image.height();
+      }
+
+      @Override
+      public void read(int y, int channel, double[] row) {
+        int start = 3 * y * row.length + channel;
+        for (int x = 0; x < row.length; x++) {
+          row[x] = image.rgb()[start + 3 * x];
+        }
+      }
+    };
+  }
+
   @Override
   public Rgb at(double u, double v) {
     Bilinear around = Bilinear.around(u, v, image.width(), image.height());
