@@ -186,7 +186,7 @@ final class TextureReader {
       LinearPicture read = LinearReader.open(content.bytes(), data.allowance().texelsLeft());
       Image light = read.light();
       data.allowance().addTexels((long) light.width() * light.height());
-      return isPositive(content, light.rgb())
+      return isUsable(content, light)
           ? Optional.of(new Picture.Linear(read, content::warn))
           : Optional.empty();
     } catch (ImageFormatException e) {
@@ -196,18 +196,30 @@ final class TextureReader {
     }
   }
 
-  /** Replaces negative colors by 0; returns false, and reports it, if one is not finite. */
-  private static boolean isPositive(AssetData.Content content, float[] rgb) {
+  /**
+   * Replaces negative colors by 0, and if missing assets are tolerated, those that are not finite;
+   * otherwise returns false, and reports the first of these.
+   */
+  private boolean isUsable(AssetData.Content content, Image image) {
+    float[] rgb = image.rgb();
     int negative = 0;
+    int broken = 0;
+    String first = "";
     for (int i = 0; i < rgb.length; i++) {
-      if (!Float.isFinite(rgb[i])) {
-        content.error(Kind.ASSET, "expected finite colors, found " + rgb[i]);
-        return false;
+      boolean isFinite = Float.isFinite(rgb[i]);
+      if (!isFinite && broken++ == 0) {
+        int pixel = i / 3;
+        first = rgb[i] + " at pixel " + pixel % image.width() + "," + pixel / image.width();
       }
-      if (rgb[i] < 0) {
-        negative++;
-        rgb[i] = 0;
-      }
+      negative += rgb[i] < 0 && isFinite ? 1 : 0;
+      rgb[i] = rgb[i] > 0 && isFinite ? rgb[i] : 0;
+    }
+    if (broken > 0 && !assets.isLenient()) {
+      content.error(Kind.ASSET, "expected finite colors, found " + first);
+      return false;
+    }
+    if (broken > 0) {
+      content.warn("has " + broken + " colors that are not finite, which count as 0: " + first);
     }
     if (negative > 0) {
       content.warn("has " + negative + " negative colors, which count as 0");

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.LinearReader;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.Texture;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -18,6 +20,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Pictures of linear light as skies and textures. */
 class LinearPictureTest {
@@ -63,8 +66,73 @@ class LinearPictureTest {
     for (float wrong : new float[] {Float.NaN, Float.POSITIVE_INFINITY}) {
       assertThatThrownBy(() -> parse(1, wrong, 1))
           .isInstanceOf(SceneFormatException.class)
-          .hasMessage("scene.json: $.assets[0].base64PNG: expected finite colors, found " + wrong);
+          .hasMessage("scene.json: $.assets[0].base64PNG: expected finite colors, found "
+                  + wrong
+                  + " at pixel 0,0");
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(floats = {Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY})
+  void theFirstPixelThatIsNotFiniteIsNamedAndMayCountAs0(float wrong) throws Exception {
+    byte[] header = "PF\n4 3\n-1\n".getBytes(StandardCharsets.US_ASCII);
+    ByteBuffer file = ByteBuffer.allocate(header.length + 144).order(ByteOrder.LITTLE_ENDIAN);
+    file.put(header);
+    for (int row = 2; row >= 0; row--) {
+      for (int i = 0; i < 12; i++) {
+        file.putFloat(row == 1 && i == 7 || row == 2 && i == 3 ? wrong : 2);
+      }
+    }
+    byte[] pfm = file.array();
+    String text =
+        """
+        {"mainCameraId": 1,
+         "assets": [{"id": 2, "assetType": "Texture", "base64PNG": "%s"}],
+         "objects": [{"id": 1, "type": "Camera", "cameraType": "Pinhole"},
+           {"type": "Light", "lightType": "Dome", "intensity": 1, "textureId": 2}]}
+        """;
+    byte[] scene =
+        text.formatted(Base64.getEncoder().encodeToString(pfm)).getBytes(StandardCharsets.UTF_8);
+    String found = wrong + " at pixel 2,1";
+    assertThatThrownBy(() -> new SceneParser().parse(scene, Path.of("s.json")))
+        .hasMessage("s.json: $.assets[0].base64PNG: expected finite colors, found " + found);
+    SceneFile read = new SceneParser().lenient().parse(scene, Path.of("s.json"));
+    assertThat(read.warnings())
+        .extracting(Problem::toString)
+        .containsExactly(
+            "s.json: $.assets[0].base64PNG: has 2 colors that are not finite, which count as 0: "
+                + found);
+    Texture<Rgb> sky = read.scene().environments().get(0).radiance();
+    assertThat(sky.at(2.5 / 4, 1.5 / 3)).isEqualTo(new Rgb(2, 0, 2));
+    assertThat(sky.at(.5 / 4, .5 / 3)).isEqualTo(Rgb.grey(2));
+  }
+
+  @Test
+  void theCaseNamesItsPixel() throws Exception {
+    byte[] exr = Files.readAllBytes(Path.of("src/test/resources/cases/e_nan.exr"));
+    Image image = LinearReader.decode(exr);
+    int first = 0;
+    while (!Float.isNaN(image.rgb()[first])) {
+      first++;
+    }
+    String place = first / 3 % image.width() + "," + first / 3 / image.width();
+    ModelSetup setup = ModelSetup.DEFAULT;
+    ModelSetup lit =
+        new ModelSetup(
+            setup.camera(),
+            setup.view(),
+            setup.fov(),
+            "src/test/resources/cases/e_nan.exr",
+            1,
+            0,
+            false,
+            setup.background(),
+            false,
+            setup.options());
+    Path model = Path.of("src/test/resources/cases/vc.obj");
+    assertThatThrownBy(() -> new SceneParser().parse(model, lit))
+        .hasMessage("vc.obj: --sky: expected finite colors, found NaN at pixel " + place);
+    assertThat(new SceneParser().lenient().parse(model, lit).warnings()).hasSize(1);
   }
 
   /** Returns a scene whose sky and only material have an OpenEXR picture of one pixel. */

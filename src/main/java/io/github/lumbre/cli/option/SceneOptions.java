@@ -57,8 +57,8 @@ public final class SceneOptions {
     @Option(
         names = "--lenient",
         description =
-            "Treat references to missing assets, and missing pictures of a glTF model, as warnings"
-                + " instead of errors.")
+            "Treat references to missing assets, missing pictures of a glTF model, and colors of a"
+                + " picture that are not finite, as warnings instead of errors.")
     boolean lenient;
   }
 
