@@ -27,6 +27,12 @@ final class CompletionScript {
           "--view", List.copyOf(View.standard().keySet()),
           "--background", List.of("sky", "transparent", "white", "black"));
 
+  private static final String MODELS = ".gltf .glb .vrm .obj .ply .stl";
+
+  /** The endings of the files that parameters with these labels name. */
+  private static final Map<String, String> ENDINGS =
+      Map.of("SCENE", ".json " + MODELS, "MODEL", MODELS, "FILM", ".film");
+
   /** Labels that list all values, such as {@code y|z}. */
   private static final String LIST_OF_VALUES = "[a-z0-9]+(\\|[a-z0-9]+)+";
 
@@ -44,15 +50,10 @@ final class CompletionScript {
 
       _lumbre() {
         local word=${COMP_WORDS[COMP_CWORD]} flag=${COMP_WORDS[COMP_CWORD-1]} before=
-        local command= kind=files words= flags=
+        local command= kind=files words= flags= ends= file
         COMPREPLY=()
         if [ "$COMP_CWORD" -gt 1 ]; then
           command=${COMP_WORDS[1]}
-        fi
-        if [ "$COMP_CWORD" -gt 2 ]; then
-          case "$command ${COMP_WORDS[2]}" in
-            SUBCOMMANDS) command="$command ${COMP_WORDS[2]}" ;;
-          esac
         fi
         # bash makes three words of --flag=value, zsh one.
         if [ "$word" = '=' ]; then
@@ -79,6 +80,15 @@ final class CompletionScript {
           COMPREPLY=($(compgen -W "$words" -- "$word"))
           local IFS=$'\\n'
           COMPREPLY+=($(compgen -f -- "$word"))
+        elif [ -n "$ends" ]; then
+          type compopt >/dev/null 2>&1 && compopt -o filenames
+          local IFS=$'\\n'
+          for file in $(compgen -f -- "$word"); do
+            case " $ends " in
+              *" .${file##*.} "*) COMPREPLY+=("$file") ;;
+              *) [ ! -d "$file" ] || COMPREPLY+=("$file") ;;
+            esac
+          done
         fi
       }
 
@@ -89,25 +99,12 @@ final class CompletionScript {
 
   /** Returns the script for a program. */
   static String of(CommandSpec program) {
-    List<String> subcommands = new ArrayList<>();
     StringBuilder commands = new StringBuilder();
     append("", program, commands);
     program
         .subcommands()
-        .forEach(
-            (name, command) -> {
-              append(name, command.getCommandSpec(), commands);
-              command
-                  .getSubcommands()
-                  .forEach(
-                      (part, each) -> {
-                        subcommands.add("'" + name + " " + part + "'");
-                        append(name + " " + part, each.getCommandSpec(), commands);
-                      });
-            });
-    return SCRIPT
-        .replace("SUBCOMMANDS", String.join(" | ", subcommands))
-        .replace("COMMANDS", commands);
+        .forEach((name, command) -> append(name, command.getCommandSpec(), commands));
+    return SCRIPT.replace("COMMANDS", commands);
   }
 
   /** Appends the case of a command: what may stand after it and after each of its flags. */
@@ -123,8 +120,8 @@ final class CompletionScript {
     if (!takesFiles(command)) {
       String other = "        *) kind=words " + words + " ;;\n";
       script.append("      case $word in\n        -*) ;;\n").append(other).append("      esac\n");
-    } else if (!command.subcommands().isEmpty()) {
-      script.append("      [ \"$COMP_CWORD\" -gt 2 ] || ").append(words).append("\n");
+    } else {
+      script.append("      ends='").append(endings(command)).append("'\n");
     }
     Map<String, List<String>> flagsByValues = new LinkedHashMap<>();
     for (OptionSpec option : command.options()) {
@@ -171,7 +168,15 @@ final class CompletionScript {
     } else if (isFile(option)) {
       kind = "files";
     }
-    return "kind=" + kind + " words='" + String.join(" ", values) + "'";
+    return "kind=" + kind + " words='" + String.join(" ", values) + "' ends=";
+  }
+
+  /** Returns the endings of the files that a command reads, such as {@code .json}; none: any. */
+  private static String endings(CommandSpec command) {
+    return command.positionalParameters().stream()
+        .map(ArgSpec::paramLabel)
+        .map(label -> ENDINGS.getOrDefault(label, ""))
+        .collect(Collectors.joining());
   }
 
   private static boolean isFile(ArgSpec arg) {

@@ -20,7 +20,6 @@ import java.lang.reflect.Constructor;
 import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -92,18 +91,14 @@ public final class Lumbre implements Runnable {
     COMMANDS.put("help", HelpCommand.class);
   }
 
-  /** Commands whose annotations picocli reads: one with subcommands, and picocli's own. */
-  private static final Set<Class<?>> REFLECTED = Set.of(TradeCommand.class, HelpCommand.class);
+  /** The command whose annotations picocli reads: its own. */
+  private static final Set<Class<?>> REFLECTED = Set.of(HelpCommand.class);
 
   /** The commands that describe all commands. */
   private static final Set<String> DESCRIBING = Set.of("completion", "help");
 
   /** Current commands by their names before 0.2; these names will be removed in 0.3. */
-  private static final Map<String, List<String>> RENAMED =
-      Map.of(
-          "bench", List.of("perf"),
-          "trade-table", List.of("trade", "table"),
-          "trade-quality", List.of("trade", "quality"));
+  private static final Map<String, String> RENAMED = Map.of("bench", "perf");
 
   @Spec CommandSpec spec;
 
@@ -197,12 +192,14 @@ public final class Lumbre implements Runnable {
 
   /** Returns the arguments with an earlier command name replaced by the current one. */
   private static String[] renamed(String[] args, Messages messages) {
-    List<String> present = args.length == 0 ? null : RENAMED.get(args[0]);
+    String present = args.length == 0 ? null : RENAMED.get(args[0]);
     if (present == null) {
       return args;
     }
-    messages.warning("'lumbre " + args[0] + "' is now 'lumbre " + String.join(" ", present) + "'");
-    return Stream.concat(present.stream(), Arrays.stream(args).skip(1)).toArray(String[]::new);
+    messages.warning("'lumbre " + args[0] + "' is now 'lumbre " + present + "'");
+    String[] current = args.clone();
+    current[0] = present;
+    return current;
   }
 
   /** Runs the command that the arguments name, and returns its exit code. */

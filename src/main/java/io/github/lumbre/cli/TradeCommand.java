@@ -27,10 +27,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.IModelTransformer;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
@@ -38,8 +36,6 @@ import picocli.CommandLine.Spec;
 /** {@code lumbre trade}: measures the time and error of each setting, for one scene. */
 @Command(
     name = "trade",
-    modelTransformer = TradeCommand.SceneUnlessSubcommand.class,
-    subcommands = {TradeTableCommand.class, TradeQualityCommand.class},
     header = "Measure the time and error of render settings, for one scene.",
     description =
         "Render a reference, then vary one setting at a time (see --knobs) with several seeds and"
@@ -145,19 +141,8 @@ final class TradeCommand implements Callable<Integer> {
 
   @Spec CommandSpec spec;
 
-  /** Makes the scene optional for picocli, for the subcommands; {@link #call} requires it. */
-  static final class SceneUnlessSubcommand implements IModelTransformer {
-    @Override
-    public CommandSpec transform(CommandSpec command) {
-      PositionalParamSpec scene = command.positionalParameters().get(0);
-      command.remove(scene);
-      return command.addPositional(scene.toBuilder().required(false).arity("0..1").build());
-    }
-  }
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    require(options.scene() != null, "expected a SCENE or a subcommand: table or quality");
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));

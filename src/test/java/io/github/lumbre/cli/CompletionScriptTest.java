@@ -37,7 +37,6 @@ class CompletionScriptTest {
       value = {
         "re                           | render resume",
         "help re                      | render resume",
-        "trade table --o              | --output --overwrite",
         "render --tone                | --tonemap",
         "render --mode ''             | ray path",
         "render --mode = p            | path",
@@ -67,8 +66,7 @@ class CompletionScriptTest {
     "render -o ''",
     "render --output = pic",
     "render --checkpoint ''",
-    "compare a.png ''",
-    "trade table ''"
+    "compare a.png ''"
   })
   void filesAreLeftToTheShell(String line) throws Exception {
     assertThat(answer(line)).containsExactly("");
@@ -81,10 +79,16 @@ class CompletionScriptTest {
   }
 
   @Test
-  void tradeTakesCommandsAndScenes() throws Exception {
-    Files.createFile(folder.resolve("table.json"));
-    assertThat(answer("trade ta")).containsExactly("table table.json");
-    assertThat(answer("trade x.json ta")).containsExactly("");
+  void commandsTakeFilesOfTheirKindAndFolders() throws Exception {
+    for (String name : List.of("a.json", "a b.glb", "a.png", "a.film", "a.exr")) {
+      Files.createFile(folder.resolve(name));
+    }
+    Files.createDirectory(folder.resolve("a.d"));
+    assertThat(answer("render a")).containsExactly("a b.glb a.d a.json");
+    assertThat(answer("views a")).containsExactly("a b.glb a.d");
+    assertThat(answer("resume a")).containsExactly("a.d a.film");
+    assertThat(answer("render --sky a")).containsExactly("a b.glb a.d a.exr a.film a.json a.png");
+    assertThat(answer("render x.json -o a")).containsExactly("");
   }
 
   @Test

@@ -149,11 +149,7 @@ class LumbreTest {
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "bench, lumbre perf",
-    "trade-table, lumbre trade table",
-    "trade-quality, lumbre trade quality"
-  })
+  @CsvSource({"bench, lumbre perf"})
   void earlierNamesOfCommandsAnswerWithTheNewOnes(String former, String present) {
     Outcome outcome = Outcome.of(former, "--nonsense");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);

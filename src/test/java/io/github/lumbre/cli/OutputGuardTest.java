@@ -58,8 +58,6 @@ class OutputGuardTest {
           "view --compare",
           "views MODEL",
           "trade SCENE",
-          "trade table STUDY.json",
-          "trade quality SCENE",
           "gallery --scenes");
 
   /** A command line for each path that commands write; OUT is the output. */
@@ -78,7 +76,6 @@ class OutputGuardTest {
           Map.entry("denoise --output", "denoise T/a.film -o OUT.png"),
           Map.entry("layers --png", "layers T/a.film --png OUT"),
           Map.entry("trade --output", "trade T/wood.json -o OUT.html"),
-          Map.entry("trade table --output", "trade table T/study.json -o OUT"),
           Map.entry("views --output", "views T/mesh.obj -o OUT"),
           Map.entry("gallery --out", "gallery wood --scenes T --out OUT"));
 
@@ -183,8 +180,6 @@ class OutputGuardTest {
     "merge T/a.film -o T/a.film, is a checkpoint file",
     "compare T/a.png T/wood.png --error-map T/wood.png, is the reference",
     "trade T/wood.json -o T/wood.html, is the scene",
-    "trade table T/a.png -o T/a.png, is a study",
-    "trade table T/x-noise.svg -o T/x.md, is a study",
     "gallery wood --scenes T --out T, a file of the scene",
     "benchmark --scenes T --rows 3 --csv T/table.csv, is the table",
     "benchmark --scenes T --rows 3 --csv T/tiny.json, is the scene",
@@ -312,8 +307,7 @@ class OutputGuardTest {
             "perf T/wood.json -s 1 --size 8x8 --warmup 0 --repeat 1 --pairs 1 --threads 1"
                 + " --json T/bench.json",
             "benchmark --scenes T --rows 3 --warmup 0 --scale 0.1 --store --csv T/new.csv",
-            "trade T/wood.json -s 1 --seeds 3 --size 8x8 --knobs sampler -o T/study.html",
-            "trade table T/study.json -o T/tables.md")
+            "trade T/wood.json -s 1 --seeds 3 --size 8x8 --knobs sampler -o T/study.html")
         .forEach(
             line -> {
               Outcome first = run(line);

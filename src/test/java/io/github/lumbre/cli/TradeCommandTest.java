@@ -109,14 +109,6 @@ class TradeCommandTest {
         .containsEntry("depth1000", "noise")
         .containsEntry("depth16", "bias");
     assertThat(Files.readString(page)).contains("no change (control)");
-
-    Path table = directory.resolve("table.md");
-    String study = directory.resolve("out.json").toString();
-    assertThat(Outcome.of("trade", "table", study, "-o", table.toString()).exitCode()).isZero();
-    assertThat(Files.readString(table))
-        .contains("| tiny | 16x12 | 3 | 256: ", "independent samples");
-    assertThat(directory.resolve("table-noise.svg")).exists();
-    assertThat(directory.resolve("table-depth.svg")).exists();
   }
 
   /** A denoiser's time counts, it needs more than one sample, and it is never called unbiased. */
@@ -195,12 +187,6 @@ class TradeCommandTest {
     assertThat(values.getAsJsonObject("facts").get("command").getAsString())
         .startsWith("lumbre trade ")
         .contains(" -s 4 --target-error 6% ");
-
-    Path table = directory.resolve("table.md");
-    Outcome.of("trade", "table", directory.resolve("out.json").toString(), "-o", table.toString());
-    assertThat(Files.readString(table))
-        .contains("```sh\nlumbre trade ", "lumbre trade table ", "## Runs")
-        .containsPattern("\\| tiny \\| 16x12 \\| 4 \\|.*\\) \\| [0-9]+ \\| .*\\* \\|\n");
   }
 
   @Test
@@ -224,39 +210,8 @@ class TradeCommandTest {
     assertThat(outcome.err()).contains("no time for ");
   }
 
-  /** In direct light, no depth loses energy, and the errors are those of the quality levels. */
-  @Test
-  void qualitiesHaveTheirErrors() throws IOException {
-    String scene = TinyScene.write(directory, TinyScene.JSON).toString();
-    Outcome outcome = Outcome.of("trade", "quality", scene, "--seeds", "3", "--time", "20s");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    List<String> rows = outcome.out().lines().filter(line -> line.startsWith("| tiny")).toList();
-    assertThat(rows).hasSize(4);
-    List<Double> limits = List.of(20., 10., 3., 1.);
-    for (int i = 0; i < 4; i++) {
-      String[] cells = rows.get(i).split("\\|");
-      assertThat(Double.parseDouble(cells[7].replace("%", "").strip()))
-          .as(rows.get(i))
-          .isBetween(.02 * limits.get(i), 1.3 * limits.get(i));
-    }
-    Outcome hurried = Outcome.of("trade", "quality", scene, "--seeds", "3", "--time", "0.001s");
-    assertThat(hurried.out().lines().skip(2)).hasSize(4).allMatch(l -> l.contains("| no time |"));
-    Outcome.of("trade", "quality", scene, "--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds");
-  }
-
   private static String text(JsonObject object, String key) {
     return object.get(key).getAsString();
-  }
-
-  @Test
-  void whatIsNoStudyIsRefused() throws IOException {
-    Path other = Files.writeString(directory.resolve("other.json"), "{\"format\": \"else\"}");
-    String table = directory.resolve("table.md").toString();
-    Outcome.of("trade", "table", other.toString(), "-o", table)
-        .assertFailed(ExitCodes.USAGE, "other.json: expected a JSON file from 'lumbre trade'");
-    Outcome.of("trade", "table", directory + "/none.json", "-o", table)
-        .assertFailed(ExitCodes.USAGE, "none.json: cannot be read");
-    assertThat(directory.resolve("table.md")).doesNotExist();
   }
 
   @Test

@@ -33,7 +33,6 @@ class UnreadableFilesTest {
         Arguments.of("develop FILE -o OUT", ExitCodes.SCENE),
         Arguments.of("merge FILE FILE -o OUT", ExitCodes.SCENE),
         Arguments.of("compare FILE FILE", ExitCodes.USAGE),
-        Arguments.of("trade table FILE -o TABLE", ExitCodes.USAGE),
         Arguments.of("perf --compare FILE FILE", ExitCodes.USAGE));
   }
 
@@ -43,7 +42,6 @@ class UnreadableFilesTest {
             .replace("FILE", file.toString())
             .replace("OUT", directory.resolve("out.png").toString())
             .replace("PAGE", directory.resolve("out.html").toString())
-            .replace("TABLE", directory.resolve("out.md").toString())
             .split(" "));
   }
 
@@ -65,8 +63,6 @@ class UnreadableFilesTest {
   @Test
   void textsThatAreNot() throws IOException {
     Path file = Files.write(directory.resolve("a.json"), "ä".getBytes(StandardCharsets.ISO_8859_1));
-    run("trade table FILE -o TABLE", file)
-        .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not UTF-8 text");
     run("perf --compare FILE FILE", file)
         .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not UTF-8 text");
   }

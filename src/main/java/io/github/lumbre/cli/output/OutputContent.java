@@ -21,12 +21,6 @@ public enum OutputContent {
   TRADE_JSON(
       "a JSON file of 'lumbre trade'",
       text(start -> start.contains("\"format\": \"lumbre-trade-"))),
-  TRADE_TABLES(
-      "a file of 'lumbre trade table'",
-      text(start -> start.startsWith("# Speed for accuracy, scene by scene"))),
-  TRADE_CHART(
-      "a chart of 'lumbre trade table'",
-      text(start -> start.startsWith("<svg") && start.contains("system-ui,sans-serif\"><title>"))),
   BENCH_JSON(
       "a JSON file of 'lumbre perf'", text(start -> start.contains("\"format\": \"lumbre-bench-"))),
   BENCHMARK_CSV(

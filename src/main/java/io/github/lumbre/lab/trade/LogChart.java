@@ -24,19 +24,6 @@ final class LogChart {
   /** The number of series colors in the style sheet. */
   private static final int COLOURS = 8;
 
-  /** The style sheet of a standalone chart. */
-  private static final String STYLE =
-      """
-      svg{background:#fff;--ink:#1c2430;--faint:#9aa3ad;--grid:#e3e7ec;--s0:#0b62a8;--s1:#c4472b;
-      --s2:#2e7d46;--s3:#8250a8;--s4:#a66a00;--s5:#00808a;--s6:#b5306f;--s7:#5a6270}
-      @media(prefers-color-scheme:dark){svg{background:#12161c;--ink:#e6eaef;--faint:#6b7582;
-      --grid:#2a313b;--s0:#6db3f2;--s1:#ff8f73;--s2:#6fcf8f;--s3:#c49bf0;--s4:#f0b040;--s5:#4fd0d8;
-      --s6:#ff85b8;--s7:#b4bcc6}}
-      """;
-
-  /** The XML namespace that a standalone SVG file needs. */
-  private static final String NAMESPACE = " xmlns=\"http://www.w3.org/2000/svg\"";
-
   private final String title;
   private final String across;
   private final String up;
@@ -93,25 +80,14 @@ final class LogChart {
 
   /** Returns the SVG for a page with a style sheet. */
   String svg() {
-    return drawing("");
-  }
-
-  /** Returns the SVG as a standalone file. */
-  String file() {
-    return drawing("<style>" + STYLE + "</style>") + "\n";
-  }
-
-  private String drawing(String style) {
     lines.clear();
     lines.add(
         format(
-            "<svg%s viewBox=\"0 0 %d %d\" role=\"img\""
-                + " font-family=\"system-ui,sans-serif\"><title>%s</title>%s",
-            style.isEmpty() ? "" : NAMESPACE,
+            "<svg viewBox=\"0 0 %d %d\" role=\"img\""
+                + " font-family=\"system-ui,sans-serif\"><title>%s</title>",
             WIDTH,
             height,
-            Html.escaped(title.isEmpty() ? up + ", " + across : title),
-            style));
+            Html.escaped(title.isEmpty() ? up + ", " + across : title)));
     grid();
     for (int i = 0; i < series.size(); i++) {
       draw(series.get(i), i);
