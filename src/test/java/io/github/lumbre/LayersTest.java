@@ -77,8 +77,6 @@ class LayersTest {
           Map.entry("lab.metrics", "math image"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
           Map.entry("lab.report", "image scene render parser lab lab.metrics lab.perf"),
-          Map.entry(
-              "lab.gallery", "image scene render denoise stopping parser lab lab.perf lab.report"),
           Map.entry("lab.checks", BASIC + " material camera light scene integrator render"),
           Map.entry(
               "lab.trade",
@@ -91,7 +89,7 @@ class LayersTest {
           Map.entry(
               "cli",
               LIBRARY
-                  + " lab lab.metrics lab.perf lab.report lab.gallery lab.checks lab.trade"
+                  + " lab lab.metrics lab.perf lab.report lab.checks lab.trade"
                   + " cli.output cli.run cli.option cli.view"));
 
   /** The third-party libraries that each package may use. */

@@ -35,7 +35,7 @@ final class HelpLayout {
         List.of("render", "view", "resume", "merge", "develop", "denoise", "views", "import"));
     COMMANDS.put("Understand a scene", List.of("check", "audit", "pixel", "layers"));
     COMMANDS.put("Measure", List.of("compare", "trade", "perf", "selftest"));
-    COMMANDS.put("The 2016 report", List.of("benchmark", "gallery"));
+    COMMANDS.put("The 2016 report", List.of("benchmark"));
     COMMANDS.put(REST, List.of("completion", "help"));
 
     FLAGS.put("Scene", List.of("--scene", "--strict", "--lenient", "--max-pixels"));

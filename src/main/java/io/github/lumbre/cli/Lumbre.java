@@ -85,7 +85,6 @@ public final class Lumbre implements Runnable {
     COMMANDS.put("perf", PerfCommand.class);
     COMMANDS.put("compare", CompareCommand.class);
     COMMANDS.put("trade", TradeCommand.class);
-    COMMANDS.put("gallery", GalleryCommand.class);
     COMMANDS.put("selftest", SelfTestCommand.class);
     COMMANDS.put("completion", CompletionCommand.class);
     COMMANDS.put("help", HelpCommand.class);

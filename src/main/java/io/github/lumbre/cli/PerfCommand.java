@@ -14,7 +14,6 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.perf.PairedLoads;
 import io.github.lumbre.lab.perf.PairedRenders;
 import io.github.lumbre.lab.perf.PerfComparison;
 import io.github.lumbre.lab.perf.PerfComparison.Clock;
@@ -129,8 +128,7 @@ final class PerfCommand implements Callable<Integer> {
       names = "--repeat",
       paramLabel = "N",
       description =
-          "Render N times and report the median (5). With --paired, at least 12 pairs (12); with"
-              + " --loading, at least 6 pairs (6).")
+          "Render N times and report the median (5). With --paired, at least 12 pairs (12).")
   Optional<Integer> repeat = Optional.empty();
 
   @Option(
@@ -170,13 +168,6 @@ final class PerfCommand implements Callable<Integer> {
   boolean paired;
 
   @Option(
-      names = "--loading",
-      description =
-          "Load each scene alternately without and with its unused meshes and textures, and print"
-              + " the time and memory that skipping them saves.")
-  boolean loading;
-
-  @Option(
       names = "--json",
       paramLabel = "FILE",
       description = "Write every repetition as JSON, for --compare and for scripts.")
@@ -208,9 +199,6 @@ final class PerfCommand implements Callable<Integer> {
     scenes.forEach(guard::readsScene);
     json.ifPresent(file -> guard.writes("--json", file, OutputContent.BENCH_JSON));
     guard.check();
-    if (loading) {
-      return readPairs(out);
-    }
     try (TextOutput output = TextOutput.reserve(json);
         Interruption interruption = Interruption.listen()) {
       LabHost host =
@@ -230,9 +218,7 @@ final class PerfCommand implements Callable<Integer> {
     size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
     threads.forEach(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
     checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    checks.require(!loading || !paired, "--loading: cannot be combined with --paired");
     checks.require(!paired || json.isEmpty(), "--paired: cannot be combined with --json");
-    checks.require(!loading || json.isEmpty(), "--loading: cannot be combined with --json");
     checks.requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
     checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
     checks.requireIn("--split", 1, RenderSettings.MAX_SPLIT, split);
@@ -245,14 +231,11 @@ final class PerfCommand implements Callable<Integer> {
   }
 
   private int repeat() {
-    return repeat.orElse(paired || loading ? fewestRepetitions() : DEFAULT_REPETITIONS);
+    return repeat.orElse(paired ? fewestRepetitions() : DEFAULT_REPETITIONS);
   }
 
   private int fewestRepetitions() {
-    if (paired) {
-      return PairedRenders.FEWEST_PAIRS;
-    }
-    return loading ? PairedLoads.FEWEST_PAIRS : 1;
+    return paired ? PairedRenders.FEWEST_PAIRS : 1;
   }
 
   /** Requires distinct scene names, because results are identified by them. */
@@ -264,16 +247,6 @@ final class PerfCommand implements Callable<Integer> {
       checks.require(
           names.add(name), "expected scenes with different names, found two named " + name);
     }
-  }
-
-  private int readPairs(Messages out) throws SceneFormatException, TaskException {
-    Messages errors = new Messages(spec.commandLine().getErr());
-    PairedLoads bench = new PairedLoads(repeat(), errors::warning);
-    bench.head().forEach(out::line);
-    for (Path scene : scenes) {
-      out.line(bench.row(scene));
-    }
-    return ExitCodes.OK;
   }
 
   /** Measures scenes with two settings and prints the ratios. Returns false if stopped. */

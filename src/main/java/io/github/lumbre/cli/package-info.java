@@ -5,8 +5,7 @@
  * io.github.lumbre.cli.RenderCommand}, {@link io.github.lumbre.cli.CheckCommand}, {@link
  * io.github.lumbre.cli.AuditCommand}, {@link io.github.lumbre.cli.PixelCommand}, {@link
  * io.github.lumbre.cli.SelfTestCommand}, {@link io.github.lumbre.cli.BenchmarkCommand}, {@link
- * io.github.lumbre.cli.PerfCommand}, {@link io.github.lumbre.cli.GalleryCommand}. Commands exit
- * with one of {@link io.github.lumbre.cli.output.ExitCodes}. Failures are exceptions, which only
+ * io.github.lumbre.cli.PerfCommand}. Commands exit with one of {@link io.github.lumbre.cli.output.ExitCodes}. Failures are exceptions, which only
  * {@link io.github.lumbre.cli.output.Failures} turns into messages. Results go to standard output;
  * warnings, errors, progress and summaries to standard error.
  *

@@ -56,11 +56,6 @@ final class MeshReader {
     return meshes.computeIfAbsent(asset, a -> data.read(a, BASE64_KEY).flatMap(this::decoded));
   }
 
-  /** Reads all meshes, used or not. */
-  void readAll() {
-    assets.all(Type.MESH).forEach(this::read);
-  }
-
   private Optional<TriangleMesh> decoded(AssetData.Content content) {
     ObjMesh obj;
     try {

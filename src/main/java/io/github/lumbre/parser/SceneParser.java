@@ -57,7 +57,6 @@ public final class SceneParser {
   private final UnaryOperator<RenderSettings> change;
   private final Limits limits;
   private final TextureChange textures;
-  private final boolean decodesUnused;
   private final Optional<Kernel> kernel;
 
   /** Creates a parser without overrides: missing assets are errors, settings are the file's. */
@@ -68,7 +67,6 @@ public final class SceneParser {
         UnaryOperator.identity(),
         DEFAULT_LIMITS,
         TextureChange.NONE,
-        false,
         Optional.empty());
   }
 
@@ -78,14 +76,12 @@ public final class SceneParser {
       UnaryOperator<RenderSettings> change,
       Limits limits,
       TextureChange textures,
-      boolean decodesUnused,
       Optional<Kernel> kernel) {
     this.lenient = lenient;
     this.mode = mode;
     this.change = change;
     this.limits = limits;
     this.textures = textures;
-    this.decodesUnused = decodesUnused;
     this.kernel = kernel;
   }
 
@@ -94,13 +90,13 @@ public final class SceneParser {
    * warnings, not errors.
    */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change, limits, textures, decodesUnused, kernel);
+    return new SceneParser(true, mode, change, limits, textures, kernel);
   }
 
   /** Returns a parser that overrides the render mode of the file. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
     return new SceneParser(
-        lenient, Optional.of(newMode), change, limits, textures, decodesUnused, kernel);
+        lenient, Optional.of(newMode), change, limits, textures, kernel);
   }
 
   /** Returns a parser that applies a function to the file's settings before it uses them. */
@@ -111,7 +107,6 @@ public final class SceneParser {
         Objects.requireNonNull(newChange, "newChange"),
         limits,
         textures,
-        decodesUnused,
         kernel);
   }
 
@@ -137,33 +132,25 @@ public final class SceneParser {
    *     #MAX_PIXELS_EVER}
    */
   public SceneParser limitedTo(Limits newLimits) {
-    return new SceneParser(lenient, mode, change, newLimits, textures, decodesUnused, kernel);
+    return new SceneParser(lenient, mode, change, newLimits, textures, kernel);
   }
 
   /** Returns a parser that overrides the filter of all textures. */
   public SceneParser filtering(ImageTexture.Filter filter) {
     TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
-    return new SceneParser(lenient, mode, change, limits, changed, decodesUnused, kernel);
+    return new SceneParser(lenient, mode, change, limits, changed, kernel);
   }
 
   /** Returns a parser whose textures increment a counter at each lookup. */
   public SceneParser countingTextures(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, mode, change, limits, changed, decodesUnused, kernel);
-  }
-
-  /**
-   * Returns a parser that also decodes unused meshes and textures, and reports their errors. The
-   * scene is the same.
-   */
-  public SceneParser decodingUnused() {
-    return new SceneParser(lenient, mode, change, limits, textures, true, kernel);
+    return new SceneParser(lenient, mode, change, limits, changed, kernel);
   }
 
   /** Returns a parser whose scenes use a traversal kernel; the default is {@link Kernel#AUTO}. */
   public SceneParser searchedBy(Kernel newKernel) {
     return new SceneParser(
-        lenient, mode, change, limits, textures, decodesUnused, Optional.of(newKernel));
+        lenient, mode, change, limits, textures, Optional.of(newKernel));
   }
 
   /**
@@ -449,21 +436,15 @@ public final class SceneParser {
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);
-    SceneFile made =
-        new SceneFile(
-            scene,
-            settings,
-            problems.warnings(),
-            HexFormat.of().formatHex(digest.digest()),
-            new FileHashes(ownHash, data.hashes()),
-            world.contents(),
-            world.origins(),
-            source);
-    if (decodesUnused) {
-      world.decodeUnused();
-      problems.throwIfAny();
-    }
-    return made;
+    return new SceneFile(
+        scene,
+        settings,
+        problems.warnings(),
+        HexFormat.of().formatHex(digest.digest()),
+        new FileHashes(ownHash, data.hashes()),
+        world.contents(),
+        world.origins(),
+        source);
   }
 
   /**

@@ -90,12 +90,6 @@ final class SceneReader {
         root.find("renderOptions").filter(JsonNode::isObject).flatMap(SettingsReader::backplate);
   }
 
-  /** Decodes the meshes and textures that no object uses. */
-  void decodeUnused() {
-    meshes.readAll();
-    textures.readAll();
-  }
-
   private void readCamera(double aspect) {
     List<Placed> all = objects(ObjectTree.Type.CAMERA);
     all.forEach(cameras::check);

@@ -145,11 +145,6 @@ final class TextureReader {
         .flatMap(asset -> pictures.computeIfAbsent(asset, this::read));
   }
 
-  /** Reads all textures, used or not. */
-  void readAll() {
-    assets.all(Type.TEXTURE).forEach(texture -> pictures.computeIfAbsent(texture, this::read));
-  }
-
   private Optional<Picture> read(JsonNode texture) {
     Interrupts.check();
     return family.choose(texture, "Image").flatMap(reader -> reader.read(texture));

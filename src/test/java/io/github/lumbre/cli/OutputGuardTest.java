@@ -57,8 +57,7 @@ class OutputGuardTest {
           "view SCENE",
           "view --compare",
           "views MODEL",
-          "trade SCENE",
-          "gallery --scenes");
+          "trade SCENE");
 
   /** A command line for each path that commands write; OUT is the output. */
   private static final Map<String, String> OUTPUTS =
@@ -76,8 +75,7 @@ class OutputGuardTest {
           Map.entry("denoise --output", "denoise T/a.film -o OUT.png"),
           Map.entry("layers --png", "layers T/a.film --png OUT"),
           Map.entry("trade --output", "trade T/wood.json -o OUT.html"),
-          Map.entry("views --output", "views T/mesh.obj -o OUT"),
-          Map.entry("gallery --out", "gallery wood --scenes T --out OUT"));
+          Map.entry("views --output", "views T/mesh.obj -o OUT"));
 
   @TempDir private Path directory;
 
@@ -148,7 +146,7 @@ class OutputGuardTest {
   }
 
   static Stream<String> commands() {
-    Set<String> folders = Set.of("gallery --out", "layers --png", "views --output");
+    Set<String> folders = Set.of("layers --png", "views --output");
     return OUTPUTS.keySet().stream().filter(name -> !folders.contains(name)).sorted();
   }
 
@@ -180,7 +178,6 @@ class OutputGuardTest {
     "merge T/a.film -o T/a.film, is a checkpoint file",
     "compare T/a.png T/wood.png --error-map T/wood.png, is the reference",
     "trade T/wood.json -o T/wood.html, is the scene",
-    "gallery wood --scenes T --out T, a file of the scene",
     "benchmark --scenes T --rows 3 --csv T/table.csv, is the table",
     "benchmark --scenes T --rows 3 --csv T/tiny.json, is the scene",
     "benchmark --scenes T --rows 3 --csv T/table-hashes.csv, is the file of hashes",
@@ -210,7 +207,6 @@ class OutputGuardTest {
     "wood.png, render T/wood.json -o LINK.png",
     "wood.json, render T/wood.json -o LINK.png",
     "mesh.obj, render T/wood.json -o LINK.png",
-    "mesh.obj, gallery wood --scenes T --out T/links",
     "wood.png, resume T/a.film -o LINK.png",
     "a.film, resume T/a.film -o LINK.png",
     "a.film, merge T/a.film -o LINK.png",
@@ -268,17 +264,6 @@ class OutputGuardTest {
     Path scene = directory.resolve("wood.json");
     Files.writeString(scene, Files.readString(scene).replace("wood.png", ".x.png.tmp"));
     assertRefused("render T/wood.json -o T/x.png", ".x.png.tmp");
-  }
-
-  @Test
-  void galleryKeepsTheReadmeOfSomebodyElse() throws IOException {
-    Path out = Files.createDirectories(directory.resolve("out"));
-    Files.writeString(out.resolve("README.md"), "# My pictures\n");
-    assertRefused("gallery wood --scenes T --out T/out", "README.md", "--overwrite", "--out");
-    Outcome forced = run("gallery wood --seconds 1 --scenes T --out T/out --overwrite");
-    assertThat(forced.exitCode()).as(forced.err()).isZero();
-    Outcome again = run("gallery wood --seconds 1 --scenes T --out T/out");
-    assertThat(again.exitCode()).as(again.err()).isZero();
   }
 
   @ParameterizedTest

@@ -185,20 +185,4 @@ class PerfCommandTest {
     assertThat(rows(outcome).get(0)).contains("| 16x12 | 2 | ").endsWith("| different |");
     bench("--split", "0").assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 0");
   }
-
-  /** A mesh of 2000 vertices and triangles takes at least 100 kB. */
-  @Test
-  void loadingTellsWhatUnusedAssetsWouldTake() throws IOException {
-    String obj = "v 0 0 0\nv 1 0 0\n" + "v 0 1 0\nf 1 2 -1\n".repeat(2000);
-    Files.writeString(directory.resolve("large.obj"), obj);
-    String mesh = "{\"id\": 9, \"assetType\": \"Mesh\", \"file\": \"large.obj\"}";
-    Path unused = TinyScene.write(directory, TinyScene.withAsset(mesh));
-    Outcome outcome = Outcome.of("perf", unused.toString(), "--loading");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    String[] cells = rows(outcome).get(0).split("\\|");
-    assertThat(cells[2].strip()).isEqualTo("1");
-    assertThat(Double.parseDouble(cells[6].strip().split(" ")[0])).isBetween(.1, 10.);
-    bench("--loading", "--paired", "--adaptive", "--repeat", "12")
-        .assertFailed(ExitCodes.USAGE, "--loading: cannot be combined with --paired");
-  }
 }

@@ -368,11 +368,6 @@ class TerminalIT {
 
   @Test
   void otherCommandsEndAtOnceAndLeaveNothing() throws IOException, InterruptedException {
-    try (PseudoTerminal terminal = lumbre(80, "gallery --scenes . --out . --seconds 60 tiny")) {
-      awaitBar(terminal);
-      assertEndsPromptly(terminal);
-    }
-    assertThat(directory.resolve("tiny.png")).doesNotExist();
     try (PseudoTerminal terminal = lumbre(80, "trade tiny.json --quick -o trade.html")) {
       terminal.await("its beginning", printed -> printed.contains("reference"));
       assertEndsPromptly(terminal);

@@ -314,7 +314,7 @@ class SceneParserTest {
   }
 
   @Test
-  void whatNothingUsesIsDecodedOnRequestOnly() throws IOException {
+  void unusedAssetsAreNotDecoded() throws IOException {
     Files.writeString(folder.resolve("unused.obj"), "nonsense");
     Files.writeString(folder.resolve("unused.png"), "nonsense");
     String text =
@@ -324,16 +324,6 @@ class SceneParserTest {
                 "{'id': 2, 'assetType': 'Mesh', 'file': 'unused.obj'},"
                     + "{'id': 3, 'assetType': 'Texture', 'file': 'unused.png'}"));
     assertThat(fixture.parse(text).origins().unused()).hasSize(2);
-    assertThat(fixture.refusal(new SceneParser().decodingUnused(), text))
-        .hasMessageContaining("$.assets[0].file")
-        .hasMessageContaining("$.assets[1].file");
-    Files.writeString(folder.resolve("unused.obj"), TRIANGLE);
-    Files.write(folder.resolve("unused.png"), SceneFixture.png(0xff0000));
-    SceneFile plain = fixture.parse(text);
-    SceneFile decoding = fixture.parse(new SceneParser().decodingUnused(), text);
-    assertThat(decoding.hash()).isEqualTo(plain.hash());
-    assertThat(decoding.contents()).isEqualTo(plain.contents());
-    assertThat(decoding.origins().unused()).isEqualTo(plain.origins().unused());
   }
 
   @ParameterizedTest
