@@ -42,8 +42,8 @@ class LayersTest {
   private static final String BASIC = "math image sampling texture geometry";
   private static final String LIBRARY =
       BASIC
-          + " file text limit path material camera light scene model guiding integrator render parser"
-          + " checkpoint denoise stopping preview audit compare";
+          + " file text limit path material camera light scene model guiding integrator render"
+          + " parser checkpoint denoise stopping preview audit compare";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =

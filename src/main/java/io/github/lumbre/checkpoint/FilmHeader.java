@@ -56,12 +56,6 @@ public record FilmHeader(
   public static final String REVISION = "revision";
 
   /**
-   * Name in the identity: SHA-256 of the plan of a pilot render, for {@link
-   * RenderSettings#AUTO_SPLIT}. It is known once the pilot is rendered.
-   */
-  public static final String SPLIT_PLAN = "split-plan";
-
-  /**
    * Name in the identity: hash of the guide of a pilot render, with {@link Setting#GUIDE}. It is
    * known once the pilot is rendered.
    */

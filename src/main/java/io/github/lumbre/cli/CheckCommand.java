@@ -59,7 +59,7 @@ final class CheckCommand implements Callable<Integer> {
       names = "--plan",
       description =
           "Also print which rendering steps this scene does not need and skips, and what"
-              + " --split auto and --guide auto would choose.")
+              + " --guide auto would choose.")
   boolean plan;
 
   @Spec CommandSpec spec;

@@ -57,8 +57,7 @@ final class HelpLayout {
             "--unit"));
     FLAGS.put("Frame", List.of("--size", "--crop", "--filter"));
     FLAGS.put(
-        "Light transport",
-        List.of("--mode", "--depth", "--split", "--pilot", "--guide", "--clamp", "--seed"));
+        "Light transport", List.of("--mode", "--depth", "--split", "--guide", "--clamp", "--seed"));
     FLAGS.put(
         "When to stop",
         List.of(

@@ -155,7 +155,9 @@ final class MergeCommand implements Callable<Integer> {
     Messages messages = messages();
     List<FilmMerge.Named> named = new ArrayList<>();
     for (Path film : films) {
-      named.add(new FilmMerge.Named(film.toString(), FilmInput.read(film, messages)));
+      FilmFile file = FilmInput.read(film, messages);
+      FilmInput.requireFixedSplit(film, file.header());
+      named.add(new FilmMerge.Named(film.toString(), file));
     }
     try {
       return FilmMerge.of(named);

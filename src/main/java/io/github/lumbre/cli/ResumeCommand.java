@@ -155,6 +155,7 @@ final class ResumeCommand implements Callable<Integer> {
     try (FilmKeeper keeper = checkpoints.keeper(film, run.errors())) {
       CheckpointFile.Loaded loaded = FilmInput.load(film, run.errors());
       FilmHeader header = loaded.file().header();
+      FilmInput.requireFixedSplit(film, header);
       requireNoGaps(header);
       FilmNotes notes = new FilmNotes(film, header);
       Path target = target(notes);
@@ -324,9 +325,8 @@ final class ResumeCommand implements Callable<Integer> {
       Map<String, String> here =
           new LinkedHashMap<>(FilmHeader.identity(file.hash(), file.settings()));
       // The pilot render is compared when it is rendered.
-      for (String name : List.of(FilmHeader.SPLIT_PLAN, FilmHeader.GUIDE_HASH)) {
-        Optional.ofNullable(header.identity().get(name)).ifPresent(plan -> here.put(name, plan));
-      }
+      String name = FilmHeader.GUIDE_HASH;
+      Optional.ofNullable(header.identity().get(name)).ifPresent(hash -> here.put(name, hash));
       header.requireSame(here, film.toString(), path.toString());
     } catch (FilmMismatchException e) {
       throw new TaskException(Kind.SCENE, e.getMessage(), e);

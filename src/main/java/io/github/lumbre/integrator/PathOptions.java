@@ -15,8 +15,7 @@ import java.util.Objects;
  *     least 0; the vertex that the camera sees is 0. Paths that have met mirrors and glass alone
  *     end from vertex 3 on at the earliest
  * @param split number of branches into which a path is split at its first non-specular vertex, at
- *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5). {@link
- *     #PLANNED} if it is that of {@link RenderContext#splitInto}
+ *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5)
  * @param transparent whether the background is transparent: camera rays that hit nothing find no
  *     light. Lights out of focus are not sampled through the lens then, because alpha counts the
  *     camera rays that hit something
@@ -34,9 +33,6 @@ public record PathOptions(
   /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 1;
 
-  /** Stands for the number of branches that the {@link RenderContext} of a sample has. */
-  public static final int PLANNED = RenderSettings.AUTO_SPLIT;
-
   public PathOptions {
     Objects.requireNonNull(heuristic, "heuristic");
     Objects.requireNonNull(lightSampler, "lightSampler");
@@ -44,7 +40,7 @@ public record PathOptions(
       throw new IllegalArgumentException(
           "maxDepth, firstRoulette: expected at least 0, found " + maxDepth + ", " + firstRoulette);
     }
-    if (split < 1 && split != PLANNED) {
+    if (split < 1) {
       throw new IllegalArgumentException("split: expected at least 1, found " + split);
     }
   }

@@ -49,11 +49,8 @@ public final class PathTracer implements Integrator {
   private final MisHeuristic heuristic;
   private final int firstRoulette;
 
-  /** Number of branches, unless the context has it. */
+  /** Number of branches of a split path. */
   private final int split;
-
-  /** Whether the context has the number of branches of each sample. */
-  private final boolean isPlanned;
 
   /** Whether there is more than one light to select from. */
   private final boolean selects;
@@ -125,8 +122,7 @@ public final class PathTracer implements Integrator {
     maxDepth = options.maxDepth();
     heuristic = options.heuristic();
     firstRoulette = options.firstRoulette();
-    isPlanned = options.split() == PathOptions.PLANNED;
-    split = Math.max(1, options.split());
+    split = options.split();
     emitters = scene.emitters().stream().map(PathTracer::besideBsdf).toArray(Light[]::new);
     facings = scene.emitters().stream().map(Facing::of).toArray(Facing[]::new);
     environments =
@@ -275,11 +271,11 @@ public final class PathTracer implements Integrator {
     if (isGuided) {
       vertex.findIn(guide);
     }
-    if (branches(context) > 1 && !isSpecular && !path.isSplit()) {
+    if (split > 1 && !isSpecular && !path.isSplit()) {
       if (samplesLights) {
         direct(vertex, sampler, depth, context);
       }
-      path.split(depth, branches(context));
+      path.split(depth, split);
       return end(End.SPLIT, context);
     }
     // Drawn before the light is sampled, so that the processor can compute both points in parallel.
@@ -343,17 +339,11 @@ public final class PathTracer implements Integrator {
     return true;
   }
 
-  /** Returns the number of branches of a split path. */
-  private int branches(RenderContext context) {
-    return isPlanned ? context.branchCount : split;
-  }
-
   /** Traces all branches of a split path, each with an equal share of the throughput. */
   private void traceBranches(Sampler sampler, RenderContext context) {
     Vertex vertex = context.keepVertex();
-    int branches = branches(context);
-    for (int branch = 0; branch < branches; branch++) {
-      sampler.startPart(branch, branches);
+    for (int branch = 0; branch < split; branch++) {
+      sampler.startPart(branch, split);
       int depth = context.path.returnToSplit();
       if (context.isRecorded) {
         context.listener.branchStarted(branch);
@@ -470,8 +460,7 @@ public final class PathTracer implements Integrator {
       bsdfPdf = context.link.pdf() * context.link.passProbability();
       double pdf = emitters[emitter].pdf(context.choice.point(), surface);
       double straightPdf = lightPdf(emitter, pdf, context);
-      lightPdf =
-          refractedLights.get().pdf(context.link, surface, straightPdf, context);
+      lightPdf = refractedLights.get().pdf(context.link, surface, straightPdf, context);
       weight = heuristic.bsdfWeight(bsdfPdf, lightPdf);
     }
     if (context.isRecorded) {

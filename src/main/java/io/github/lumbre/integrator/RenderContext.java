@@ -49,9 +49,6 @@ public final class RenderContext {
   private NearestHit otherHit = new NearestHit();
   private Vertex otherVertex = new Vertex();
 
-  /** Number of branches of a split path, for integrators that follow a plan. */
-  int branchCount = 1;
-
   long rays;
   boolean hitSomething;
 
@@ -199,16 +196,6 @@ public final class RenderContext {
     hitSomething = false;
     isRejected = false;
     isRecorded = isListening;
-  }
-
-  /**
-   * Sets the number of branches of the next samples, for integrators that follow a plan. All
-   * samples of a pixel must have the same number.
-   *
-   * @param branches at least 1
-   */
-  public void splitInto(int branches) {
-    branchCount = branches;
   }
 
   /** Returns whether the current sample's camera ray hit a surface. */

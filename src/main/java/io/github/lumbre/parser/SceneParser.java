@@ -95,19 +95,13 @@ public final class SceneParser {
 
   /** Returns a parser that overrides the render mode of the file. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
-    return new SceneParser(
-        lenient, Optional.of(newMode), change, limits, textures, kernel);
+    return new SceneParser(lenient, Optional.of(newMode), change, limits, textures, kernel);
   }
 
   /** Returns a parser that applies a function to the file's settings before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
     return new SceneParser(
-        lenient,
-        mode,
-        Objects.requireNonNull(newChange, "newChange"),
-        limits,
-        textures,
-        kernel);
+        lenient, mode, Objects.requireNonNull(newChange, "newChange"), limits, textures, kernel);
   }
 
   /**
@@ -149,8 +143,7 @@ public final class SceneParser {
 
   /** Returns a parser whose scenes use a traversal kernel; the default is {@link Kernel#AUTO}. */
   public SceneParser searchedBy(Kernel newKernel) {
-    return new SceneParser(
-        lenient, mode, change, limits, textures, Optional.of(newKernel));
+    return new SceneParser(lenient, mode, change, limits, textures, Optional.of(newKernel));
   }
 
   /**

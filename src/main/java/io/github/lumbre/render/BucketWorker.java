@@ -25,7 +25,6 @@ final class BucketWorker implements Runnable {
   private final RenderSettings settings;
   private final Scene scene;
   private final Integrator integrator;
-  private final SplitPlan plan;
   private final Film film;
   private final SampleTarget target;
   private final RenderQueue queue;
@@ -56,15 +55,14 @@ final class BucketWorker implements Runnable {
   BucketWorker(
       RenderSettings settings,
       Scene scene,
-      IntegratorSource.Planned planned,
+      Integrator integrator,
       Sampler sampler,
       Film film,
       SampleTarget target,
       RenderQueue queue) {
     this.settings = settings;
     this.scene = scene;
-    integrator = planned.integrator();
-    plan = planned.plan();
+    this.integrator = integrator;
     this.film = film;
     this.target = target;
     this.queue = queue;
@@ -122,7 +120,6 @@ final class BucketWorker implements Runnable {
   private boolean renderPixel(int x, int y) {
     int pixel = film.index(x, y);
     int wanted = target.samples(x, y);
-    context.splitInto(plan.branches(x, y));
     for (int count = film.samples(pixel); count < wanted; count++) {
       if (samples - reported >= SAMPLES_PER_REPORT) {
         report();

@@ -134,33 +134,25 @@ public final class FilmRenderer implements PassRenderer {
   }
 
   /**
-   * Renders the pilot of {@link RenderSettings#AUTO_SPLIT} if there is none yet. The first pass
-   * does so as well.
+   * Renders the pilot of {@link RenderSettings#guiding} if there is none yet. The first pass does
+   * so as well.
    *
    * @param progress can cancel it
    * @return the report; empty if the pilot was cancelled, and with other settings
    * @throws InterruptedException if the calling thread is interrupted
    * @throws RenderException if a path failed
    */
-  public Optional<SplitReport> plan(Progress progress) throws InterruptedException {
+  public Optional<GuideReport> plan(Progress progress) throws InterruptedException {
     try {
       integrators.get(pilot(progress));
     } catch (PilotRows.Stopped e) {
       return Optional.empty();
     }
-    return splitting();
+    return guiding();
   }
 
   private PilotRows pilot(Progress progress) {
     return new PilotRows(crew.pilotThreads(threads()), progress::isCancelled);
-  }
-
-  /**
-   * Returns the report on the pilot render of {@link RenderSettings#AUTO_SPLIT}, which the first
-   * pass begins with; empty before that and with other settings.
-   */
-  public Optional<SplitReport> splitting() {
-    return integrators.report();
   }
 
   /**
@@ -233,7 +225,7 @@ public final class FilmRenderer implements PassRenderer {
   public PassResult addSamples(Film film, SampleTarget target, Progress progress)
       throws InterruptedException {
     requireOwn(film);
-    IntegratorSource.Planned integrator;
+    Integrator integrator;
     try {
       integrator = integrators.get(pilot(progress));
     } catch (PilotRows.Stopped e) {

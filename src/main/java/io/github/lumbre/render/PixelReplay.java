@@ -25,7 +25,6 @@ public final class PixelReplay {
   private final RenderSettings settings;
   private final Sampler sampler;
   private final Integrator integrator;
-  private final SplitPlan plan;
   private final SampleLimit limit;
   private final PathRecorder recorder = new PathRecorder();
   private final RenderContext context = RenderContext.recordedBy(recorder);
@@ -40,14 +39,12 @@ public final class PixelReplay {
     this.scene = scene.framed(settings.aspect());
     this.settings = settings;
     sampler = new SobolSampler(settings.seed());
-    IntegratorSource.Planned planned = planned(settings, this.scene);
-    integrator = planned.integrator();
-    plan = planned.plan();
+    integrator = integrator(settings, this.scene);
     limit = SampleLimit.of(settings);
   }
 
   /** Returns the integrator; renders the pilot even if the calling thread is interrupted. */
-  private static IntegratorSource.Planned planned(RenderSettings settings, Scene scene) {
+  private static Integrator integrator(RenderSettings settings, Scene scene) {
     boolean isInterrupted = Thread.interrupted();
     IntegratorSource source = IntegratorSource.of(settings, scene);
     while (true) {
@@ -133,7 +130,6 @@ public final class PixelReplay {
    */
   public Sample sample(int x, int y, int number) {
     context.startSample();
-    context.splitInto(plan.branches(x, y));
     if (!CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {
       return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false, false);
     }

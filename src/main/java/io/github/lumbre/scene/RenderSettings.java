@@ -30,14 +30,6 @@ public final class RenderSettings {
   /** The largest allowed number of branches of a split path. */
   public static final int MAX_SPLIT = 256;
 
-  /** The number of branches that stands for a choice by a pilot render. */
-  public static final int AUTO_SPLIT = -1;
-
-  private static final int SPLIT_PILOT = 1024;
-
-  /** The largest allowed number of pixels of the pilot render that chooses it. */
-  public static final int MAX_SPLIT_PILOT = 4096;
-
   /** The largest allowed number of threads. */
   public static final int MAX_THREADS = 1024;
 
@@ -157,15 +149,9 @@ public final class RenderSettings {
     return get(Setting.FILTER);
   }
 
-  /** Returns {@link Setting#SPLIT}; {@link #AUTO_SPLIT} if a pilot render chooses. */
+  /** Returns {@link Setting#SPLIT}. */
   public int split() {
     return get(Setting.SPLIT);
-  }
-
-  /** Returns {@link Setting#SPLIT_PILOT}, or 1024 if it is {@link #AUTO_SPLIT}. */
-  public int splitPilot() {
-    int pixels = get(Setting.SPLIT_PILOT);
-    return pixels == AUTO_SPLIT ? SPLIT_PILOT : pixels;
   }
 
   /** Returns {@link Setting#GUIDE}. */
@@ -429,11 +415,6 @@ public final class RenderSettings {
     /** Sets {@link Setting#SPLIT}. */
     public Builder split(int value) {
       return set(Setting.SPLIT, value);
-    }
-
-    /** Sets {@link Setting#SPLIT_PILOT}. */
-    public Builder splitPilot(int value) {
-      return set(Setting.SPLIT_PILOT, value);
     }
 
     /** Sets {@link Setting#GUIDE}. */

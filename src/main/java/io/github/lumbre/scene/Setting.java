@@ -4,7 +4,6 @@ import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.SettingType.ChoiceType;
-import io.github.lumbre.scene.SettingType.CountType;
 import io.github.lumbre.scene.SettingType.ExposureType;
 import io.github.lumbre.scene.SettingType.FlagType;
 import io.github.lumbre.scene.SettingType.IntegerType;
@@ -98,18 +97,16 @@ public final class Setting<T> {
           .changingSamples();
 
   /**
-   * Path mode: the number of branches into which a path is split at its first non-specular surface,
-   * or {@link RenderSettings#AUTO_SPLIT}.
+   * Path mode: the number of branches into which a path is split at its first non-specular surface.
    */
   public static final Setting<Integer> SPLIT =
       new Setting<>(
               "split",
               Group.TRANSPORT,
-              new CountType(RenderSettings.AUTO_SPLIT, 1, RenderSettings.MAX_SPLIT),
+              new IntegerType(1, RenderSettings.MAX_SPLIT),
               1,
               "Path mode: split each path into N branches at its first surface that is not a mirror"
-                  + " or clear glass. Less noise in the same time where indirect light dominates;"
-                  + " auto chooses a number for each part of the frame, by a pilot render.")
+                  + " or clear glass. Less noise in the same time where indirect light dominates.")
           .withFlag("--split", "N")
           .changingSamples();
 
@@ -124,22 +121,6 @@ public final class Setting<T> {
                   + " guide paths there. Less noise where little light is found by chance, such as"
                   + " behind a door; auto guides them if that has less noise in a trial.")
           .withFlag("--guide", "MODE")
-          .changingSamples();
-
-  /**
-   * The number of pixels of the pilot render that chooses {@link #SPLIT}; with 0, paths are not
-   * split. Samples depend on it, because another pilot may choose other numbers.
-   */
-  public static final Setting<Integer> SPLIT_PILOT =
-      new Setting<>(
-              "split-pilot",
-              Group.TRANSPORT,
-              new CountType(RenderSettings.AUTO_SPLIT, 0, RenderSettings.MAX_SPLIT_PILOT),
-              RenderSettings.AUTO_SPLIT,
-              "Path mode: number of pixels of the pilot render of --split auto; with 0, paths are"
-                  + " not split. auto takes 4096, 1024 or 0, so that the pilot traces at most"
-                  + " 2 % of the requested samples.")
-          .withFlag("--pilot", "PIXELS")
           .changingSamples();
 
   /**

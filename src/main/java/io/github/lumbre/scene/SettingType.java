@@ -68,45 +68,6 @@ public sealed interface SettingType<T> {
     }
   }
 
-  /**
-   * Integers in a range, with both ends included, or {@code auto}.
-   *
-   * @param auto the value of {@code auto}, outside the range
-   */
-  record CountType(int auto, int low, int high) implements SettingType<Integer> {
-    @Override
-    public Integer parse(String text) {
-      if (text.equals(AUTO)) {
-        return auto;
-      }
-      Integer value = number(text, Integer::valueOf, expected());
-      if (value == auto) {
-        throw unexpected(expected(), text);
-      }
-      return value;
-    }
-
-    @Override
-    public boolean accepts(Integer value) {
-      return value == auto || value >= low && value <= high;
-    }
-
-    @Override
-    public String expected() {
-      return AUTO + " or " + low + " to " + high;
-    }
-
-    @Override
-    public List<String> names() {
-      return List.of(AUTO);
-    }
-
-    @Override
-    public String format(Integer value) {
-      return value == auto ? AUTO : String.valueOf(value);
-    }
-  }
-
   /** All 64-bit integers. */
   record LongType() implements SettingType<Long> {
     @Override

@@ -39,7 +39,6 @@ class CheckCommandTest {
   void workThatTheSceneDoesNotRequireIsTold() {
     assertThat(check(TinyScene.JSON).out()).doesNotContain("plan");
     assertThat(check(TinyScene.JSON, "--plan").out().lines().skip(12))
-        .filteredOn(line -> !line.startsWith("           path splitting: with --split auto, paths"))
         .filteredOn(line -> !line.startsWith("           path guiding: with --guide auto, paths"))
         .containsExactly(
             "plan       assets: all are used",

@@ -187,7 +187,45 @@ class FilmCommandsTest {
               film.header().faults()));
     }
     Outcome.of("resume", path("a.film"))
-        .assertFailed(ExitCodes.SCENE, "split in its header: expected auto or 1 to 256, found 0");
+        .assertFailed(ExitCodes.SCENE, "split in its header: expected 1 to 256, found 0");
+  }
+
+  /** An earlier version chose the numbers of branches by a pilot render. */
+  @Test
+  void filmsOfPlannedSplitsAreOnlyDeveloped() throws IOException {
+    assertDone(
+        render(
+            "a.pfm",
+            "-s",
+            "3",
+            "--split",
+            "2",
+            "--layers",
+            "denoise",
+            "--checkpoint",
+            path("a.film")));
+    FilmFile film = FilmFile.read(directory.resolve("a.film"));
+    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
+    identity.put("split", "auto");
+    identity.put("split-pilot", "1024");
+    identity.put("split-plan", "0".repeat(64));
+    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
+      file.save(
+          FilmFile.of(
+              identity,
+              film.film(),
+              film.header().layers(),
+              film.header().notes(),
+              film.header().faults()));
+    }
+    Outcome.of("resume", path("a.film"))
+        .assertFailed(ExitCodes.SCENE, "a.film: ", "--split auto", "--split N");
+    Outcome.of("merge", path("a.film"), path("a.film"), "-o", path("b.film"))
+        .assertFailed(ExitCodes.SCENE, "a.film: ", "--split auto", "--split N");
+    assertDone(Outcome.of("layers", path("a.film")));
+    assertDone(Outcome.of("denoise", path("a.film"), "-o", path("c.png")));
+    assertDone(Outcome.of("develop", path("a.film"), "-o", path("b.pfm")));
+    assertThat(bytes("b.pfm")).isEqualTo(bytes("a.pfm"));
   }
 
   @Test
@@ -332,7 +370,8 @@ class FilmCommandsTest {
     }
     byte[] last = bytes("p2");
     Outcome.of("merge", path("p0"), path("p1"), "-o", path("p2"))
-        .assertFailed(ExitCodes.OUTPUT, "p2: has samples 4 to 5 of ", "which the merged films lack");
+        .assertFailed(
+            ExitCodes.OUTPUT, "p2: has samples 4 to 5 of ", "which the merged films lack");
     assertThat(bytes("p2")).isEqualTo(last);
     assertThat(directory.resolve("p2.bak")).doesNotExist();
     assertDone(Outcome.of("merge", path("p0"), path("p1"), "-o", path("all")));

@@ -115,7 +115,7 @@ class PixelCommandTest {
         .isPositive();
     assertThat(sumOfAmounts(vertices)).isEqualTo(numbers(split.getAsJsonArray("radiance")));
     pixel(TinyScene.JSON, "8,9", "--split", "257")
-        .assertFailed(ExitCodes.USAGE, "--split: expected auto or 1 to 256, found 257");
+        .assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 257");
   }
 
   private static List<Double> sumOfAmounts(JsonArray vertices) {

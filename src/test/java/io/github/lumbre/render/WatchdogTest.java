@@ -70,7 +70,7 @@ class WatchdogTest {
     return new BucketWorker(
         SETTINGS,
         SCENE,
-        new IntegratorSource.Planned(integrator, SplitPlan.NONE),
+        integrator,
         new SobolSampler(0),
         renderer.newFilm(),
         (x, y) -> SETTINGS.samples(),

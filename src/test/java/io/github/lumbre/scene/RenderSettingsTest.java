@@ -27,7 +27,6 @@ class RenderSettingsTest {
           b -> b.rayDepths(8, 2),
           b -> b.rayDepths(2, 9),
           b -> b.split(3),
-          b -> b.splitPilot(99),
           b -> b.clamp(12.5),
           b -> b.samples(11),
           b -> b.adaptive(true),
@@ -48,7 +47,6 @@ class RenderSettingsTest {
         .maxTraceDepth(7)
         .rayDepths(8, 9)
         .split(3)
-        .splitPilot(99)
         .guiding(RenderSettings.Guiding.AUTO)
         .clamp(12.5)
         .samples(11)
@@ -75,7 +73,6 @@ class RenderSettingsTest {
     assertThat(settings.reflectionTraceDepth()).isEqualTo(8);
     assertThat(settings.refractionTraceDepth()).isEqualTo(9);
     assertThat(settings.split()).isEqualTo(3);
-    assertThat(settings.splitPilot()).isEqualTo(99);
     assertThat(settings.guiding()).isEqualTo(RenderSettings.Guiding.AUTO);
     assertThat(settings.clamp()).isEqualTo(12.5);
     assertThat(settings.samples()).isEqualTo(11);

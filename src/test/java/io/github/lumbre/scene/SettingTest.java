@@ -82,7 +82,7 @@ class SettingTest {
   void valuesOutOfRangeAreRefusedNamingTheSetting() {
     assertThatThrownBy(() -> Setting.SPLIT.require(257))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("split: expected auto or 1 to 256, found 257");
+        .hasMessage("split: expected 1 to 256, found 257");
     assertThatThrownBy(() -> Setting.CLAMP.require(0.0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("clamp: expected more than 0, found 0.0");

@@ -8,7 +8,6 @@ import io.github.lumbre.image.Exposure;
 import io.github.lumbre.scene.SettingType.ChoiceType;
 import io.github.lumbre.scene.SettingType.ExposureType;
 import io.github.lumbre.scene.SettingType.FlagType;
-import io.github.lumbre.scene.SettingType.CountType;
 import io.github.lumbre.scene.SettingType.IntegerType;
 import io.github.lumbre.scene.SettingType.LimitType;
 import io.github.lumbre.scene.SettingType.LongType;
@@ -38,18 +37,6 @@ class SettingTypeTest {
     assertThat(type.expected()).isEqualTo("-3 to 8");
     for (String text : new String[] {"", "x", "1.5", "2147483648"}) {
       assertRefused(type, text, "an integer up to 2147483647");
-    }
-  }
-
-  @Test
-  void aCountMayBeChosenByTheProgram() {
-    CountType type = new CountType(-1, 1, 9);
-    assertTextsAreRead(type, List.of(-1, 1, 9));
-    assertThat(type.parse("auto")).isEqualTo(-1);
-    assertThat(type.accepts(0)).isFalse();
-    assertThat(type.accepts(10)).isFalse();
-    for (String text : new String[] {"", "AUTO", "-1", "1.5"}) {
-      assertRefused(type, text, "auto or 1 to 9");
     }
   }
 

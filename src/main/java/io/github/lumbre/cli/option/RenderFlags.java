@@ -1,7 +1,6 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.SplitReport;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -231,13 +230,11 @@ public final class RenderFlags {
     RenderSettings.Builder builder = inScene.toBuilder();
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - firstSample()));
-    int requested = builder.build().samples();
     share().ifPresent(part -> select(part, builder));
     settings.override(builder);
     requirePathsFor(Setting.SPLIT, inScene.mode());
     requirePathsFor(Setting.GUIDE, inScene.mode());
     size.ifPresent(s -> builder.size(s.width(), s.height()));
-    limitPilot(builder, requested);
     depth.ifPresent(n -> setDepth(builder, inScene.mode(), n));
     if (size.isEmpty()) {
       requireCropIn(inScene.width(), inScene.height());
@@ -247,15 +244,6 @@ public final class RenderFlags {
       builder.set(Setting.LAYERS, withDenoising(builder.build().layers()));
     }
     return builder.build();
-  }
-
-  /** Limits the pilot render of {@code --split auto} to a share of all requested samples. */
-  private void limitPilot(RenderSettings.Builder builder, int requested) {
-    RenderSettings changed = builder.build();
-    if (changed.split() == RenderSettings.AUTO_SPLIT && !settings.isGiven(Setting.SPLIT_PILOT)) {
-      long pixels = (long) changed.width() * changed.height();
-      builder.splitPilot(SplitReport.pilotPixels(pixels, requested));
-    }
   }
 
   private static Set<Layer> withDenoising(Set<Layer> layers) {

@@ -14,7 +14,6 @@ import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneOrigins;
 import io.github.lumbre.render.GuideReport;
-import io.github.lumbre.render.SplitReport;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -42,7 +41,6 @@ public final class PlanReport {
     out.line("           normals: " + normals());
     out.line("           meshes: " + meshes());
     out.line("           light selection: " + choice());
-    out.line("           path splitting: " + splitting());
     out.line("           path guiding: " + guiding());
     out.line("           lens: " + lens());
     out.line("           pixel coverage: " + coverage());
@@ -114,22 +112,6 @@ public final class PlanReport {
       case HIERARCHY ->
           "1 of " + count + ", with a light tree that evaluates about 2 log2(n) nodes";
     };
-  }
-
-  private String splitting() {
-    if (settings.mode() == RenderSettings.Mode.RAY) {
-      return "skipped, ray mode has no paths";
-    }
-    int pixels =
-        SplitReport.pilotPixels((long) settings.width() * settings.height(), settings.samples());
-    RenderSettings auto =
-        settings.toBuilder().split(RenderSettings.AUTO_SPLIT).splitPilot(pixels).build();
-    try {
-      return "with --split auto, " + SplitReport.of(auto, scene).text();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return "not measured, because the pilot render was interrupted";
-    }
   }
 
   private String guiding() {

@@ -31,7 +31,6 @@ import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
-import io.github.lumbre.render.SplitReport;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
@@ -146,7 +145,6 @@ public record RenderJob(
     warnOfInvalidCoordinates(invalidCoordinates);
     NoiseReport noise = budget.report(film);
     boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
-    renderer.splitting().ifPresent(s -> tell("splitting", s.text(), s.values()));
     renderer.guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
     finish(film, new RenderResult(film.develop(), complete, statistics), noise, light, seconds);
     if (how.strict() && statistics.rejected() != 0) {
@@ -165,11 +163,7 @@ public record RenderJob(
    */
   private void plan(FilmRenderer renderer, Optional<FilmHeader> header)
       throws TaskException, InterruptedException {
-    Optional<SplitReport> splitting = renderer.plan(monitor);
-    if (splitting.isPresent()) {
-      identify(FilmHeader.SPLIT_PLAN, splitting.get().hash(), "--split auto", header);
-    }
-    Optional<GuideReport> guiding = renderer.guiding();
+    Optional<GuideReport> guiding = renderer.plan(monitor);
     if (guiding.isPresent()) {
       identify(FilmHeader.GUIDE_HASH, guiding.get().hashText(), "--guide", header);
     }

@@ -85,9 +85,7 @@ final class LogChart {
         format(
             "<svg viewBox=\"0 0 %d %d\" role=\"img\""
                 + " font-family=\"system-ui,sans-serif\"><title>%s</title>",
-            WIDTH,
-            height,
-            Html.escaped(title.isEmpty() ? up + ", " + across : title)));
+            WIDTH, height, Html.escaped(title.isEmpty() ? up + ", " + across : title)));
     grid();
     for (int i = 0; i < series.size(); i++) {
       draw(series.get(i), i);
