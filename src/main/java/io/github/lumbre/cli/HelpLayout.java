@@ -95,7 +95,6 @@ final class HelpLayout {
             "--port",
             "--no-open",
             "--compare",
-            "--display-server",
             "--progress",
             "--json",
             "--stats",

@@ -5,7 +5,6 @@ import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.DenoiserFlags;
-import io.github.lumbre.cli.option.DisplayServerFlag;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
@@ -169,8 +168,6 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin CheckpointFlags checkpoints;
 
-  @Mixin DisplayServerFlag display;
-
   @Option(
       names = "--turntable",
       paramLabel = "N",
@@ -273,10 +270,7 @@ final class RenderCommand implements Callable<Integer> {
               Budget.CONFIDENCE);
       RenderJob job = job(file, frames.picture(), keeper, monitor, budget, report);
       course.interruption.requireRender();
-      return DisplayedEngine.showing(
-          display.address(),
-          job.denoising(frames.denoised()),
-          shown -> shown.run(flags.firstSample()));
+      return job.denoising(frames.denoised()).run(flags.firstSample());
     }
   }
 
@@ -286,7 +280,6 @@ final class RenderCommand implements Callable<Integer> {
     budgets.validate();
     checkpoints.validate();
     kernel.validate();
-    display.address();
     require(
         !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
         "--adaptive: cannot be combined with --checkpoint, --samples-from or --samples-to, because"

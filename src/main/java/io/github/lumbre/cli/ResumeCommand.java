@@ -5,7 +5,6 @@ import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
-import io.github.lumbre.cli.option.DisplayServerFlag;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
@@ -39,7 +38,6 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting.Group;
 import java.io.IOException;
-import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -131,8 +129,6 @@ final class ResumeCommand implements Callable<Integer> {
 
   @Mixin CheckpointFlags checkpoints;
 
-  @Mixin DisplayServerFlag display;
-
   @Option(names = "--debug", description = "Print the stack trace of an error.")
   boolean debug;
 
@@ -148,7 +144,6 @@ final class ResumeCommand implements Callable<Integer> {
 
   private int run(JsonSummary report) throws TaskException, SceneFormatException {
     validate();
-    Optional<InetSocketAddress> viewer = display.address();
     Deadline deadline = run.deadline();
     Instant start = BudgetFlags.start();
     Duration startup = Duration.between(start, Instant.now());
@@ -201,7 +196,7 @@ final class ResumeCommand implements Callable<Integer> {
                 budget,
                 run.how(notes.bits(), false),
                 engine);
-        return DisplayedEngine.showing(viewer, job, shown -> shown.run(loaded.file()));
+        return job.run(loaded.file());
       }
     }
   }

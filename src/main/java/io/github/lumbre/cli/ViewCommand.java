@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.cli.option.BudgetFlags;
-import io.github.lumbre.cli.option.DisplayServerFlag;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.QualityFlags;
@@ -18,7 +17,6 @@ import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.LayerInput;
 import io.github.lumbre.cli.run.RenderMonitor;
-import io.github.lumbre.cli.view.DisplayServer;
 import io.github.lumbre.cli.view.SceneSource;
 import io.github.lumbre.cli.view.SystemBrowser;
 import io.github.lumbre.cli.view.View;
@@ -36,14 +34,12 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.preview.PreviewListener;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
@@ -124,8 +120,6 @@ final class ViewCommand implements Callable<Integer> {
 
   @Mixin KernelFlag kernel;
 
-  @Mixin DisplayServerFlag display;
-
   @Spec CommandSpec spec;
 
   @Override
@@ -133,7 +127,6 @@ final class ViewCommand implements Callable<Integer> {
     flags.validate();
     budgets.validate();
     kernel.validate();
-    Optional<InetSocketAddress> viewer = display.address();
     FlagChecks checks = new FlagChecks(spec);
     checks.requireIn("--port", 0, 65535, port);
     checks.require(
@@ -148,18 +141,9 @@ final class ViewCommand implements Callable<Integer> {
     try (Interruption interruption = Interruption.listen();
         RenderMonitor monitor = new RenderMonitor(interruption, false);
         View view = view(how, errors)) {
-      String name = String.valueOf(options.scene().getFileName());
-      Optional<DisplayServer> server =
-          viewer.map(address -> DisplayServer.start(address, name, errors::line));
-      try {
-        view.open(
-            server.map(PreviewListener.class::cast).orElse(PreviewListener.NONE),
-            new ViewLimits(targetError(), budgets.confidence(), budgets.time()));
-        announce(view);
-        view.run(monitor::isCancelled);
-      } finally {
-        server.ifPresent(DisplayServer::close);
-      }
+      view.open(new ViewLimits(targetError(), budgets.confidence(), budgets.time()));
+      announce(view);
+      view.run(monitor::isCancelled);
       return ExitCodes.INTERRUPTED;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

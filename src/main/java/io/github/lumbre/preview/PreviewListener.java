@@ -9,18 +9,6 @@ import java.util.Set;
  */
 @FunctionalInterface
 public interface PreviewListener {
-  /** A listener that is never watching. */
-  PreviewListener NONE =
-      new PreviewListener() {
-        @Override
-        public boolean isWatching() {
-          return false;
-        }
-
-        @Override
-        public void show(Preview preview) {}
-      };
-
   /**
    * Receives a picture. The render waits until this method returns, so it should pass the picture
    * to another thread if it has more to do with it than to keep it.

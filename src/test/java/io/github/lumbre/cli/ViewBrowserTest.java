@@ -16,7 +16,6 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.preview.PreviewListener;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
@@ -120,7 +119,7 @@ class ViewBrowserTest {
 
   private void start(Optional<View.Picture> other) throws Exception {
     view = View.of(source(), new View.Options(scene, 0, other, other.isPresent() ? "d.png" : ""));
-    view.open(PreviewListener.NONE, ViewLimits.NONE);
+    view.open(ViewLimits.NONE);
     runner =
         new Thread(
             () -> {

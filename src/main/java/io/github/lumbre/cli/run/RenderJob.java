@@ -94,12 +94,6 @@ public record RenderJob(
         scene, file, picture, keeper, monitor, messages, report, budget, more, engine);
   }
 
-  /** Returns this job with another engine. */
-  public RenderJob by(Engine other) {
-    return new RenderJob(
-        scene, file, picture, keeper, monitor, messages, report, budget, how, other);
-  }
-
   /** Renders a new film. */
   public int run(int firstSample) throws TaskException {
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());

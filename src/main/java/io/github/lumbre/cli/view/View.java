@@ -7,7 +7,6 @@ import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.preview.PreviewListener;
 import io.github.lumbre.scene.Layer;
 import java.net.URI;
 import java.nio.file.Path;
@@ -102,8 +101,7 @@ public final class View implements AutoCloseable {
             look,
             options.other().map(Picture::frame),
             new StateJson.Other(
-                options.otherName(),
-                options.other().map(Picture::isDisplayReferred).orElse(false)),
+                options.otherName(), options.other().map(Picture::isDisplayReferred).orElse(false)),
             new PictureFiles(options.path()));
     return new View(session, ViewServer.start(options.port(), routes), source);
   }
@@ -120,16 +118,14 @@ public final class View implements AutoCloseable {
   /**
    * Reads the scene for the first time and starts to render it.
    *
-   * @param also receives previews besides the page
    * @param limits what ends the render besides its samples
    * @throws SceneFormatException if the scene is invalid; later, the page shows such errors
    */
-  public void open(PreviewListener also, ViewLimits limits)
-      throws SceneFormatException, TaskException {
+  public void open(ViewLimits limits) throws SceneFormatException, TaskException {
     if (source.isPresent()) {
       SceneFile file = source.get().read(Set.of());
       session.open(file);
-      Thread thread = new Thread(new ViewRenderer(session, also, limits), "lumbre-view");
+      Thread thread = new Thread(new ViewRenderer(session, limits), "lumbre-view");
       thread.setDaemon(true);
       thread.start();
       renderer = Optional.of(thread);

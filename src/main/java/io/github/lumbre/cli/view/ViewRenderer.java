@@ -27,7 +27,6 @@ public final class ViewRenderer implements Runnable {
   private static final long DRAFT_NANOS = 2_000_000_000;
 
   private final ViewSession session;
-  private final PreviewListener also;
   private final ViewLimits limits;
   private final Drafts drafts;
   private long drafted = -1;
@@ -49,12 +48,10 @@ public final class ViewRenderer implements Runnable {
       long goal) {}
 
   /**
-   * @param also receives the previews of full renders besides the session
    * @param limits what ends a full render besides its samples
    */
-  ViewRenderer(ViewSession session, PreviewListener also, ViewLimits limits) {
+  ViewRenderer(ViewSession session, ViewLimits limits) {
     this.session = session;
-    this.also = also;
     this.limits = limits;
     drafts = new Drafts(session);
   }
@@ -82,19 +79,17 @@ public final class ViewRenderer implements Runnable {
       if (!hasAll && System.nanoTime() - start < DRAFT_NANOS) {
         return false;
       }
-      return !hasShown || session.viewers().areWatching() || also.isWatching();
+      return !hasShown || session.viewers().areWatching();
     }
 
     @Override
     public boolean isUrgent() {
-      return session.viewers().isUrgent() || also.isUrgent();
+      return session.viewers().isUrgent();
     }
 
     @Override
     public Set<Layer> layers() {
-      Set<Layer> layers = session.viewers().layers();
-      layers.addAll(also.layers());
-      return layers;
+      return session.viewers().layers();
     }
 
     @Override
@@ -104,7 +99,7 @@ public final class ViewRenderer implements Runnable {
 
     @Override
     public double secondsElsewhere() {
-      return session.viewers().takeCost() + also.secondsElsewhere();
+      return session.viewers().takeCost();
     }
 
     @Override
@@ -112,9 +107,6 @@ public final class ViewRenderer implements Runnable {
       session.viewers().served();
       hasShown = true;
       session.show(job.generation(), preview, false, isLast);
-      if (also.isWatching()) {
-        also.show(preview);
-      }
     }
 
     void showLast(PreviewRenderer renderer, Film film) {
@@ -145,9 +137,9 @@ public final class ViewRenderer implements Runnable {
     }
   }
 
-  /** Shows the film again if a page wants a layer of it, or a display server is there again. */
+  /** Shows the film again if a page wants a layer of it. */
   private void refresh() {
-    boolean isUrgent = session.viewers().isUrgent() || also.isUrgent();
+    boolean isUrgent = session.viewers().isUrgent();
     if (full.isPresent() && isUrgent && full.get().generation() == drafted) {
       full.get().sink().showLast(full.get().renderer(), full.get().film());
     }

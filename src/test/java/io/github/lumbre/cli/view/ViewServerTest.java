@@ -15,7 +15,6 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.preview.PreviewListener;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -134,7 +133,7 @@ class ViewServerTest {
 
   private void start(ViewLimits limits) throws Exception {
     view = View.of(new Source(), options());
-    view.open(PreviewListener.NONE, limits);
+    view.open(limits);
     runner =
         new Thread(
             () -> {
@@ -560,7 +559,7 @@ class ViewServerTest {
     View.Picture picture = new View.Picture(image, List.of(), Map.of(), false);
     View.Options options = new View.Options(scene, 0, Optional.of(picture), "other.exr");
     view = View.of(picture, Exposure.of(1), ToneCurve.AGX, options);
-    view.open(PreviewListener.NONE, ViewLimits.NONE);
+    view.open(ViewLimits.NONE);
     JsonObject state = state(0);
     assertThat(state.get("status").getAsString()).isEqualTo("still");
     assertThat(state.get("toneMap").getAsString()).isEqualTo("agx");
