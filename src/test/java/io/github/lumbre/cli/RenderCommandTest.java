@@ -3,12 +3,19 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.BucketRenderer;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -128,6 +135,23 @@ class RenderCommandTest {
     assertThat(render(dark, "--exposure", "auto").err()).doesNotContain("hint");
     assertThat(render(dark, "--exposure", "9").err()).doesNotContain("hint");
     assertThat(render(TinyScene.JSON).err()).doesNotContain("hint");
+  }
+
+  /** A model's automatic exposure is that of its objects; a scene's is that of the format. */
+  @Test
+  void automaticExposureOfScenesIsThatOfTheirFormat() throws IOException, InterruptedException {
+    render(TinyScene.JSON, "--exposure", "auto");
+    SceneFile file = new SceneParser().parse(directory.resolve("tiny.json"));
+    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Path expected = directory.resolve("expected.png");
+    ImageWriter.write(
+        image,
+        expected,
+        new ImageWriter.Options(Exposure.AUTO, file.settings().toneCurve(), 8, Map.of()));
+    BufferedImage shown = ImageIO.read(picture().toFile());
+    BufferedImage right = ImageIO.read(expected.toFile());
+    assertThat(shown.getRGB(0, 0, 16, 12, null, 0, 16))
+        .isEqualTo(right.getRGB(0, 0, 16, 12, null, 0, 16));
   }
 
   @Test

@@ -164,10 +164,11 @@ public final class Summary {
   }
 
   /**
-   * Returns the exposure of the picture. An automatic one scales the median luminance of the pixels
-   * that objects other than infinite planes cover to 18 % gray, if there are other pixels, too.
+   * Returns the exposure of a model's picture. An automatic one scales the median luminance of the
+   * pixels that objects other than infinite planes cover to 18 % gray, if there are other pixels,
+   * too. Scenes have an automatic exposure of their own: that of their format.
    */
-  public Exposure exposure(Scene scene) {
+  public Exposure exposureOfObjects(Scene scene) {
     if (settings.exposure().stops().isPresent()) {
       return settings.exposure();
     }

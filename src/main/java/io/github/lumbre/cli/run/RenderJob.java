@@ -314,7 +314,7 @@ public record RenderJob(
     }
     ImageWriter.Options options =
         new ImageWriter.Options(
-            summary.exposure(file.scene()),
+            isModel() ? summary.exposureOfObjects(file.scene()) : settings.exposure(),
             settings.toneCurve(),
             how.bits(),
             how.jpegQuality(),
@@ -338,6 +338,11 @@ public record RenderJob(
     if (keeper.failure().isPresent()) {
       throw new TaskException(Kind.OUTPUT, keeper.failure().get());
     }
+  }
+
+  /** Returns whether the scene is a model that is rendered by itself. */
+  private boolean isModel() {
+    return file.text().isPresent();
   }
 
   private void denoise(Film film, DenoisedPicture denoised, ImageWriter.Options options)
