@@ -160,9 +160,7 @@ final class ExrWriter {
     attribute(out, "pixelAspectRatio", "float", ints(Float.floatToIntBits(1)));
     attribute(out, "screenWindowCenter", "v2f", ints(0, 0));
     attribute(out, "screenWindowWidth", "float", ints(Float.floatToIntBits(1)));
-    metadata.forEach(
-        (keyword, text) ->
-            attribute(out, keyword, "string", utf8(text)));
+    metadata.forEach((keyword, text) -> attribute(out, keyword, "string", utf8(text)));
     out.write(0);
     return out.toByteArray();
   }

@@ -36,7 +36,8 @@ public final class ImageReader {
   /**
    * Checks the structure of a file without decoding the picture.
    *
-   * @throws ImageFormatException if it is not that of a PNG or JPEG file, or the picture is too large
+   * @throws ImageFormatException if it is not that of a PNG or JPEG file, or the picture is too
+   *     large
    */
   public static void requireIntact(byte[] file) throws ImageFormatException {
     if (PngFile.startsIn(file)) {
@@ -76,8 +77,7 @@ public final class ImageReader {
       PngFile png = PngFile.read(file);
       checkPixels(png.width(), png.height(), maxPixels);
       checkMemory(png.width(), png.height(), 1, Runtime.getRuntime().maxMemory());
-      return decode(
-          "PNG", png.content(), reader -> Pixels.of(reader.read(0), png.transparency()));
+      return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0), png.transparency()));
     }
     if (JpegFile.startsIn(file)) {
       JpegFile jpeg = JpegFile.read(file);

@@ -37,7 +37,9 @@ public final class Pixels {
   /** Offset of alpha in a pixel; -1 without alpha. */
   private final int alpha;
 
-  /** The samples of the color that is transparent: one of gray, or three; empty if there is none. */
+  /**
+   * The samples of the color that is transparent: one of gray, or three; empty if there is none.
+   */
   private final int[] key;
 
   private Pixels(

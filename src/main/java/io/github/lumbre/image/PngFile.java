@@ -74,7 +74,8 @@ record PngFile(int width, int height, PngTransparency transparency, byte[] conte
       }
       if (type == TRNS) {
         checkSum(file, start, length);
-        transparency = Arrays.copyOfRange(file, start + 8, start + 8 + Math.min(length, MAX_COLORS));
+        transparency =
+            Arrays.copyOfRange(file, start + 8, start + 8 + Math.min(length, MAX_COLORS));
       }
       in.position(start + length + FRAME_BYTES);
     } while (type != IEND);

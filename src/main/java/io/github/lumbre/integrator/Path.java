@@ -126,8 +126,8 @@ final class Path {
   /**
    * Returns the probability with which roulette should continue the path at a vertex, by the light
    * that the path is expected to find beyond it, compared with its first vertex (Vorba and Krivanek
-   * 2016, "Adjoint-Driven Russian Roulette and Splitting"). A guided path has a low throughput where
-   * much light is, so that the throughput alone would end the wrong paths.
+   * 2016, "Adjoint-Driven Russian Roulette and Splitting"). A guided path has a low throughput
+   * where much light is, so that the throughput alone would end the wrong paths.
    *
    * @param mean mean radiance that the vertex scatters
    */

@@ -26,6 +26,7 @@ record Sheen(Rgb color, double roughness) implements Lobe {
 
   /** Cosines and sines of the azimuths of the quadrature. */
   private static final double[] COSINES = new double[POINTS];
+
   private static final double[] SINES = new double[POINTS];
 
   private static final double[] ALBEDO = new double[ROWS * COLUMNS];

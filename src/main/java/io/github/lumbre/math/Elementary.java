@@ -5,7 +5,8 @@ package io.github.lumbre.math;
  *
  * <p>{@link Math#sin} and similar methods may differ by an ulp between machines, and between
  * interpreted and compiled code. All code that computes samples uses this class instead. Functions
- * for inner loops use only + − × ÷ and {@link FusedMultiplyAdd}; the others call {@link StrictMath}.
+ * for inner loops use only + − × ÷ and {@link FusedMultiplyAdd}; the others call {@link
+ * StrictMath}.
  */
 public final class Elementary {
   public static final double TWO_PI = 2 * Math.PI;

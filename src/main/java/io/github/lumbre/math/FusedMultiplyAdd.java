@@ -4,10 +4,10 @@ package io.github.lumbre.math;
  * The sum of a product and a number, rounded once, as {@link Math#fma} returns it, at a fair speed
  * on every processor.
  *
- * <p>Where the processor has no such instruction, or Java does not use it, {@link Math#fma} computes
- * with {@link java.math.BigDecimal}, which takes hundreds of times as long. There this class adds
- * exact products of doubles instead. Both have the same bits, so that the choice, which is made once
- * by their times, changes nothing else.
+ * <p>Where the processor has no such instruction, or Java does not use it, {@link Math#fma}
+ * computes with {@link java.math.BigDecimal}, which takes hundreds of times as long. There this
+ * class adds exact products of doubles instead. Both have the same bits, so that the choice, which
+ * is made once by their times, changes nothing else.
  */
 public final class FusedMultiplyAdd {
   /** 2^27 + 1, which splits a number into two halves of 26 bits (Dekker 1971). */

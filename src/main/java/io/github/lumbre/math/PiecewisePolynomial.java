@@ -60,8 +60,16 @@ final class PiecewisePolynomial {
     int i = interval * COEFFICIENTS;
     double s2 = s * s;
     // Two independent chains of operations take half the time of one.
-    double even = FusedMultiplyAdd.of(FusedMultiplyAdd.of(FusedMultiplyAdd.of(c[i + 6], s2, c[i + 4]), s2, c[i + 2]), s2, c[i]);
-    double odd = FusedMultiplyAdd.of(FusedMultiplyAdd.of(FusedMultiplyAdd.of(c[i + 7], s2, c[i + 5]), s2, c[i + 3]), s2, c[i + 1]);
+    double even =
+        FusedMultiplyAdd.of(
+            FusedMultiplyAdd.of(FusedMultiplyAdd.of(c[i + 6], s2, c[i + 4]), s2, c[i + 2]),
+            s2,
+            c[i]);
+    double odd =
+        FusedMultiplyAdd.of(
+            FusedMultiplyAdd.of(FusedMultiplyAdd.of(c[i + 7], s2, c[i + 5]), s2, c[i + 3]),
+            s2,
+            c[i + 1]);
     return FusedMultiplyAdd.of(s, odd, even);
   }
 }

@@ -137,8 +137,7 @@ final class GltfReader {
    * @param isFlat whether it can be if the node flattens it to a plane
    */
   private boolean isPlaced(GltfNode node, GltfMatrix matrix, boolean isFlat) {
-    boolean isPlaced =
-        matrix.dimensions() == 2 ? isFlat : matrix.toTransform().isInvertible();
+    boolean isPlaced = matrix.dimensions() == 2 ? isFlat : matrix.toTransform().isInvertible();
     if (!isPlaced) {
       document
           .warnings()

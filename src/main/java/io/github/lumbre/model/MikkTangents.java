@@ -56,10 +56,7 @@ final class MikkTangents {
   private record Key(Vec3 position, Vec3 normal, double u, double v) {
     static Key of(ModelGeometry mesh, double[] uvs, int i) {
       return new Key(
-          vector(mesh.positions(), i),
-          vector(mesh.normals(), i),
-          uvs[2 * i],
-          uvs[2 * i + 1]);
+          vector(mesh.positions(), i), vector(mesh.normals(), i), uvs[2 * i], uvs[2 * i + 1]);
     }
   }
 

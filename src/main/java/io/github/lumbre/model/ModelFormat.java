@@ -61,7 +61,8 @@ enum ModelFormat {
       return Arrays.stream(values()).filter(f -> f.content.equals(found.get())).findFirst();
     }
     String text =
-        new String(start, 0, Math.min(start.length, FileContent.START), StandardCharsets.ISO_8859_1);
+        new String(
+            start, 0, Math.min(start.length, FileContent.START), StandardCharsets.ISO_8859_1);
     if (found.isPresent()) {
       return ASSET.matcher(text).find() ? Optional.of(GLTF) : Optional.empty();
     }

@@ -42,11 +42,7 @@ final class ModelMaterials {
    * @param maxTexels the largest number of texels of all pictures
    */
   ModelMaterials(Transform toWorld, long maxTexels) {
-    this(
-        toWorld,
-        maxTexels,
-        Collections.synchronizedMap(new IdentityHashMap<>()),
-        new Warnings());
+    this(toWorld, maxTexels, Collections.synchronizedMap(new IdentityHashMap<>()), new Warnings());
   }
 
   private ModelMaterials(

@@ -37,8 +37,8 @@ public final class ModelReader {
   }
 
   /**
-   * Returns the content of a model file. The ending of its name chooses the format; if it is unknown, such
-   * as .vrm, the content does. The model has a triangle with an area, or a light.
+   * Returns the content of a model file. The ending of its name chooses the format; if it is
+   * unknown, such as .vrm, the content does. The model has a triangle with an area, or a light.
    *
    * @param name of the file
    * @param content bytes of the file

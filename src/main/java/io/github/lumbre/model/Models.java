@@ -58,8 +58,7 @@ public final class Models {
           files.put(other, bytes);
           return bytes;
         };
-    Model model =
-        ModelReader.read(name, content, recording.searchedBy(folder::similar), options);
+    Model model = ModelReader.read(name, content, recording.searchedBy(folder::similar), options);
     return new ModelFile(name, content.clone(), files, options, model);
   }
 }

@@ -22,8 +22,8 @@ import java.util.Optional;
  *       1.5. With {@code illum} 3, 5 and 8, which reflect the surroundings, it is {@code Ks}. With
  *       {@code illum} 0 and 1, there is no reflection.
  *   <li>{@code illum} 6 and 7 refract: the transmission is 1 − d, or 1 if d = 1, with index {@code
- *       Ni} and color {@code Tf}. Otherwise, {@code d}, or 1 − {@code Tr}, is the opacity.
- *       {@code Tr 1} without {@code d} is opaque, since several tools write it so.
+ *       Ni} and color {@code Tf}. Otherwise, {@code d}, or 1 − {@code Tr}, is the opacity. {@code
+ *       Tr 1} without {@code d} is opaque, since several tools write it so.
  *   <li>A {@code map_Bump} with colors is a normal map; height maps are ignored.
  *   <li>A picture that is missing is left out with a warning.
  * </ul>

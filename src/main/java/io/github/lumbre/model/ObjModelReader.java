@@ -226,9 +226,7 @@ final class ObjModelReader {
     int dropped = part.surface().triangles().removeFlat(mesh.positions());
     if (dropped > 0) {
       warnings.add(
-          "triangles of zero area",
-          part.location(),
-          "dropped triangles of zero area: " + dropped);
+          "triangles of zero area", part.location(), "dropped triangles of zero area: " + dropped);
     }
     if (part.surface().triangles().count() == 0) {
       return;

@@ -41,12 +41,6 @@ final class PlainModel {
   /** Returns a model that has parts only. */
   static Model of(List<ModelPart> parts, List<String> warnings) {
     return new Model(
-        TriangleMesh.Front.NORMALS,
-        parts,
-        List.of(),
-        List.of(),
-        List.of(),
-        List.of(),
-        warnings);
+        TriangleMesh.Front.NORMALS, parts, List.of(), List.of(), List.of(), List.of(), warnings);
   }
 }

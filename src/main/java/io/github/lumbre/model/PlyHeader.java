@@ -13,11 +13,7 @@ import java.util.Optional;
  * @param bodyLine number of the first line after the header
  */
 record PlyHeader(
-    Format format,
-    List<PlyElement> elements,
-    List<String> textures,
-    int bodyOffset,
-    int bodyLine) {
+    Format format, List<PlyElement> elements, List<String> textures, int bodyOffset, int bodyLine) {
 
   /** The forms of numbers after the header. */
   enum Format {

@@ -287,8 +287,7 @@ final class PlyReader {
     if (!names.isEmpty()) {
       warnings.add(
           "element " + element.name(),
-          "ignored the properties "
-              + PrintableText.shortened(String.join(", ", names)));
+          "ignored the properties " + PrintableText.shortened(String.join(", ", names)));
     }
   }
 }

@@ -234,9 +234,7 @@ final class PlyVertices {
     float[] all = new float[painted.length + colors.length == 0 ? 0 : 4 * corners.length];
     for (int i = 0; i < all.length; i++) {
       all[i] =
-          painted.length > 0
-              ? painted[4 * (i / 12) + i % 4]
-              : colors[4 * corners[i / 4] + i % 4];
+          painted.length > 0 ? painted[4 * (i / 12) + i % 4] : colors[4 * corners[i / 4] + i % 4];
     }
     colors = all;
   }

@@ -34,7 +34,6 @@ final class Tally {
   /** Adds a warning for each reason. */
   void addTo(Warnings warnings) {
     counters.forEach(
-        (reason, counter) ->
-            warnings.add(reason, counter.place, reason + ": " + counter.count));
+        (reason, counter) -> warnings.add(reason, counter.place, reason + ": " + counter.count));
   }
 }

@@ -75,8 +75,7 @@ final class TriangleList {
    * @return the number of removed triangles
    */
   int removeFlat(double[] positions) {
-    return removeUnless(
-        i -> hasArea(positions, indices[i], indices[i + 1], indices[i + 2]));
+    return removeUnless(i -> hasArea(positions, indices[i], indices[i + 1], indices[i + 2]));
   }
 
   /** Returns whether a triangle between three vertices has an area. */

@@ -133,18 +133,19 @@ final class AssetData {
             .map(path -> folder.resolve(path).normalize().getParent())
             .filter(path -> path.startsWith(folder))
             .map(FileSearch::new);
-    ModelFolder files = (name, location) -> {
-      try {
-        return bytes(parent + name);
-      } catch (Unusable e) {
-        throw new ModelFormatException(
-            e.kind == Kind.LIMIT
-                ? ModelFormatException.Kind.TOO_LARGE
-                : ModelFormatException.Kind.ASSET,
-            location,
-            e.getMessage());
-      }
-    };
+    ModelFolder files =
+        (name, location) -> {
+          try {
+            return bytes(parent + name);
+          } catch (Unusable e) {
+            throw new ModelFormatException(
+                e.kind == Kind.LIMIT
+                    ? ModelFormatException.Kind.TOO_LARGE
+                    : ModelFormatException.Kind.ASSET,
+                location,
+                e.getMessage());
+          }
+        };
     return files.searchedBy(name -> search.map(s -> s.of(name)).orElse(List.of()));
   }
 

@@ -70,11 +70,7 @@ final class ModelObjects {
    * @param lenient whether a missing picture of a model is a warning instead of an error
    */
   ModelObjects(
-      AssetData data,
-      MaterialReader materials,
-      String sceneName,
-      Kernel kernel,
-      boolean lenient) {
+      AssetData data, MaterialReader materials, String sceneName, Kernel kernel, boolean lenient) {
     this.data = data;
     this.materials = materials;
     this.sceneName = sceneName;

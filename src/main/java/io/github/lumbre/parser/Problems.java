@@ -104,9 +104,7 @@ final class Problems {
 
   /** Returns where a file was sought, if its path says more than its name. */
   static String at(Path file) {
-    return file.getNameCount() == 1 && !file.isAbsolute()
-        ? ""
-        : " at " + quoted(file.toString());
+    return file.getNameCount() == 1 && !file.isAbsolute() ? "" : " at " + quoted(file.toString());
   }
 
   /** Returns a text from a scene that is safe to print: quoted, escaped and shortened. */

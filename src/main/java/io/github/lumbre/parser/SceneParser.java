@@ -166,7 +166,8 @@ public final class SceneParser {
 
   /**
    * Reads a model and builds the scene around it. The picture's size is that of the parser's
-   * settings; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or 4:3.
+   * settings; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or
+   * 4:3.
    *
    * @param model path of a glTF, OBJ, PLY or STL file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors

@@ -33,8 +33,7 @@ class CameraAspectTest {
         "perspective | {'yfov': 0.6, 'znear': 0.1, 'aspectRatio': 2} | --camera close | 1024x768",
         "perspective | {'yfov': 0.6, 'znear': 0.1, 'aspectRatio': 2} | --view front | 1024x768"
       })
-  void itIsThatOfTheCamera(String type, String lens, String flags, String size)
-      throws IOException {
+  void itIsThatOfTheCamera(String type, String lens, String flags, String size) throws IOException {
     String camera = "{'name': 'last', 'type': '%s', '%1$s': %s}]".formatted(type, lens);
     boolean isNamed = flags != null;
     Path model =
@@ -42,7 +41,8 @@ class CameraAspectTest {
             ? ModelSample.writeWith(folder, SECOND, camera.replace('\'', '"'))
             : ModelSample.writeWith(
                 folder,
-                "{\"name\": \"close\", \"type\": \"perspective\", \"perspective\": {\"yfov\": 0.6, \"znear\": 0.1}}",
+                "{\"name\": \"close\", \"type\": \"perspective\", \"perspective\": {\"yfov\": 0.6,"
+                    + " \"znear\": 0.1}}",
                 camera.replace('\'', '"').replace("]", ""));
     List<String> command = new ArrayList<>(List.of("check", model.toString()));
     command.addAll(isNamed ? List.of(flags.split(" ")) : List.of());

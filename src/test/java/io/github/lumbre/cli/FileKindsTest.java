@@ -27,8 +27,7 @@ class FileKindsTest {
     Path picture = folder.resolve("x.pfm");
     String[] command = {"render", file.toString(), "-o", picture.toString()};
     String[] more = {"--overwrite", "-s", "1", "--size", "8x8", "--view", "front", "--quiet"};
-    return Outcome.of(
-        Stream.of(command, more).flatMap(Arrays::stream).toArray(String[]::new));
+    return Outcome.of(Stream.of(command, more).flatMap(Arrays::stream).toArray(String[]::new));
   }
 
   private Path copy(String name, String to) throws IOException {
@@ -93,8 +92,19 @@ class FileKindsTest {
     String target = folder.resolve("x.pfm").toString();
     Outcome outcome =
         onStandardInput(
-            model, "render", "-", "-o", target, "--overwrite", "-s", "1", "--size", "8x8", "--view",
-            "front", "--quiet");
+            model,
+            "render",
+            "-",
+            "-o",
+            target,
+            "--overwrite",
+            "-s",
+            "1",
+            "--size",
+            "8x8",
+            "--view",
+            "front",
+            "--quiet");
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
     assertThat(picture()).isEqualTo(expected);
     Outcome check = onStandardInput(model, "check", "-", "--sky", CASES.resolve("ref.pfm") + "");

@@ -293,8 +293,7 @@ class FilmCommandsTest {
       String film = path("part-" + i);
       String share = i + "/3";
       assertDone(
-          Outcome.of(
-              with(all, path("p.exr"), "-s", "12", "--share", share, "--checkpoint", film)));
+          Outcome.of(with(all, path("p.exr"), "-s", "12", "--share", share, "--checkpoint", film)));
     }
     String[] parts = {path("part-2"), path("part-0"), path("part-1")};
     assertDone(Outcome.of("merge", parts[0], parts[1], parts[2], "-o", path("merged.exr")));

@@ -86,6 +86,7 @@ class ModelCommandsTest {
     try (OutputFile other = OutputFile.open(folder.resolve("views.png"))) {
       run("views T/sample.glb --size 24x18 -s 1 -o T/v")
           .assertFailed(ExitCodes.OUTPUT, "views.png: another run is writing this file");
+      assertThat(other.target()).doesNotExist();
     }
     assertThat(folder).isEmptyDirectory();
   }

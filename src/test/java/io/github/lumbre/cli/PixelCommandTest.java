@@ -161,8 +161,7 @@ class PixelCommandTest {
     Outcome replay = Outcome.of(command.split(" "));
     assertThat(replay.exitCode()).isZero();
     assertThat(replay.out())
-        .contains(
-            "Infinity", "rejected     negative, NaN or infinite", "film         (0, 0, 0)");
+        .contains("Infinity", "rejected     negative, NaN or infinite", "film         (0, 0, 0)");
     Outcome strict = Outcome.of((command + " --strict").split(" "));
     assertThat(strict.exitCode()).isEqualTo(ExitCodes.INTERNAL);
     assertThat(Outcome.of((command + " --json").split(" ")).out()).contains("\"Infinity\"");

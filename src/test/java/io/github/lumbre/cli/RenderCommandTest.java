@@ -139,7 +139,7 @@ class RenderCommandTest {
 
   /** A model's automatic exposure is that of its objects; a scene's is that of the format. */
   @Test
-  void automaticExposureOfScenesIsThatOfTheirFormat() throws IOException, InterruptedException {
+  void automaticExposureOfScenesIsThatOfTheirFormat() throws Exception {
     render(TinyScene.JSON, "--exposure", "auto");
     SceneFile file = new SceneParser().parse(directory.resolve("tiny.json"));
     Image image = new BucketRenderer(file.settings()).render(file.scene());

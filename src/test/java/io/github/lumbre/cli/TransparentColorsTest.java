@@ -35,8 +35,21 @@ class TransparentColorsTest {
     Path picture = folder.resolve("x.png");
     Outcome outcome =
         Outcome.of(
-            "render", file.toString(), "-o", picture.toString(), "--overwrite", "--quiet",
-            "--view", "front", "-s", "4", "--size", "32x32", "--sky", "white", "--background",
+            "render",
+            file.toString(),
+            "-o",
+            picture.toString(),
+            "--overwrite",
+            "--quiet",
+            "--view",
+            "front",
+            "-s",
+            "4",
+            "--size",
+            "32x32",
+            "--sky",
+            "white",
+            "--background",
             "transparent");
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
     return ImageIO.read(picture.toFile()).getRGB(0, 0, 32, 32, null, 0, 32);
@@ -63,11 +76,7 @@ class TransparentColorsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "pal8_trns_MASK.glb, MASK",
-    "rgb_trns_MASK.glb, MASK",
-    "rgb_trns_MASK.glb, BLEND"
-  })
+  @CsvSource({"pal8_trns_MASK.glb, MASK", "rgb_trns_MASK.glb, MASK", "rgb_trns_MASK.glb, BLEND"})
   void gltfShowsThem(String name, String mode) throws IOException {
     int[] expected = pixels("b.glb", with(mode, read(RGBA)));
     assertThat(meanAlpha(expected)).isBetween(.6, .67);

@@ -114,9 +114,7 @@ class UnreadableTexturesTest {
             .replaceAll(",\\s*\\}", "}");
     isLeftOut(
         write("a.gltf", gltf(picture, TEXTURES).getBytes(StandardCharsets.US_ASCII)),
-        write(
-            "b.gltf",
-            gltf(picture, plain).getBytes(StandardCharsets.US_ASCII)),
+        write("b.gltf", gltf(picture, plain).getBytes(StandardCharsets.US_ASCII)),
         found);
   }
 
@@ -125,7 +123,8 @@ class UnreadableTexturesTest {
   void objLeavesItOut(String found, byte[] picture) throws IOException {
     write("x.png", picture);
     String mtl = "newmtl m\nKd .5 .6 .7\nd .9\nKs .1 .1 .1\nNs 9\n";
-    String maps = "map_Kd x.png\nmap_Ks x.png\nmap_d x.png\nmap_Bump x.png\nKe 1 0 0\nmap_Ke x.png\n";
+    String maps =
+        "map_Kd x.png\nmap_Ks x.png\nmap_d x.png\nmap_Bump x.png\nKe 1 0 0\nmap_Ke x.png\n";
     write("a.mtl", (mtl + maps).getBytes(StandardCharsets.US_ASCII));
     write("b.mtl", mtl.getBytes(StandardCharsets.US_ASCII));
     String obj = "mtllib %s\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -138,10 +137,12 @@ class UnreadableTexturesTest {
   @Test
   void texturesOfOtherFormatsAreNamed() throws IOException {
     String model =
-        gltf(png(), TEXTURES).replace("{\"source\": 0}", "{\"extensions\": {\"EXT_texture_webp\": {}}}");
+        gltf(png(), TEXTURES)
+            .replace("{\"source\": 0}", "{\"extensions\": {\"EXT_texture_webp\": {}}}");
     Outcome outcome = render(write("a.gltf", model.getBytes(StandardCharsets.US_ASCII)));
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.OK);
     assertThat(outcome.err())
-        .contains("expected a PNG or JPEG picture, found EXT_texture_webp; the texture is left out");
+        .contains(
+            "expected a PNG or JPEG picture, found EXT_texture_webp; the texture is left out");
   }
 }

@@ -74,8 +74,7 @@ class PngTransparencyTest {
 
   @ParameterizedTest(name = "type {0}, {1} bits, interlaced {2}")
   @MethodSource("forms")
-  void alphaIsThatOfTheColor(int type, int depth, boolean interlaced)
-      throws ImageFormatException {
+  void alphaIsThatOfTheColor(int type, int depth, boolean interlaced) throws ImageFormatException {
     byte[] transparency = transparency(type, depth);
     Pixels pixels = ImageReader.decode(file(type, depth, interlaced, transparency));
     assertThat(pixels.hasAlpha()).isTrue();

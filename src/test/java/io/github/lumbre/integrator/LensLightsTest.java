@@ -175,8 +175,7 @@ class LensLightsTest {
     for (MisHeuristic heuristic : MisHeuristic.values()) {
       assertThat(samples(scene, heuristic).z(expected)).isBetween(-4.0, 4.0);
     }
-    assertThat(samples(scene, MisHeuristic.BOTH).variance())
-        .isLessThan(.7 * expected.variance());
+    assertThat(samples(scene, MisHeuristic.BOTH).variance()).isLessThan(.7 * expected.variance());
   }
 
   @Test
@@ -201,7 +200,8 @@ class LensLightsTest {
   }
 
   private static boolean lensLights(Scene scene) {
-    return LensLights.of(scene, scene.emitters().toArray(Light[]::new), MisHeuristic.BOTH).isPresent();
+    return LensLights.of(scene, scene.emitters().toArray(Light[]::new), MisHeuristic.BOTH)
+        .isPresent();
   }
 
   /** Light that is sampled through the lens is reported with the camera ray. */
@@ -239,8 +239,7 @@ class LensLightsTest {
     RenderSettings settings = RenderSettings.DEFAULT.toBuilder().transparent(true).build();
     assertThat(PathOptions.of(settings).transparent()).isTrue();
     assertThat(PathOptions.of(RenderSettings.DEFAULT).transparent()).isFalse();
-    Moments found =
-        samples(lamp(), PathOptions.toDepth(3).transparent(true), new RenderContext());
+    Moments found = samples(lamp(), PathOptions.toDepth(3).transparent(true), new RenderContext());
     double chance = RADIANCE * RADIANCE * PART * (1 - PART);
     assertThat(found.variance()).isBetween(.8 * chance, 1.2 * chance);
   }

@@ -75,11 +75,7 @@ class ClearcoatNormalsTest {
   @Test
   void bumpsOfTheCoatAreThoseOfASurfaceThatIsOnlyACoat() {
     Material reflection =
-        MetallicRoughness.builder()
-            .baseColor(Rgb.BLACK)
-            .metallic(0)
-            .roughness(.4)
-            .build();
+        MetallicRoughness.builder().baseColor(Rgb.BLACK).metallic(0).roughness(.4).build();
     Material coat = layered(Rgb.BLACK, 1).clearcoatNormals(BUMPS, 0).build();
     assertAlike(coat, new NormalMapped(reflection, BUMPS));
     assertThat(coat.simplified()).isSameAs(coat);

@@ -15,8 +15,7 @@ import org.junit.jupiter.api.Test;
 
 /** Tests the tables of directional albedos against quadratures. */
 class GgxAlbedoTest {
-  private static final Path RESOURCES =
-      Path.of("src/main/resources/io/github/lumbre/material");
+  private static final Path RESOURCES = Path.of("src/main/resources/io/github/lumbre/material");
 
   private static final double ERROR = 2e-3;
   private static final double[] COSINES = {1, .93, .7, .45, .3, .2, .11, .06, .03, .01};
@@ -29,7 +28,9 @@ class GgxAlbedoTest {
     return map.integral(wo, 0, 200, wi -> bsdf.evaluate(wo, wi).f().g());
   }
 
-  /** To compute the resource again: {@code ./mvnw test -Dtest=GgxAlbedoTest -Dlumbre.write=true}. */
+  /**
+   * To compute the resource again: {@code ./mvnw test -Dtest=GgxAlbedoTest -Dlumbre.write=true}.
+   */
   @Test
   void resourceHasTheBitsOfTheQuadrature() throws IOException {
     byte[] expected = GgxAlbedoQuadrature.table();

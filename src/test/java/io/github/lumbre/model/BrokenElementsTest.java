@@ -30,8 +30,8 @@ class BrokenElementsTest {
   private static ModelFixture ply(String properties, String vertices, String faces) {
     int count = vertices.split(";").length;
     String header =
-        "ply;format ascii 1.0;element vertex %d;%selement face %d;".formatted(
-            count, properties, faces.split(";").length);
+        "ply;format ascii 1.0;element vertex %d;%selement face %d;"
+            .formatted(count, properties, faces.split(";").length);
     String list = "property list uchar int vertex_indices;end_header;";
     return new ModelFixture("a.ply", (header + list + vertices + faces).replace(';', '\n'));
   }
@@ -130,8 +130,7 @@ class BrokenElementsTest {
         "0 0 0;1 0 0;0 1 0;nan 0 -inf;|3 0 1 2;4 0 1 2 3;|left out triangles with a vertex that is"
             + " not a finite number: 1"
       })
-  void plyLeavesThemOut(String vertices, String faces, String warning)
-      throws ModelFormatException {
+  void plyLeavesThemOut(String vertices, String faces, String warning) throws ModelFormatException {
     ModelFixture file = ply(NUMBERS, vertices, faces);
     if (faces.contains("4 0 1 2 3")) {
       // The other half of the quadrilateral stays.
@@ -181,8 +180,10 @@ class BrokenElementsTest {
   private static byte[] unpadded(int more) {
     byte[] padded = GltfFile.ofTriangle().glb();
     int length = 20 + (padded[12] & 0xff | (padded[13] & 0xff) << 8);
-    byte[] json = new String(padded, 20, length - 20, StandardCharsets.US_ASCII).strip()
-        .getBytes(StandardCharsets.US_ASCII);
+    byte[] json =
+        new String(padded, 20, length - 20, StandardCharsets.US_ASCII)
+            .strip()
+            .getBytes(StandardCharsets.US_ASCII);
     int size = (json.length + 3 & ~3) + more;
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     out.write(padded, 0, 12);
@@ -206,7 +207,6 @@ class BrokenElementsTest {
         .isEqualTo(
             more == 0
                 ? List.of()
-                : List.of(
-                    "byte 12: expected a chunk that is padded to 4 bytes, found none"));
+                : List.of("byte 12: expected a chunk that is padded to 4 bytes, found none"));
   }
 }

@@ -19,8 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** A file that a model names with another case or path is found if it is the only one. */
 class FileSearchTest {
-  private static final String QUAD =
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
+  private static final String QUAD = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
 
   @TempDir private Path directory;
   private Path folder;
@@ -53,8 +52,13 @@ class FileSearchTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "WOOD.PNG", "C:\\textures\\wood.png", "\"wood.png\"", "\"C:\\My Work\\Wood.png\"",
-        "../textures/wood.png", "/home/someone/wood.png", "-s 2 2 ../Wood.Png"
+        "WOOD.PNG",
+        "C:\\textures\\wood.png",
+        "\"wood.png\"",
+        "\"C:\\My Work\\Wood.png\"",
+        "../textures/wood.png",
+        "/home/someone/wood.png",
+        "-s 2 2 ../Wood.Png"
       })
   void theOnlyFileOfTheNameIsUsed(String name) throws Exception {
     put("model/maps/deep/down/wood.png");

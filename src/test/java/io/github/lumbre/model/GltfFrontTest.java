@@ -45,7 +45,8 @@ class GltfFrontTest {
       normals[i] *= normal;
     }
     String attributes =
-        "'POSITION': " + file.floats("VEC3", positions)
+        "'POSITION': "
+            + file.floats("VEC3", positions)
             + (normal == 0 ? "" : ", 'NORMAL': " + file.floats("VEC3", normals));
     int mesh = file.mesh(attributes, ", 'indices': " + file.ints("SCALAR", corners));
     file.set("scenes", "[{'nodes': [0]}]");

@@ -232,7 +232,8 @@ class GltfNodeTest {
   @Test
   void thinMeshesStayInTheirSpace() throws ModelFormatException, IOException {
     file.triangle("");
-    for (String scale : new String[] {"1, 0.00001, 1", "1000, 0.0005, 0.0005", "1e-9, 1e-9, 1e-9"}) {
+    for (String scale :
+        new String[] {"1, 0.00001, 1", "1000, 0.0005, 0.0005", "1e-9, 1e-9, 1e-9"}) {
       node("{'mesh': 0, 'scale': [" + scale + "]}");
     }
     Model model = file.read();

@@ -149,8 +149,7 @@ class ObjModelReaderTest {
   void colorsOfVerticesMultiplyTheMaterial() throws ModelFormatException {
     ModelPart part =
         new ModelFixture(
-                "a.obj",
-                "mtllib a.mtl\nusemtl m\nv 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")
+                "a.obj", "mtllib a.mtl\nusemtl m\nv 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")
             .with("a.mtl", "newmtl m\nKd .5")
             .part();
     assertThat(part.material().baseColor().factor()).isEqualTo(Rgb.grey(.5));
@@ -291,8 +290,7 @@ class ObjModelReaderTest {
     ModelMaterial material = model.parts().get(0).material();
     assertThat(material.opacity().factor()).isCloseTo(opacity, within(1e-12));
     if (material.opacity().texture().isEmpty()) {
-      assertThat(material.alphaMode())
-          .isEqualTo(opacity < 1 ? AlphaMode.BLEND : AlphaMode.OPAQUE);
+      assertThat(material.alphaMode()).isEqualTo(opacity < 1 ? AlphaMode.BLEND : AlphaMode.OPAQUE);
     }
     assertThat(model.warnings().isEmpty()).isEqualTo(warning == null);
     assertThat(String.join("", model.warnings())).contains(warning == null ? "" : warning);
@@ -381,8 +379,7 @@ class ObjModelReaderTest {
   @Test
   void filesWithoutSurfacesAreRefused() {
     assertThat(obj("p 1").refusal())
-        .isEqualTo(
-            NO_AREA + " (line 5: ignored statements \"p\": only polygons are supported)");
+        .isEqualTo(NO_AREA + " (line 5: ignored statements \"p\": only polygons are supported)");
     byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     assertThat(new ModelFixture("a.obj", png).refusal())
         .isEqualTo(

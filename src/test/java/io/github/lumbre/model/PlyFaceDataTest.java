@@ -124,8 +124,7 @@ class PlyFaceDataTest {
         ply(
                 "comment TextureFile a b.png;comment TextureFile c.png;",
                 "element face 3;" + CORNERS + TEXCOORD + "property int texnumber;",
-                SQUARE
-                    + "3 0 1 1 6 0 0 0 0 0 0 0;3 0 1 2 6 0 0 1 0 1 1 1;3 0 2 3 6 0 0 1 1 0 1 0")
+                SQUARE + "3 0 1 1 6 0 0 0 0 0 0 0;3 0 1 2 6 0 0 1 0 1 1 1;3 0 2 3 6 0 0 1 1 0 1 0")
             .read();
     assertThat(model.parts())
         .extracting(PlyFaceDataTest::picture)

@@ -81,8 +81,7 @@ class TextureRolesTest {
 
     Role(String extension, String json, boolean isExtension) {
       material =
-          "{'pbrMetallicRoughness': {%s, 'roughnessFactor': 0.3}, "
-                  .formatted(FACTOR)
+          "{'pbrMetallicRoughness': {%s, 'roughnessFactor': 0.3}, ".formatted(FACTOR)
               + "'extensions': {'KHR_materials_%s': {%s}}}".formatted(extension, json);
     }
   }

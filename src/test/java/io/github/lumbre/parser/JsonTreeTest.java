@@ -66,8 +66,7 @@ class JsonTreeTest {
       })
   void whatIsNotJsonIsRefused(String text) {
     assertThat(refusal(text).kind()).isEqualTo(SceneFormatException.Kind.INVALID);
-    assertThat(refusal(text))
-        .hasMessageContaining("expected JSON (RFC 8259), found ");
+    assertThat(refusal(text)).hasMessageContaining("expected JSON (RFC 8259), found ");
   }
 
   @ParameterizedTest

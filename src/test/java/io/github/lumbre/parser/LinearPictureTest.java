@@ -66,7 +66,8 @@ class LinearPictureTest {
     for (float wrong : new float[] {Float.NaN, Float.POSITIVE_INFINITY}) {
       assertThatThrownBy(() -> parse(1, wrong, 1))
           .isInstanceOf(SceneFormatException.class)
-          .hasMessage("scene.json: $.assets[0].base64PNG: expected finite colors, found "
+          .hasMessage(
+              "scene.json: $.assets[0].base64PNG: expected finite colors, found "
                   + wrong
                   + " at pixel 0,0");
     }
@@ -180,8 +181,7 @@ class LinearPictureTest {
     List<String> warnings =
         file.warnings().stream().map(Problem::message).filter(m -> m.contains("alpha")).toList();
     if (alpha > 1) {
-      assertThat(warnings)
-          .containsExactly("has alpha outside 0 to 1 in 1 pixel, which is clamped");
+      assertThat(warnings).containsExactly("has alpha outside 0 to 1 in 1 pixel, which is clamped");
     } else {
       assertThat(warnings).isEmpty();
     }

@@ -57,8 +57,7 @@ class SceneParserTest {
         catchThrowableOfType(
             SceneFormatException.class, () -> new SceneParser().parse(folder.resolve("no.json")));
     String path = folder.resolve("no.json").toString();
-    assertThat(refusal)
-        .hasMessage("no.json: expected a scene file, found none at \"" + path + '"');
+    assertThat(refusal).hasMessage("no.json: expected a scene file, found none at \"" + path + '"');
     assertThat(refusal.kind()).isEqualTo(Kind.INVALID);
   }
 

@@ -117,7 +117,8 @@ class SettingsReaderTest {
         "\"maxTraceDepth\": -1|$.maxTraceDepth: expected an integer from 0 to 1000000, found -1",
         "\"seed\": 0.5|$.seed: expected an integer, found 0.5",
         "\"mode\": \"fast\"|$.mode: expected one of ray, path, found \"fast\"",
-        "\"toneMap\": 3|$.toneMap: expected one of srgb, gamma22, reinhard, aces, neutral, agx, found 3",
+        "\"toneMap\": 3|$.toneMap: expected one of srgb, gamma22, reinhard, aces, neutral, agx,"
+            + " found 3",
         "\"exposure\": \"Auto\"|$.exposure: expected a finite number or \"auto\", found \"Auto\""
       })
   void wrongSettingsAreErrors(String option, String message) {

@@ -99,8 +99,7 @@ class TransparentBackgroundTest {
     Film bright = film(settings, unlit().lightGroup("sky").addBackground(SKY).build());
     Film plate = film(settings, unlit().addBackground(SKY).backplate(SKY).build());
     assertThat(plate.develop().rgb()).isEqualTo(dark.develop().rgb());
-    for (Layer layer :
-        Set.of(Layer.DIRECT, Layer.VARIANCE, Layer.ALBEDO, Layer.DENOISING_ALBEDO)) {
+    for (Layer layer : Set.of(Layer.DIRECT, Layer.VARIANCE, Layer.ALBEDO, Layer.DENOISING_ALBEDO)) {
       assertThat(bright.develop(layer)).as("%s", layer).isEqualTo(dark.develop(layer));
     }
     for (float light : bright.developLightGroup(0)) {

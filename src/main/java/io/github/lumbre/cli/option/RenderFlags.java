@@ -81,7 +81,8 @@ public final class RenderFlags {
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
-      description = "Size of the full frame in pixels (scene or 1920x1080; models: 1024 for the longer"
+      description =
+          "Size of the full frame in pixels (scene or 1920x1080; models: 1024 for the longer"
               + " side, with the aspect ratio of the camera, or 1024x768).")
   Optional<Size> size;
 

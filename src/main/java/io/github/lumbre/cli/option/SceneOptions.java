@@ -90,9 +90,7 @@ public final class SceneOptions {
     if (isStandardInput() && isModel()) {
       Set<Path> sky = new LinkedHashSet<>(model.setup(turn).files(PictureOutput.STDIN));
       sky.remove(PictureOutput.STDIN.toAbsolutePath().normalize());
-      return guard
-          .reads(Path.of("/dev/stdin"), "standard input")
-          .readsAssets(scene, () -> sky);
+      return guard.reads(Path.of("/dev/stdin"), "standard input").readsAssets(scene, () -> sky);
     }
     if (isModel()) {
       return guard

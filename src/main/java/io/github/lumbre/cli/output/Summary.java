@@ -186,9 +186,7 @@ public final class Summary {
 
   private void printIfBurnt(OptionalDouble median, Messages messages) {
     double shown =
-        median.isPresent()
-            ? median.getAsDouble() * settings.exposure().factor(result.image())
-            : 0;
+        median.isPresent() ? median.getAsDouble() * settings.exposure().factor(result.image()) : 0;
     if (shown > BURNT) {
       messages.line(
           String.format(

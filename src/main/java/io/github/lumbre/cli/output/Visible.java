@@ -76,7 +76,9 @@ final class Visible {
       }
     }
     Arrays.sort(found, 0, count);
-    return count == 0 || others == 0 && !mayBeAll ? OptionalDouble.empty() : OptionalDouble.of(found[count / 2]);
+    return count == 0 || others == 0 && !mayBeAll
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(found[count / 2]);
   }
 
   private boolean isCovered(int x, int y) {

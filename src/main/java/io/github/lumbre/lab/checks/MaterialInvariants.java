@@ -60,8 +60,8 @@ final class MaterialInvariants {
   static List<Invariant> all() {
     String range =
         "matte, Phong with exponents 0 to 1e9, Cook-Torrance (Beckmann, GGX), glass,"
-            + " metallic-roughness, clear coat, sheen and thin glass of roughness 1e-3 to 1, mirror;"
-            + " cosines 0.01 to 0.95";
+            + " metallic-roughness, clear coat, sheen and thin glass of roughness 1e-3 to 1,"
+            + " mirror; cosines 0.01 to 0.95";
     return List.of(
         new Invariant(
             "furnace",

@@ -2,8 +2,8 @@ package io.github.lumbre.lab.trade;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
-import io.github.lumbre.lab.Csv;
 import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.lab.Csv;
 import io.github.lumbre.scene.SettingType;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

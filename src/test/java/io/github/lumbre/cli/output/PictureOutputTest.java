@@ -44,8 +44,7 @@ class PictureOutputTest {
           .hasMessageContaining("b.png: cannot be written")
           .hasMessageEndingWith("nor could it be saved in " + advice);
     }
-    assertThatThrownBy(
-            () -> PictureOutput.toStandardOutput(ImageFormat.PNG, new Fallback(none)))
+    assertThatThrownBy(() -> PictureOutput.toStandardOutput(ImageFormat.PNG, new Fallback(none)))
         .hasMessage(advice.replace("none:", "none: cannot be written:"));
   }
 }

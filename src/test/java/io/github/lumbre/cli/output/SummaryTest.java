@@ -109,8 +109,10 @@ class SummaryTest {
     RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
     double factor = new Summary(settings, result, 2).exposureOfObjects(scene(2.5)).factor(image);
     assertThat(factor * luminance).isCloseTo(.18, within(1e-6));
-    assertThat(new Summary(settings, result, 2).exposureOfObjects(scene(-2.5))).isEqualTo(Exposure.AUTO);
-    assertThat(new Summary(settings, result, 2).exposureOfObjects(scene(.5))).isEqualTo(Exposure.AUTO);
+    assertThat(new Summary(settings, result, 2).exposureOfObjects(scene(-2.5)))
+        .isEqualTo(Exposure.AUTO);
+    assertThat(new Summary(settings, result, 2).exposureOfObjects(scene(.5)))
+        .isEqualTo(Exposure.AUTO);
   }
 
   @ParameterizedTest

@@ -157,6 +157,7 @@ class FramesTest {
   @Test
   void allFilesAreReservedAtTheBeginning() throws Exception {
     try (Frames frames = frames(COUNT)) {
+      assertThat(frames.targets()).hasSize(COUNT);
       assertThat(directory.toFile().list()).hasSize(COUNT);
       assertThatThrownBy(() -> frames(COUNT)).hasMessageContaining("another run is writing");
     }

@@ -40,8 +40,7 @@ class InvariantsTest {
     for (Bsdf bsdf : MaterialInvariants.everything()) {
       addParts(bsdf, measured);
     }
-    Path classes =
-        Path.of(Bsdf.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    Path classes = Path.of(Bsdf.class.getProtectionDomain().getCodeSource().getLocation().toURI());
     Set<String> expected = new TreeSet<>();
     try (Stream<Path> files = Files.list(classes.resolve("io/github/lumbre/material"))) {
       for (Path file : files.filter(path -> path.toString().endsWith(".class")).toList()) {
