@@ -18,6 +18,7 @@ import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
 import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.lang.module.ModuleDescriptor;
 import java.net.URI;
 import java.net.URISyntaxException;
@@ -27,6 +28,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -234,6 +236,31 @@ class LayersTest {
                 accessTo(System.class, Set.of("out", "err", "exit"))
                     .or(accessTo(Runtime.class, Set.of("exit", "halt", "addShutdownHook")))
                     .or(accessTo(Throwable.class, Set.of("printStackTrace")))));
+  }
+
+  /** A setting declares its flag; other programs and Java have flags of their own. */
+  @Test
+  void theLibraryKnowsNoFlags() throws IOException {
+    Pattern flag = Pattern.compile("\"([^\"]*[^\"\\w-])?--[a-z][^\"]*\"");
+    Path sources = Path.of("src/main/java/io/github/lumbre");
+    try (Stream<Path> files = Files.walk(sources)) {
+      assertThat(
+              files
+                  .map(sources::relativize)
+                  .filter(file -> file.toString().endsWith(".java"))
+                  .filter(file -> !file.startsWith("cli") && !file.startsWith("lab"))
+                  .filter(file -> flag.matcher(text(sources.resolve(file))).find())
+                  .map(file -> file.getFileName().toString()))
+          .containsExactlyInAnyOrder("Setting.java", "OpenImageDenoise.java", "Vectors.java");
+    }
+  }
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Test

@@ -10,7 +10,9 @@ import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.SettingType;
@@ -79,7 +81,7 @@ final class AuditCommand implements Callable<Integer> {
     StringBuilder out = new StringBuilder();
     for (Finding finding : findings) {
       String severity = SettingType.nameOf(finding.severity());
-      out.append(String.format("%-8s %s: %s\n", severity, finding.path(), finding.found()))
+      out.append(String.format("%-8s %s: %s\n", severity, place(finding), finding.found()))
           .append(String.format("         effect: %s\n", finding.means()))
           .append(finding.advice().isEmpty() ? "" : "         fix: " + finding.advice() + "\n");
     }
@@ -90,6 +92,10 @@ final class AuditCommand implements Callable<Integer> {
         + warnings
         + ", notes "
         + (findings.size() - warnings);
+  }
+
+  private static Origin place(Finding finding) {
+    return new Origin(ProblemText.place(finding.path().path()), finding.path().name());
   }
 
   private static String json(SceneFile file, List<Finding> findings) {
@@ -105,7 +111,7 @@ final class AuditCommand implements Callable<Integer> {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("severity", SettingType.nameOf(finding.severity()));
     values.put("law", finding.law());
-    values.put("path", finding.path().path());
+    values.put("path", place(finding).path());
     values.put("name", finding.path().name());
     values.put("found", finding.found());
     values.put("means", finding.means());

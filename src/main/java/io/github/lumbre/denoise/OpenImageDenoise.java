@@ -70,8 +70,7 @@ public final class OpenImageDenoise {
         named.map(path -> path + ": not a program").orElse(PROGRAM + ": not found on the PATH");
     throw new DenoiseException(
         found
-            + "; 'pip install pyoidn' brings it, in the package's folder oidn/bin; name it with"
-            + " --oidn or "
+            + "; 'pip install pyoidn' brings it, in the package's folder oidn/bin; name it in "
             + VARIABLE);
   }
 

@@ -39,19 +39,19 @@ record ModelStage(ModelSetup setup, Model model, ModelFraming framing) {
   private static final double GROUND_GRAY = .6;
 
   /**
-   * Returns the place of a problem as users of a model know it: the flag of the sky or the size, or
-   * empty for the rest of the scene around the model. Places in the model stay.
+   * Returns the place of a problem as users of a model know it: the argument {@code sky} or {@code
+   * size}, or empty for the rest of the scene around the model. Places in the model stay.
    *
    * @param path in the scene that {@link #scene} makes
    */
   static String place(String path) {
     if (path.endsWith("overrides $.renderOptions")) {
-      return "--size";
+      return "size";
     }
     if (!path.startsWith("$")) {
       return path;
     }
-    return path.startsWith(SKY_PICTURE) || path.startsWith(SKY) ? "--sky" : "";
+    return path.startsWith(SKY_PICTURE) || path.startsWith(SKY) ? "sky" : "";
   }
 
   /**

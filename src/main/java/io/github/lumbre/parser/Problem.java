@@ -7,7 +7,8 @@ import java.util.Objects;
  * An error or warning in a scene file. Its texts contain no control characters.
  *
  * @param file name of the scene file
- * @param path JSON path, such as {@code $.objects[3].radius}; a path of more than 200 characters is
+ * @param path JSON path, such as {@code $.objects[3].radius}, a place in a model, or the argument
+ *     {@code sky} or {@code size} of a picture of a model; a path of more than 200 characters is
  *     shortened in the middle; empty if the problem concerns the whole file
  * @param message what was found and what was expected
  */

@@ -200,7 +200,7 @@ class DenoiseCommandTest {
   @Test
   void aMissingProgramIsToldBeforeAnythingIsRendered() {
     Outcome.of("render", scene, "-o", path("x.png"), "--denoise", "--oidn", path("none"))
-        .assertFailed(ExitCodes.USAGE, "none", "pip install pyoidn");
+        .assertFailed(ExitCodes.USAGE, "none", "pip install pyoidn", "LUMBRE_OIDN or with --oidn");
     assertThat(directory.resolve("x.png")).doesNotExist();
     Outcome.of("render", scene, "-o", path("x.png"), "--denoise", "--denoiser", "oidm")
         .assertFailed(ExitCodes.USAGE, "--denoiser", "one of builtin, oidn");

@@ -132,7 +132,7 @@ class LinearPictureTest {
             setup.options());
     Path model = Path.of("src/test/resources/cases/vc.obj");
     assertThatThrownBy(() -> new SceneParser().parse(model, lit))
-        .hasMessage("vc.obj: --sky: expected finite colors, found NaN at pixel " + place);
+        .hasMessage("vc.obj: sky: expected finite colors, found NaN at pixel " + place);
     assertThat(new SceneParser().lenient().parse(model, lit).warnings()).hasSize(1);
   }
 

@@ -3,7 +3,6 @@ package io.github.lumbre.cli.output;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
@@ -118,7 +117,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
       return List.of(e.getMessage());
     }
     if (thrown instanceof SceneFormatException e) {
-      return e.problems().stream().map(Problem::toString).toList();
+      return ProblemText.of(e);
     }
     if (thrown instanceof InvalidPathException e) {
       return List.of(e.getInput() + ": " + FileFailure.reason(e));

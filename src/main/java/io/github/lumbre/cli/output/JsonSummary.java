@@ -109,7 +109,7 @@ public final class JsonSummary {
       values.put(setting.name(), value(settings.get(setting)));
     }
     values.put("seed", settings.seed());
-    values.put("warnings", file.warnings().stream().map(Object::toString).toList());
+    values.put("warnings", file.warnings().stream().map(ProblemText::of).toList());
   }
 
   /** Returns a value for JSON: a number or a string; null instead of an infinite limit. */

@@ -36,7 +36,7 @@ public final class Messages {
 
   /** Prints a line for each warning. */
   public void warnings(List<Problem> warnings) {
-    warnings.forEach(warning -> warning(warning.toString()));
+    warnings.forEach(warning -> warning(ProblemText.of(warning)));
   }
 
   /** Prints a line that begins with {@code warning:}. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.view;
 
+import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
@@ -10,7 +11,6 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;
 import java.net.URI;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -152,7 +152,7 @@ public final class View implements AutoCloseable {
     try {
       session.open(scene.read(layers));
     } catch (SceneFormatException e) {
-      session.fail(Arrays.asList(String.valueOf(e.getMessage()).split("\n")));
+      session.fail(ProblemText.of(e));
     } catch (TaskException e) {
       session.fail(List.of(String.valueOf(e.getMessage())));
     }

@@ -4,6 +4,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.PixelPlace;
+import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.parser.CameraPose;
 import io.github.lumbre.parser.SceneFile;
@@ -192,7 +193,8 @@ final class ViewRoutes {
     try {
       return Answer.json(CameraJson.of(source.get().text(), pose));
     } catch (SceneFormatException e) {
-      throw new IllegalArgumentException("the scene is invalid just now: " + e.getMessage(), e);
+      String found = String.join("\n", ProblemText.of(e));
+      throw new IllegalArgumentException("the scene is invalid just now: " + found, e);
     }
   }
 
