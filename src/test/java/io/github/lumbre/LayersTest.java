@@ -67,7 +67,7 @@ class LayersTest {
           Map.entry("integrator", BASIC + " path material camera light scene guiding"),
           Map.entry(
               "render", "limit math image sampling geometry path camera scene guiding integrator"),
-          Map.entry("model", BASIC + " file limit material camera light scene"),
+          Map.entry("model", BASIC + " file text limit material camera light scene"),
           Map.entry("parser", BASIC + " file text limit material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
           Map.entry("denoise", "image sampling scene render"),

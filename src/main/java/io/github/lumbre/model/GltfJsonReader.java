@@ -5,6 +5,8 @@ import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.text.JsonMistake;
+import io.github.lumbre.text.JsonPlace;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -20,8 +22,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * Reads the JSON of a glTF file, strictly by RFC 8259 and without recursion. Objects become maps,
@@ -32,8 +32,7 @@ final class GltfJsonReader {
   /** The largest nesting depth of arrays and objects; glTF itself needs about ten. */
   private static final int MAX_LEVELS = 256;
 
-  private static final Pattern LOCATION = Pattern.compile("at line (\\d+) column (\\d+)");
-
+  private final ByteBuffer text;
   private final JsonReader in;
   private final GltfBudget budget;
   private final Deque<Object> open = new ArrayDeque<>();
@@ -42,6 +41,7 @@ final class GltfJsonReader {
   private Object root = GltfJson.NULL;
 
   private GltfJsonReader(ByteBuffer text, GltfBudget budget) {
+    this.text = text;
     this.budget = budget;
     in =
         new JsonReader(
@@ -72,9 +72,10 @@ final class GltfJsonReader {
     } catch (CharacterCodingException e) {
       throw malformed("", "expected UTF-8, found invalid bytes");
     } catch (MalformedJsonException e) {
-      throw malformed(path(), "expected JSON (RFC 8259), found a syntax error " + lineAndColumn());
+      String found = JsonMistake.of(text, place(), String.valueOf(e.getMessage()));
+      throw malformed(path(), "expected JSON (RFC 8259), found " + found);
     } catch (EOFException e) {
-      throw malformed(path(), "expected more JSON, found the end of the text " + lineAndColumn());
+      throw malformed(path(), "expected more JSON, found the end of the text " + place());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -148,7 +149,7 @@ final class GltfJsonReader {
       ((List<Object>) items).add(value);
     } else {
       if (((Map<String, Object>) open.peek()).put(key, value) != null) {
-        throw malformed(path(), "expected each key once, found it again " + lineAndColumn());
+        throw malformed(path(), "expected each key once, found it again " + place());
       }
     }
   }
@@ -158,14 +159,12 @@ final class GltfJsonReader {
   }
 
   private static String path(String path) {
-    return path.substring(path.startsWith("$.") ? 2 : 1);
+    // Where a name is expected, the path ends with a dot.
+    return path.replaceFirst("[.]$", "").replaceFirst("^[$][.]?", "");
   }
 
-  private String lineAndColumn() {
-    Matcher matcher = LOCATION.matcher(in.toString());
-    return matcher.find()
-        ? "at line " + matcher.group(1) + ", column " + matcher.group(2)
-        : "at an unknown position";
+  private JsonPlace place() {
+    return JsonPlace.of(in.toString());
   }
 
   private static ModelFormatException malformed(String path, String message) {

@@ -5,10 +5,13 @@ import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.text.JsonMistake;
+import io.github.lumbre.text.JsonPlace;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
@@ -19,8 +22,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * Reads a whole JSON text into {@link JsonNode}s, strictly by RFC 8259 and without recursion. Not
@@ -34,8 +35,6 @@ final class JsonTree {
 
   /** Heap bytes per token: 90 to 130 measured, plus headroom for the garbage collector. */
   private static final long BYTES_PER_TOKEN = 160;
-
-  private static final Pattern LOCATION = Pattern.compile("at line (\\d+) column (\\d+)");
 
   /** Two values of the same key. */
   private record Duplicate(JsonNode first, JsonNode second) {}
@@ -92,11 +91,12 @@ final class JsonTree {
     } catch (MalformedJsonException e) {
       throw broken(
           in.getPath(),
-          "expected JSON (RFC 8259), found %s %s".formatted(mistake(in, e), location(in)));
+          "expected JSON (RFC 8259), found "
+              + JsonMistake.of(ByteBuffer.wrap(text), place(in), String.valueOf(e.getMessage())));
     } catch (EOFException e) {
       throw root.isEmpty()
           ? broken("$", "expected an object, found an empty file")
-          : broken(in.getPath(), "expected more JSON, found the end of the file " + location(in));
+          : broken(in.getPath(), "expected more JSON, found the end of the file " + place(in));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -130,22 +130,8 @@ final class JsonTree {
     return problems.exception();
   }
 
-  private static String location(JsonReader in) {
-    Matcher matcher = LOCATION.matcher(in.toString());
-    return matcher.find()
-        ? "at line " + matcher.group(1) + ", column " + matcher.group(2)
-        : "at an unknown position";
-  }
-
-  private String mistake(JsonReader in, MalformedJsonException e) {
-    Matcher matcher = LOCATION.matcher(in.toString());
-    return matcher.find()
-        ? JsonMistake.of(
-            text,
-            Integer.parseInt(matcher.group(1)),
-            Integer.parseInt(matcher.group(2)),
-            String.valueOf(e.getMessage()))
-        : "a syntax error";
+  private static JsonPlace place(JsonReader in) {
+    return JsonPlace.of(in.toString());
   }
 
   private void readAll(JsonReader in) throws IOException, SceneFormatException {
@@ -252,7 +238,7 @@ final class JsonTree {
           case END_ARRAY -> in.endArray();
           case NAME -> {
             in.nextName();
-            lineOfName.computeIfPresent(++count, (name, line) -> line(in));
+            lineOfName.computeIfPresent(++count, (name, line) -> place(in).line());
           }
           default -> in.skipValue();
         }
@@ -260,10 +246,5 @@ final class JsonTree {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-  }
-
-  private static int line(JsonReader in) {
-    Matcher matcher = LOCATION.matcher(in.toString());
-    return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
   }
 }

@@ -1,2 +1,2 @@
-/** Texts for people: corrections of misspelled words. */
+/** Texts for people: corrections of misspelled words, and names of mistakes in JSON. */
 package io.github.lumbre.text;

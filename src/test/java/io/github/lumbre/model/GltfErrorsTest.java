@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.InterruptedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -52,10 +54,12 @@ class GltfErrorsTest {
             + " | a.b: expected each key once, found it again at line 1, column 22",
         "{'a': {'b': {}, 'c': 3, 'b': {}}}"
             + " | a.b: expected each key once, found it again at line 1, column 31",
-        "{'a': nul} | a: expected JSON (RFC 8259), found a syntax error at line 1, column 7",
-        "{'a': NaN} | a: expected JSON (RFC 8259), found a syntax error at line 1, column 7",
+        "{'a': nul} | a: expected JSON (RFC 8259), found nul without double quotes at line 1,"
+            + " column 7",
+        "{'a': NaN} | a: expected JSON (RFC 8259), found NaN without double quotes at line 1,"
+            + " column 7",
         "{'a': [1, | a[1]: expected more JSON, found the end of the text at line 1, column 10",
-        "{'a': 1} x | expected JSON (RFC 8259), found a syntax error at line 1, column 11",
+        "{'a': 1} x | expected JSON (RFC 8259), found x without double quotes at line 1, column 11",
         "{'asset': 2} | asset: expected an object, found 2",
         "{'asset': {}} | asset.version: expected a version such as 2.0, found nothing",
         "{'asset': {'version': 2}} | asset.version: expected a text, found 2",
@@ -64,6 +68,37 @@ class GltfErrorsTest {
       })
   void damagedJsonIsRefused(String json, String message) {
     check(json.replace('\'', '"'), Kind.MALFORMED, message);
+  }
+
+  /** In a GLB, the JSON begins after two headers. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "{'a': [1, 2,]} | a[2]: | a comma after the last element at line 1, column 14",
+        "`{'ä': 1,\n\n }` | ä: | a comma after the last element at line 3, column 3",
+        "{'😀': [1, 2,]} | 😀[2]: | a comma after the last element at line 1, column 15",
+        "`{\n// x\n}` || a comment, which JSON does not have, at line 2, column 2",
+        "{a: 1} || a without double quotes at line 1, column 3",
+        "{'a' 1} | a: | no colon after a key at line 1, column 7",
+        "{'a': 1 'b': 2} | a: | no comma between two elements at line 1, column 10",
+        "{'a': @b@} | a: | single quotes instead of double quotes at line 1, column 8",
+        "{'a': 'b} | a: | a string without its closing quotes at line 1, column 10",
+        "{'a': 01} | a: | a syntax error at line 1, column 7"
+      })
+  void frequentMistakesInJsonAreNamed(String json, String place, String found) {
+    String text = json.replace('\'', '"').replace('@', '\'');
+    String where = place == null ? "" : place + " ";
+    String message = where + "expected JSON (RFC 8259), found " + found;
+    check(text, Kind.MALFORMED, message);
+    assertThat(refusal(("\ufeff" + text).getBytes(StandardCharsets.UTF_8), ModelOptions.DEFAULT))
+        .hasMessage(message);
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    ByteBuffer glb = ByteBuffer.allocate(20 + bytes.length).order(ByteOrder.LITTLE_ENDIAN);
+    glb.putInt(0x46546c67).putInt(2).putInt(20 + bytes.length).putInt(bytes.length);
+    glb.putInt(0x4e4f534a).put(bytes);
+    assertThat(refusal(glb.array(), ModelOptions.DEFAULT)).hasMessage(message);
   }
 
   @Test
