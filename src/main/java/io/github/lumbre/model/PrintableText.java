@@ -6,9 +6,13 @@ public final class PrintableText {
 
   private PrintableText() {}
 
-  /** Returns a text that is safe to print: quoted, escaped and shortened. */
+  /**
+   * Returns a text that is safe to print: quoted, escaped and shortened. A text with double quotes
+   * in it gets single quotes.
+   */
   public static String quoted(String text) {
-    return '"' + shortened(text) + '"';
+    char quote = text.contains("\"") ? '\'' : '"';
+    return quote + shortened(text) + quote;
   }
 
   /** Returns a text that is safe to print: escaped and shortened. */

@@ -67,7 +67,13 @@ class FileSearchTest {
     Model model = obj(name, Limits.NONE);
     assertThat(isTextured(model)).isTrue();
     assertThat(model.warnings()).hasSize(1);
-    assertThat(model.warnings().get(0)).endsWith("; \"maps/deep/down/wood.png\" is used");
+    assertThat(model.warnings().get(0))
+        .endsWith("; \"maps/deep/down/wood.png\" is used")
+        .doesNotContain("\"\"");
+    if (name.startsWith("\"")) {
+      // The quotes are part of the name that was not found.
+      assertThat(model.warnings().get(0)).contains(" at '" + name.replace('\\', '/') + "'; ");
+    }
   }
 
   @Test
