@@ -24,6 +24,17 @@ public final class SurfaceHit implements SurfacePoint {
   private double outX, outY, outZ;
   private double error;
 
+  /** Where rays leave the surface: at the position, unless it is {@linkplain #lift lifted}. */
+  private double originX, originY, originZ;
+
+  /** From the position to the smooth surface, and its normal; valid only if {@link #hasLift}. */
+  private double liftX, liftY, liftZ;
+
+  private double smoothX, smoothY, smoothZ;
+
+  private boolean hasLift;
+  private boolean isLifted;
+
   /** Where further vertex attributes are; used only if {@link #hasAttributes}. */
   private final MeshPoint meshPoint = new MeshPoint();
 
@@ -71,8 +82,28 @@ public final class SurfaceHit implements SurfacePoint {
     outY = wo.y();
     outZ = wo.z();
     error = newError;
+    originX = x;
+    originY = y;
+    originZ = z;
+    hasLift = false;
+    isLifted = false;
     hasAttributes = false;
     return this;
+  }
+
+  /**
+   * Adds where the smooth surface is that vertex normals imply; its normal is the shading normal.
+   *
+   * @param lift from the position, to the side that the ray hit
+   */
+  void liftBy(Vec3 lift) {
+    liftX = lift.x();
+    liftY = lift.y();
+    liftZ = lift.z();
+    smoothX = normalX;
+    smoothY = normalY;
+    smoothZ = normalZ;
+    hasLift = true;
   }
 
   /** Adds a mesh's further vertex attributes, at barycentric weights (1 − b1 − b2, b1, b2). */
@@ -135,6 +166,50 @@ public final class SurfaceHit implements SurfacePoint {
   /** Returns the position on the surface. */
   public Vec3 position() {
     return new Vec3(x, y, z);
+  }
+
+  /** Returns where rays leave the surface, before their offset: the position, unless lifted. */
+  public Vec3 origin() {
+    return new Vec3(originX, originY, originZ);
+  }
+
+  /**
+   * Returns whether vertex normals imply a smooth surface on the side that the ray hit, above the
+   * flat triangle.
+   */
+  public boolean hasLift() {
+    return hasLift;
+  }
+
+  /** Returns the unit normal of the smooth surface; requires {@link #hasLift}. */
+  public Vec3 smoothNormal() {
+    return new Vec3(smoothX, smoothY, smoothZ);
+  }
+
+  /** Aims {@code next} at the smooth surface, which is at t = 1; requires {@link #hasLift}. */
+  public void aimAlongLift(NearestHit next) {
+    double side = Math.copySign(error, frontal());
+    next.aim(
+        x + side * geometricX,
+        y + side * geometricY,
+        z + side * geometricZ,
+        liftX,
+        liftY,
+        liftZ,
+        1);
+  }
+
+  /**
+   * Lets rays leave from near the smooth surface, all to the side that the ray hit, also those that
+   * point below the flat triangle; requires {@link #hasLift}.
+   *
+   * @param part of the way there, in [0,1]
+   */
+  public void lift(double part) {
+    originX = x + part * liftX;
+    originY = y + part * liftY;
+    originZ = z + part * liftZ;
+    isLifted = true;
   }
 
   /** Returns the outward unit normal of the true surface, for hits from either side. */
@@ -226,7 +301,11 @@ public final class SurfaceHit implements SurfacePoint {
 
   /** Returns whether the ray hit the side that the geometric normal points to. */
   public boolean isFrontal() {
-    return outX * geometricX + outY * geometricY + outZ * geometricZ > 0;
+    return frontal() > 0;
+  }
+
+  private double frontal() {
+    return outX * geometricX + outY * geometricY + outZ * geometricZ;
   }
 
   /**
@@ -261,15 +340,15 @@ public final class SurfaceHit implements SurfacePoint {
    */
   public Ray spawn(Vec3 direction) {
     double side = side(direction.x(), direction.y(), direction.z());
-    return new Ray(position().plus(side, geometricNormal()), direction);
+    return new Ray(origin().plus(side, geometricNormal()), direction);
   }
 
   /** Aims {@code next} along the ray that leaves the surface in the unit direction (dx, dy, dz). */
   public void spawn(double dx, double dy, double dz, NearestHit next) {
     double side = side(dx, dy, dz);
-    double ox = x + side * geometricX;
-    double oy = y + side * geometricY;
-    double oz = z + side * geometricZ;
+    double ox = originX + side * geometricX;
+    double oy = originY + side * geometricY;
+    double oz = originZ + side * geometricZ;
     next.aim(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
   }
 
@@ -281,10 +360,10 @@ public final class SurfaceHit implements SurfacePoint {
   }
 
   private void aimTowards(NearestHit next, double px, double py, double pz) {
-    double side = side(px - x, py - y, pz - z);
-    double ox = x + side * geometricX;
-    double oy = y + side * geometricY;
-    double oz = z + side * geometricZ;
+    double side = side(px - originX, py - originY, pz - originZ);
+    double ox = originX + side * geometricX;
+    double oy = originY + side * geometricY;
+    double oz = originZ + side * geometricZ;
     next.aim(ox, oy, oz, px - ox, py - oy, pz - oz, 1);
   }
 
@@ -295,7 +374,7 @@ public final class SurfaceHit implements SurfacePoint {
   public void spawnTowards(SurfaceSample sample, NearestHit next) {
     Vec3 end = sample.position();
     Vec3 normal = sample.normal();
-    double side = sample.sideTowards(x, y, z);
+    double side = sample.sideTowards(originX, originY, originZ);
     aimTowards(
         next,
         end.x() + side * normal.x(),
@@ -305,6 +384,8 @@ public final class SurfaceHit implements SurfacePoint {
 
   /** Returns the signed offset of a ray's origin along the geometric normal, in world units. */
   private double side(double dx, double dy, double dz) {
-    return Math.copySign(error, dx * geometricX + dy * geometricY + dz * geometricZ);
+    return isLifted
+        ? Math.copySign(2 * error, frontal())
+        : Math.copySign(error, dx * geometricX + dy * geometricY + dz * geometricZ);
   }
 }

@@ -185,7 +185,7 @@ final class MirrorLights {
    */
   private boolean sample(
       Sampler sampler, int dimension, Vertex vertex, Reflection reflection, LightSample light) {
-    Vec3 from = vertex.surface().position();
+    Vec3 from = vertex.surface().origin();
     double[] weights = reflection.weights;
     double most = Math.max(1, weigh(from, vertex.facing(), weights));
     double rest = sampler.get1d(dimension) * most;

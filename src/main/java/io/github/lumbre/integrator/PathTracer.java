@@ -261,6 +261,7 @@ public final class PathTracer implements Integrator {
     // Sample one light (next-event estimation), and the BSDF for the next direction.
     Vertex vertex = context.vertex;
     vertex.moveTo(surface, primitive.material());
+    context.lift(scene);
     if (context.isRecorded) {
       context.listener.vertexReached(hit.shape(), surface, vertex.bsdf());
     }

@@ -148,6 +148,7 @@ public final class RayTracer implements Integrator {
       }
     }
     context.vertex.moveTo(surface, primitive.material());
+    context.lift(scene);
     if (context.isRecorded) {
       context.listener.vertexReached(hit.shape(), surface, context.vertex.bsdf());
     }
@@ -251,7 +252,7 @@ public final class RayTracer implements Integrator {
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
       LightSample light = context.light;
-      Vec3 position = vertex.surface().position();
+      Vec3 position = vertex.surface().origin();
       Point2 u = sampler.get2d(dimension);
       lights.get(i).sample(position.x(), position.y(), position.z(), u.x(), u.y(), light);
       if (!light.isEmpty()) {

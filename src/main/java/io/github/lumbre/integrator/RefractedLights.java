@@ -101,7 +101,7 @@ final class RefractedLights {
       return;
     }
     double probability = probability(context.path.throughput());
-    if (bounds.meets(vertex.surface().position(), light.surface().position())
+    if (bounds.meets(vertex.surface().origin(), light.surface().position())
         && sampler.get1d(Sampler.glass(depth)) < probability) {
       search(vertex, depth, maxDepth, probability, context);
     }

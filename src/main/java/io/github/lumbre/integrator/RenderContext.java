@@ -114,6 +114,18 @@ public final class RenderContext {
   }
 
   /**
+   * Lets the rays of the current vertex leave from the smooth surface that vertex normals imply. If
+   * another surface lies between, they leave from halfway there, so that no light leaks through it.
+   */
+  void lift(Scene scene) {
+    if (vertex.isLiftable()) {
+      shadowRays++;
+      vertex.surface().aimAlongLift(shadow);
+      vertex.lift(scene.intersect(shadow) ? .5 * shadow.t() : 1);
+    }
+  }
+
+  /**
    * Returns whether anything blocks the light that was sampled last from a surface. Surfaces that
    * let a part of it pass straight through dim the light.
    */

@@ -53,7 +53,7 @@ final class SpecularLink {
   void leave(Vertex left, double pathThroughput, NearestHit hit, BsdfSample sample) {
     SurfaceHit surface = left.surface();
     if (!sample.isSpecular()) {
-      Vec3 position = surface.position();
+      Vec3 position = surface.origin();
       vertexX = position.x();
       vertexY = position.y();
       vertexZ = position.z();

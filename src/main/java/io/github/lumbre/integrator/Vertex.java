@@ -16,8 +16,9 @@ import io.github.lumbre.math.Vec3;
  * Mutable: each thread reuses one instance for all vertices.
  *
  * <p>With interpolated or perturbed normals, a direction may lie on one side of the shading plane
- * but on the other side of the geometric surface. Such directions scatter no light, so that light
- * never leaks through a surface.
+ * but on the other side of the surface. Such directions scatter no light, so that light never leaks
+ * through a surface. The side of the surface is that of the geometric normal; after {@link #lift},
+ * that of the interpolated one.
  */
 final class Vertex {
   private SurfaceHit surface;
@@ -29,7 +30,10 @@ final class Vertex {
   /** Unit direction back along the path, in the local shading frame. */
   private double outX, outY, outZ;
 
-  /** The cosine of that direction and the geometric normal. */
+  /** The unit normal that decides on which side of the surface a direction lies. */
+  private double sideX, sideY, sideZ;
+
+  /** The cosine of that direction and this normal. */
   private double outCosine;
 
   /**
@@ -42,12 +46,40 @@ final class Vertex {
     // If the viewer is behind the shading plane but in front of the surface, shade with the
     // geometric normal.
     lookBack();
-    outCosine = surface.wo().dot(surface.geometricNormal());
+    decideBy(surface.geometricNormal());
     if (outCosine * outZ <= 0) {
       surface.shadeFlat();
       lookBack();
     }
     bsdf = material.at(surface);
+  }
+
+  /**
+   * Returns whether rays may leave from the smooth surface that vertex normals imply. They may not
+   * if the surface transmits light, or if the viewer sees its front but the smooth surface's back.
+   */
+  boolean isLiftable() {
+    return surface.hasLift()
+        && !bsdf.transmits()
+        && surface.wo().dot(surface.smoothNormal()) * outCosine > 0;
+  }
+
+  /**
+   * Lets rays leave from near the smooth surface, whose normal decides from now on whether they are
+   * reflected; requires {@link #isLiftable}.
+   *
+   * @param part of the way there, in [0,1]
+   */
+  void lift(double part) {
+    surface.lift(part);
+    decideBy(surface.smoothNormal());
+  }
+
+  private void decideBy(Vec3 normal) {
+    sideX = normal.x();
+    sideY = normal.y();
+    sideZ = normal.z();
+    outCosine = surface.wo().dot(normal);
   }
 
   private void lookBack() {
@@ -80,7 +112,7 @@ final class Vertex {
    * the surface, or from both sides if the surface transmits light.
    */
   void receiveFrom(LightChoice choice) {
-    choice.moveTo(surface.position(), facing());
+    choice.moveTo(surface.origin(), facing());
   }
 
   /**
@@ -169,14 +201,13 @@ final class Vertex {
   }
 
   /**
-   * Returns whether the shading plane and the geometric surface agree on which side of the surface
-   * a world direction lies.
+   * Returns whether the shading plane and the surface agree on which side of the surface a world
+   * direction lies.
    *
    * @param localZ the direction's z in the local shading frame
    */
   private boolean isConsistent(double wx, double wy, double wz, double localZ) {
-    Vec3 normal = surface.geometricNormal();
-    double cosine = wx * normal.x() + wy * normal.y() + wz * normal.z();
+    double cosine = wx * sideX + wy * sideY + wz * sideZ;
     return cosine * (localZ * outZ) * outCosine > 0;
   }
 }

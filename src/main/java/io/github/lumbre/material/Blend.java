@@ -28,6 +28,11 @@ record Blend(Bsdf first, Bsdf second, double share) implements Bsdf {
   }
 
   @Override
+  public boolean transmits() {
+    return first.transmits() || second.transmits();
+  }
+
+  @Override
   public Rgb diffuseAlbedo() {
     return first.diffuseAlbedo().times(share).plus(second.diffuseAlbedo().times(1 - share));
   }

@@ -83,6 +83,11 @@ public interface Bsdf {
     return false;
   }
 
+  /** Returns whether rays can pass the surface, by any lobe, also a delta lobe. */
+  default boolean transmits() {
+    return isTransmissive();
+  }
+
   /**
    * Returns the albedo of the diffuse lobe, which reflects ambient light; black if there is none.
    */

@@ -18,6 +18,11 @@ public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) impleme
   }
 
   @Override
+  public boolean transmits() {
+    return true;
+  }
+
+  @Override
   public void sample(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
     Vec3 wo = new Vec3(woX, woY, woZ);

@@ -40,6 +40,11 @@ record Faded(Bsdf bsdf, double factor) implements Bsdf {
   }
 
   @Override
+  public boolean transmits() {
+    return bsdf.transmits();
+  }
+
+  @Override
   public Rgb diffuseAlbedo() {
     return bsdf.diffuseAlbedo().times(factor);
   }

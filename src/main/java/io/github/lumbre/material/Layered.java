@@ -40,6 +40,11 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
   }
 
   @Override
+  public boolean transmits() {
+    return base.transmits();
+  }
+
+  @Override
   public Rgb diffuseAlbedo() {
     return base.diffuseAlbedo();
   }

@@ -71,6 +71,11 @@ record Tilted(Bsdf bsdf, Frame frame) implements Bsdf {
   }
 
   @Override
+  public boolean transmits() {
+    return bsdf.transmits();
+  }
+
+  @Override
   public Rgb diffuseAlbedo() {
     return bsdf.diffuseAlbedo();
   }

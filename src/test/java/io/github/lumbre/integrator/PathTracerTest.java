@@ -15,19 +15,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.CameraRay;
-import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.Rectangle;
-import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.PointLight;
+import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
-import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.End;
@@ -36,6 +35,7 @@ import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -405,12 +405,10 @@ class PathTracerTest {
     assertThat(branches).isGreaterThan(SAMPLES);
   }
 
-  /** Returns a floor at y = 0 whose vertex normals are tilted by 45°. */
-  private static Mesh tiltedFloor() {
-    double[] positions = {-9, 0, -9, 0, 0, 9, 9, 0, -9};
-    double[] normals = {1, 1, 0, 1, 1, 0, 1, 1, 0};
-    TriangleMesh data = TriangleMesh.of(positions, normals, new double[0], new int[] {0, 1, 2});
-    return Mesh.baked(data, Transform.IDENTITY);
+  /** Returns a material whose normals are tilted by 45°. */
+  private static Material tilted() {
+    Texture<Rgb> normals = Texture.constant(new Rgb(.5 + Math.sqrt(.125), .5, .5 + Math.sqrt(.125)));
+    return new NormalMapped(matte(.2), new NormalMap(normals, 1));
   }
 
   /**
@@ -422,7 +420,7 @@ class PathTracerTest {
   void lightsOfLastVerticesAreRecorded(int firstRoulette) {
     Scene scene =
         empty()
-            .add(tiltedFloor(), matte(.2))
+            .add(floor(), tilted())
             .add(sphere(0, 1, 0, .2), matte(.2))
             .add(point(new Vec3(0, 2, 0), 1))
             .build();
