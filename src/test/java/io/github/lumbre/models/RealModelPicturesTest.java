@@ -225,6 +225,28 @@ class RealModelPicturesTest {
   }
 
   /**
+   * Models with light and with dark colors are in good light, whatever light and background are.
+   */
+  @ParameterizedTest(allowZeroInvocations = true)
+  @MethodSource("subjects")
+  void automaticExposureSuitsEveryLight(Subject subject) throws Exception {
+    subject.source.fetch();
+    Files.createDirectories(FOLDER);
+    BufferedImage mask = subject.render("-mask", 8, "--background", "transparent");
+    for (String light :
+        List.of(
+            "--sky studio",
+            "--sky white",
+            "--background black",
+            "--background black --sky-intensity 1000000")) {
+      String[] flags = (light + " --exposure auto").split(" ");
+      assertThat(median(subject.render("-auto", 4, flags), mask))
+          .as("median luminance with %s", light)
+          .isBetween(DARKEST, BRIGHTEST);
+    }
+  }
+
+  /**
    * Returns the median luminance with a tone curve that keeps luminances, and checks that it is
    * low.
    */

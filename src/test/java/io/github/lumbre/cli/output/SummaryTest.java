@@ -8,7 +8,9 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -61,9 +63,13 @@ class SummaryTest {
 
   /** Returns a scene of a sphere, at a distance in front of the camera, that covers the center. */
   private static Scene scene(double distance) {
+    return scene(distance, Matte.GREY);
+  }
+
+  private static Scene scene(double distance, Material material) {
     return Scene.builder()
         .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 2, 60))
-        .add(new Sphere(Transform.translation(new Vec3(0, 0, distance)), 1), Matte.GREY)
+        .add(new Sphere(Transform.translation(new Vec3(0, 0, distance)), 1), material)
         .build();
   }
 
@@ -113,6 +119,58 @@ class SummaryTest {
         .isEqualTo(Exposure.AUTO);
     assertThat(new Summary(settings, result, 2).exposureOfObjects(scene(.5)))
         .isEqualTo(Exposure.AUTO);
+  }
+
+  /** Of pixels that the sphere covers in part, four times as many, the exposure knows nothing. */
+  @ParameterizedTest
+  @CsvSource({"0, .3", "1e6, .3", "1e-3, 1e6"})
+  void automaticExposureIsThatOfWhollyCoveredPixels(float edge, float luminance) {
+    float[] rgb = new float[96];
+    Arrays.fill(rgb, edge);
+    for (int pixel : new int[] {11, 12, 19, 20}) {
+      Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, luminance);
+    }
+    assertThat(automaticFactor(rgb, scene(2.236, Matte.GREY)) * luminance)
+        .isCloseTo(.18, within(1e-6));
+  }
+
+  /** Of a model of which more than half is black, the rest decides, not the background. */
+  @ParameterizedTest
+  @CsvSource({"1e6, .3", "1, 1e6"})
+  void automaticExposureOfAHalfBlackModelIsThatOfItsLitPart(float sky, float luminance) {
+    float[] rgb = new float[96];
+    Arrays.fill(rgb, sky);
+    for (int pixel : new int[] {11, 12, 19, 20}) {
+      Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, pixel == 11 ? luminance : 0);
+    }
+    assertThat(automaticFactor(rgb, scene(2.236, Matte.GREY)) * luminance)
+        .isCloseTo(.18, within(1e-6));
+  }
+
+  /** A clear surface in front of the whole picture covers nothing, unless there is nothing else. */
+  @Test
+  void automaticExposureLooksThroughTransparentSurfaces() {
+    Material clear = MetallicRoughness.builder().opacity(.1).build();
+    Sphere pane = new Sphere(Transform.IDENTITY, .5);
+    float[] rgb = new float[96];
+    Arrays.fill(rgb, 1e6f);
+    for (int pixel : new int[] {11, 12, 19, 20}) {
+      Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, .3f);
+    }
+    Scene both = scene(2.236, Matte.GREY).toBuilder().add(pane, clear).build();
+    assertThat(automaticFactor(rgb, both) * .3).isCloseTo(.18, within(1e-6));
+    Arrays.fill(rgb, 3e3f);
+    assertThat(automaticFactor(rgb, scene(2.236, clear)) * 3e3).isCloseTo(.18, within(1e-6));
+  }
+
+  /**
+   * Returns the factor for a picture of 8x4 pixels; the sphere covers 4 of them wholly, 8 in part.
+   */
+  private static double automaticFactor(float[] rgb, Scene scene) {
+    Image image = new Image(8, 4, rgb, new float[0]);
+    RenderSettings settings = SETTINGS.toBuilder().size(8, 4).exposure(Exposure.AUTO).build();
+    RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
+    return new Summary(settings, result, 2).exposureOfObjects(scene).factor(image);
   }
 
   @ParameterizedTest
