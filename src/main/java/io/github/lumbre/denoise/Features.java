@@ -1,0 +1,227 @@
+package io.github.lumbre.denoise;
+
+import io.github.lumbre.math.Elementary;
+import java.util.Arrays;
+
+/**
+ * What the network sees of a picture, row by row. Rows and columns beyond the picture repeat its
+ * border.
+ */
+final class Features {
+  /** Added to the albedo by which light is divided. */
+  private static final float ALBEDO_FLOOR = .05f;
+
+  /** More light counts as this much, so that sums of weighted light are finite floats. */
+  private static final float BRIGHTEST = 1e15f;
+
+  private static final float LARGEST_RELATIVE_NOISE = 4;
+  private static final int BLOCK = 8;
+  private static final double DARK_BLOCK = 1e-6;
+  private static final double MIDDLE_GRAY = .18;
+  private static final float[] NONE = new float[0];
+
+  private final int width;
+  private final int height;
+  private final float[] light;
+  private final float[] noise;
+  private final float[] albedo;
+  private final float[] albedoNoise;
+  private final float[] normal;
+  private final float[] normalNoise;
+  private final float scale;
+
+  Features(NoisyPicture picture) {
+    NoisyPicture.Halves none = new NoisyPicture.Halves(NONE, NONE);
+    width = picture.width();
+    height = picture.height();
+    light = picture.light().mean();
+    noise = picture.light().noise();
+    albedo = picture.albedo().orElse(none).mean();
+    albedoNoise = picture.albedo().orElse(none).noise();
+    normal = picture.normal().orElse(none).mean();
+    normalNoise = picture.normal().orElse(none).noise();
+    scale = exposure();
+  }
+
+  int width() {
+    return width;
+  }
+
+  int height() {
+    return height;
+  }
+
+  /** Returns the factor by which the network's light is brighter than the picture's. */
+  float scale() {
+    return scale;
+  }
+
+  /** Returns the number of planes of light that are filtered. */
+  int planes() {
+    return noise.length == 0 ? 6 : 12;
+  }
+
+  /** Returns the factor that brings the geometric mean of blocks of 8x8 pixels to middle gray. */
+  private float exposure() {
+    double sum = 0;
+    int lit = 0;
+    int across = Math.min(width, BLOCK);
+    int down = Math.min(height, BLOCK);
+    for (int y = 0; y + down <= height; y += down) {
+      for (int x = 0; x + across <= width; x += across) {
+        double mean = blockSum(x, y, across, down) / (3 * across * down);
+        if (mean > DARK_BLOCK) {
+          sum += Elementary.log(mean);
+          lit++;
+        }
+      }
+    }
+    double factor = MIDDLE_GRAY / Elementary.exp(sum / Math.max(1, lit));
+    return (float) Math.max(1e-4, Math.min(1e5, factor));
+  }
+
+  private double blockSum(int left, int top, int across, int down) {
+    double sum = 0;
+    for (int y = top; y < top + down; y++) {
+      for (int i = 3 * (y * width + left); i < 3 * (y * width + left + across); i++) {
+        sum += limited(light[i]);
+      }
+    }
+    return sum;
+  }
+
+  private static float limited(float light) {
+    return Math.max(0, Math.min(BRIGHTEST, light));
+  }
+
+  /** Returns the index of a pixel's first value. */
+  private int index(int x, int y) {
+    int column = Math.max(0, Math.min(width - 1, x));
+    return 3 * (Math.max(0, Math.min(height - 1, y)) * width + column);
+  }
+
+  private float divisor(int index) {
+    return albedo.length == 0 ? ALBEDO_FLOOR : clamp(albedo[index], 0) + ALBEDO_FLOOR;
+  }
+
+  private static float clamp(float value, float least) {
+    return Math.max(least, Math.min(1, value));
+  }
+
+  /**
+   * Writes the features of a row of a tile.
+   *
+   * @param left the tile's first column in the picture
+   * @param y the row in the picture
+   * @param row the row in the maps
+   */
+  void write(int left, int y, Maps maps, int row) {
+    int at = maps.at(row);
+    for (int x = 0; x < maps.width(); x++) {
+      int i = index(left + x, y);
+      float deviation = 0;
+      float brightness = 0;
+      for (int c = 0; c < 3; c++) {
+        float value = limited(light[i + c]) * scale;
+        float divided = value / divisor(i + c);
+        maps.plane(c)[at + x] = tone(value);
+        maps.plane(3 + c)[at + x] = tone(divided);
+        brightness += value;
+        deviation += noise.length == 0 ? 0 : limited(Math.abs(noise[i + c])) * scale;
+        maps.plane(8 + c)[at + x] = albedo.length == 0 ? 0 : clamp(albedo[i + c], 0);
+        maps.plane(11 + c)[at + x] = normal.length == 0 ? 0 : clamp(normal[i + c], -1);
+      }
+      deviation /= 3;
+      maps.plane(6)[at + x] = tone(deviation);
+      float relative = deviation / (brightness / 3 + .05f) * .5f;
+      maps.plane(7)[at + x] = Math.min(LARGEST_RELATIVE_NOISE, relative);
+      maps.plane(14)[at + x] = length(albedoNoise, i);
+      maps.plane(15)[at + x] = length(normalNoise, i);
+    }
+  }
+
+  private static float tone(float light) {
+    return (float) (.5 * Elementary.log1p(8.0 * light));
+  }
+
+  private static float length(float[] noise, int i) {
+    if (noise.length == 0) {
+      return 0;
+    }
+    double x = noise[i];
+    double y = noise[i + 1];
+    double z = noise[i + 2];
+    return (float) Math.min(1, Math.sqrt(x * x + y * y + z * z));
+  }
+
+  /**
+   * Writes light of some pixels of a row: scaled; the same divided by albedo; then the same two of
+   * the noise, if it is known.
+   *
+   * @param left the first column in the picture
+   * @param y the row in the picture
+   * @param rows one array for each plane
+   */
+  void writeLight(int left, int y, float[][] rows, int count) {
+    for (int x = 0; x < count; x++) {
+      int i = index(left + x, y);
+      for (int c = 0; c < 3; c++) {
+        float divisor = divisor(i + c);
+        float value = limited(light[i + c]) * scale;
+        rows[c][x] = value;
+        rows[3 + c][x] = value / divisor;
+        if (noise.length != 0) {
+          float error = Math.max(-BRIGHTEST, Math.min(BRIGHTEST, noise[i + c])) * scale;
+          rows[6 + c][x] = error;
+          rows[9 + c][x] = error / divisor;
+        }
+      }
+    }
+  }
+
+  /**
+   * Returns a mixture of plain and divided light, in the picture's units.
+   *
+   * @param index of the value in the picture
+   */
+  float mixed(int index, float share, float plain, float divided) {
+    return (share * divided * divisor(index) + (1 - share) * plain) / scale;
+  }
+
+  /** Returns the light of a value of the picture. */
+  float light(int index) {
+    return limited(light[index]);
+  }
+
+  /**
+   * Writes the variances of a row's light: each the larger one of its own and of the mean of its
+   * neighborhood of 5x5 pixels.
+   *
+   * @param variances three values for each pixel of the row
+   */
+  void writeVariances(int y, double[] variances) {
+    double[] sums = new double[3 * width];
+    int first = Math.max(0, y - 2);
+    int last = Math.min(height - 1, y + 2);
+    for (int row = first; row <= last; row++) {
+      for (int i = 0; i < sums.length; i++) {
+        double value = noise[3 * row * width + i];
+        sums[i] += value * value;
+      }
+    }
+    Arrays.fill(variances, 0);
+    for (int x = 0; x < width; x++) {
+      int from = Math.max(0, x - 2);
+      int to = Math.min(width - 1, x + 2);
+      for (int c = 0; c < 3; c++) {
+        double sum = 0;
+        for (int near = from; near <= to; near++) {
+          sum += sums[3 * near + c];
+        }
+        double own = noise[3 * (y * width + x) + c];
+        int count = (to - from + 1) * (last - first + 1);
+        variances[3 * x + c] = Math.max(own * own, sum / count);
+      }
+    }
+  }
+}

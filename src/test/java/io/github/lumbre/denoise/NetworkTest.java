@@ -1,0 +1,35 @@
+package io.github.lumbre.denoise;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import org.junit.jupiter.api.Test;
+
+/** Tests the weights of the network. */
+class NetworkTest {
+  /** Training does not repeat bit for bit: this file is the network. */
+  @Test
+  void weightsAreThoseOfTheMeasurements() throws IOException, NoSuchAlgorithmException {
+    try (InputStream in = Network.class.getResourceAsStream(Network.RESOURCE)) {
+      byte[] bytes = in.readAllBytes();
+      String hash = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+      assertThat(hash).isEqualTo("005aa8fde842c2914a66b0b91df7c1f19c8b82151cc42d4952cfe2280029b17f");
+      assertThat(bytes).hasSize(2 * 425_960);
+    }
+  }
+
+  /** Values of the file, as numpy reads them. */
+  @Test
+  void halfFloatsAreDecoded() {
+    Network.Layer first = Network.get().down(0)[0];
+    assertThat(first.weights()[0]).isEqualTo(.079956055f);
+    assertThat(first.biases()[15]).isEqualTo(-.030776978f);
+    Network.Layer last = Network.get().head(4);
+    assertThat(last.weights()[last.weights().length - 1]).isEqualTo(.053375244f);
+    assertThat(last.biases()[26]).isZero();
+  }
+}
