@@ -70,7 +70,7 @@ class LayersTest {
           Map.entry("model", BASIC + " file text limit material camera light scene"),
           Map.entry("parser", BASIC + " file text limit material camera light scene model"),
           Map.entry("checkpoint", "file image sampling scene render"),
-          Map.entry("denoise", "image sampling scene render"),
+          Map.entry("denoise", "math image sampling scene render"),
           Map.entry("stopping", "math image scene render"),
           Map.entry("preview", "image scene render checkpoint stopping"),
           Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),

@@ -35,10 +35,11 @@ import picocli.CommandLine.Spec;
 /** {@code lumbre denoise}: removes noise from a rendered picture. */
 @Command(
     name = "denoise",
-    header = "Remove noise from an OpenEXR or checkpoint file with layers.",
+    header = "Remove noise from an OpenEXR or checkpoint file.",
     description =
-        "The file needs the layers of 'lumbre render --denoise' or '--layers denoise'. The result"
-            + " is an estimate: error bounds of the render do not hold for it.",
+        "The layers of 'lumbre render --denoise' or '--layers denoise' help the denoiser, and so do"
+            + " the layers albedo and normal of other programs. The result is an estimate: error"
+            + " bounds of the render do not hold for it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     sortOptions = false,
@@ -52,7 +53,7 @@ import picocli.CommandLine.Spec;
     exitCodeList = {
       "0:Done",
       "2:The command line is invalid, the file does not exist, or oidnDenoise is not found",
-      "3:The checkpoint file is damaged, or the file lacks the needed layers",
+      "3:The checkpoint file is damaged",
       "4:The OpenEXR file cannot be decoded",
       "5:The file exceeds a limit or the available memory",
       "6:The denoiser failed, or the picture cannot be written",
@@ -103,7 +104,7 @@ final class DenoiseCommand implements Callable<Integer> {
     overwrite.guard().readsFilm(file).writes("-o", output, OutputContent.PICTURE).check();
     Messages errors = new Messages(spec.commandLine().getErr());
     Input input = read(errors);
-    denoising.require(input.noisy, file.toString());
+    denoising.advise(input.noisy, file.toString(), errors);
     if (input.noisy.replaced() != 0) {
       errors.line(
           "warning: %s: NaN or infinite pixels: %d; they got the light of their neighbors"

@@ -50,7 +50,7 @@ public final class DenoisedPicture implements AutoCloseable {
    * Denoises and writes the picture; there must be a denoiser. See {@link Denoising#write}.
    *
    * @param kept where the noisy picture is
-   * @throws TaskException if the noisy picture has not what is needed, or on failure
+   * @throws TaskException if the denoiser fails or the picture cannot be written
    */
   public void write(
       NoisyPicture noisy,
@@ -60,7 +60,7 @@ public final class DenoisedPicture implements AutoCloseable {
       JsonSummary report)
       throws TaskException {
     Denoising denoiser = denoising.orElseThrow();
-    denoiser.require(noisy, kept);
+    denoiser.advise(noisy, kept, messages);
     denoiser.write(noisy, output.orElseThrow(), options, kept, messages, report);
   }
 

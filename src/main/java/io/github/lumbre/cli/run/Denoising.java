@@ -13,6 +13,7 @@ import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -27,7 +28,8 @@ import java.util.Optional;
  */
 public record Denoising(Optional<OpenImageDenoise> program, int threads) {
   private static final String HOW_TO_RECORD =
-      "; render it with --denoise, or with --layers denoise into an .exr picture or a checkpoint";
+      "; without, less noise is removed. --denoise, or --layers denoise into an .exr picture or a"
+          + " checkpoint, records all";
 
   /** Returns the path of the denoised picture beside a noisy one: x.denoised.png for x.png. */
   public static Path beside(Path noisy) {
@@ -36,32 +38,26 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     return noisy.resolveSibling(name.substring(0, dot) + ".denoised" + name.substring(dot));
   }
 
-  /** Returns whether a picture needs at least two samples in each pixel. */
-  public boolean needsNoise() {
-    return program.isEmpty();
-  }
-
   /**
-   * Checks that a picture has what the denoiser needs.
+   * Says what a picture lacks that would help the built-in denoiser.
    *
-   * @param name of the picture's file, for messages
-   * @throws TaskException that says how to get what is missing
+   * @param name of the picture's file
    */
-  public void require(NoisyPicture noisy, String name) throws TaskException {
-    if (!needsNoise()) {
-      return;
+  public void advise(NoisyPicture noisy, String name, Messages messages) {
+    List<String> missing = new ArrayList<>();
+    if (noisy.albedo().isEmpty()) {
+      missing.add("the layer denoisingAlbedo");
     }
-    if (noisy.albedo().isEmpty() || noisy.normal().isEmpty()) {
-      throw new TaskException(
-          Kind.SCENE, name + ": has no layers denoisingAlbedo and denoisingNormal" + HOW_TO_RECORD);
+    if (noisy.normal().isEmpty()) {
+      missing.add("the layer denoisingNormal");
     }
     if (!noisy.light().isNoiseKnown()) {
-      throw new TaskException(
-          Kind.SCENE,
-          name
-              + ": the noise is not known, for which every pixel needs 2 samples and an .exr file"
-              + " the layer variance"
-              + HOW_TO_RECORD);
+      missing.add("its noise (2 samples in each pixel, and in an .exr file the layer variance)");
+    }
+    if (program.isEmpty() && !missing.isEmpty()) {
+      messages.line(
+          "warning: %s: lacks %s%s"
+              .formatted(name, String.join(" and ", missing), HOW_TO_RECORD));
     }
   }
 
