@@ -35,7 +35,7 @@ public final class PictureTarget {
     } catch (IllegalArgumentException e) {
       return;
     }
-    if (noisy.light().isNoiseKnown() && noisy.width() * noisy.height() <= MAX_DENOISED_PIXELS) {
+    if (noisy.width() * noisy.height() <= MAX_DENOISED_PIXELS) {
       for (float value : BuiltInDenoiser.denoise(noisy, 1).image().rgb()) {
         if (!(value >= 0)) {
           throw new IllegalStateException("denoised light: " + value);

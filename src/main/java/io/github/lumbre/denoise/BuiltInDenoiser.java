@@ -154,12 +154,19 @@ public final class BuiltInDenoiser {
           double noise = features.mixed(i, level.mix[at], planes[6 + c][at], planes[9 + c][at]);
           errors[row * errorsInRow + column / TileFilter.UNIT] +=
               noise * noise / ((double) value * value + Denoised.FLOOR);
-          double most = FARTHEST * Math.sqrt(variances[3 * column + c]);
-          double change = value - (double) features.light(i);
-          value = (float) (features.light(i) + Math.max(-most, Math.min(most, change)));
+          value = near(value, features.light(i), FARTHEST * Math.sqrt(variances[3 * column + c]));
         }
         result[i] = Math.max(0, value);
       }
     }
+  }
+
+  /**
+   * Limits how far a result is from the noisy light, so that what has no noise stays. Black is no
+   * evidence of that: where little light arrives, all samples of a neighborhood can miss it.
+   */
+  private static float near(float value, float light, double most) {
+    double change = value - (double) light;
+    return light == 0 ? value : (float) (light + Math.max(-most, Math.min(most, change)));
   }
 }

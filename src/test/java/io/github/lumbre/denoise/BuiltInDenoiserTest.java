@@ -232,6 +232,26 @@ class BuiltInDenoiserTest {
     assertThat(denoised.relativeError().getAsDouble()).isEqualTo(.204140284645521);
   }
 
+  /** In sparse light, neighborhoods that all samples missed have no noise that could be seen. */
+  @Test
+  void sparseLightLeavesNoHoles() throws InterruptedException {
+    NoisyPicture noisy = noisy((x, y) -> 0, (x, y) -> .7, 0, 13);
+    Random random = new Random(13);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+      boolean isLit = random.nextInt(25) == 0;
+      for (int c = 0; c < 3; c++) {
+        noisy.light().mean()[3 * i + c] = isLit ? 12.5f : 0;
+        noisy.light().noise()[3 * i + c] = isLit ? 12.5f : 0;
+      }
+    }
+    float[] clean = BuiltInDenoiser.denoise(noisy, 2).image().rgb();
+    int holes = 0;
+    for (float value : clean) {
+      holes += value < .02f ? 1 : 0;
+    }
+    assertThat(holes).isZero();
+  }
+
   @Test
   void interruptionEndsIt() {
     Thread.currentThread().interrupt();
