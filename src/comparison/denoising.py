@@ -17,7 +17,7 @@ SCENES = (
     "cornell-box cornell-box-dome glass-and-mirror lantern camera-bokeh table-01-depth-of-field-400mm "
     "table-04-armoured-figure table-07-suited-figure table-11-marble table-13-voronoi table-15-frog torus-knot"
 ).split()
-# Scenes that the denoiser's constants were not chosen on.
+# Further scenes, for the plot.
 OTHERS = "camera-thin-lens cornell-box-sphere-light table-16-spherical".split()
 SAMPLES = [4, 16, 64, 256]
 # References have these samples, which no measured picture has, of the same seed: textures depend on the seed.

@@ -29,10 +29,11 @@ import java.util.concurrent.atomic.AtomicInteger;
  * which no further scene is begun; then maybe width, height and samples of references instead.
  *
  * <p>For training, each scene's file has 9 pictures of 14 planes and a target of 6, as 32-bit
- * floats, little-endian: pictures of the samples 0; 0 to 1, 3, 7, 15, 31, 63; 2 to 3, 4 to 7. Planes: light, its noise, albedo, normal (three each), noise of albedo, noise of
- * normal. The target has 64 later samples, far from the others, since near samples of a
- * low-discrepancy sequence have errors of opposite signs: light and its noise. A reference has the
- * light of the samples from 1024 on alone.
+ * floats, little-endian: pictures of the samples 0; 0 to 1, 3, 7, 15, 31, 63; 2 to 3, 4 to 7.
+ * Planes: light, its noise, albedo, normal (three each), noise of albedo, noise of normal. The
+ * target has 64 later samples, far from the others, since near samples of a low-discrepancy
+ * sequence have errors of opposite signs: light and its noise. A reference has the light of the
+ * samples from 1024 on alone.
  */
 final class TrainingRenderer {
   static final int PLANES = 14;

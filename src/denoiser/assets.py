@@ -243,9 +243,7 @@ def mesh(rng, file, form):
     points /= np.abs(points).max()
     step = columns + 1
     corner = (np.arange(rows)[:, None] * step + np.arange(columns)[None]).ravel()
-    faces = np.concatenate(
-        [np.stack([corner, corner + 1, corner + step + 1], 1), np.stack([corner, corner + step + 1, corner + step], 1)]
-    )
+    faces = np.concatenate([np.stack([corner, corner + 1, corner + step + 1], 1), np.stack([corner, corner + step + 1, corner + step], 1)])
     lines = ["v %.4f %.4f %.4f" % tuple(p) for p in points]
     lines += ["vt %.4f %.4f" % t for t in zip(u.ravel(), v.ravel())]
     if form is gear or rng.random() < 0.25:

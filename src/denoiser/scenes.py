@@ -133,7 +133,9 @@ class Scene:
 
     def shape(self, kind, material, position, rotation=(0, 0, 0), **keys):
         self.objects.append(
-            dict(type="Shape", shapeType=kind, materialID=material, localPosition=vector(*position), localRotation=vector(*rotation), **keys)
+            dict(
+                type="Shape", shapeType=kind, materialID=material, localPosition=vector(*position), localRotation=vector(*rotation), **keys
+            )
         )
 
     def turn(self):
@@ -381,7 +383,13 @@ def outdoors(s):
             keys = dict(width=size, height=size * s.uniform(1, 4), depth=size)
             s.shape("Cube", s.pick(kinds), (x, keys["height"] / 2, z), (0, s.uniform(0, 360), 0), **keys)
         else:
-            s.mesh(s.pick(kinds), (x, 0.5 * size, z), size, (s.uniform(0.3, 1), s.uniform(0.3, 2), s.uniform(0.3, 1)), (0, s.uniform(0, 360), 0))
+            s.mesh(
+                s.pick(kinds),
+                (x, 0.5 * size, z),
+                size,
+                (s.uniform(0.3, 1), s.uniform(0.3, 2), s.uniform(0.3, 1)),
+                (0, s.uniform(0, 360), 0),
+            )
     s.sky(0.5, 2)
     if s.chance(0.6):
         s.sun()

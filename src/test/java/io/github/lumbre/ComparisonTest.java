@@ -14,12 +14,18 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Checks the comparison programs, which are not part of the build. */
+/** Checks the programs of comparisons and of the denoiser's training, which are not built. */
 class ComparisonTest {
   @TempDir private Path classes;
 
   @ParameterizedTest
-  @ValueSource(strings = {"RenderServer.java", "KernelServer.java", "DenoiserMeter.java"})
+  @ValueSource(
+      strings = {
+        "comparison/RenderServer.java",
+        "comparison/KernelServer.java",
+        "comparison/DenoiserMeter.java",
+        "denoiser/TrainingRenderer.java"
+      })
   void compilesAgainstTheLibraryAlone(String source) throws Exception {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter messages = new StringWriter();
@@ -35,7 +41,7 @@ class ComparisonTest {
                   null,
                   options,
                   null,
-                  files.getJavaFileObjects(Path.of("src/comparison", source)))
+                  files.getJavaFileObjects(Path.of("src", source)))
               .call();
       assertThat(compiled).as(messages.toString()).isTrue();
     }

@@ -33,8 +33,7 @@ final class Convolution {
     for (int y = first; y < end; y += rows) {
       int height = Math.min(rows, end - y);
       for (int x = 0; x < width; x += columns) {
-        int count =
-            height > 1 ? height * out.stride() - 2 : Math.min(columns, width - x);
+        int count = height > 1 ? height * out.stride() - 2 : Math.min(columns, width - x);
         gather(inputs, x, y, count);
         for (int o = 0; o < layer.outputs(); o += 2) {
           sums(layer, o, count);

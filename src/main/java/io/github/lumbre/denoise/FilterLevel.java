@@ -1,7 +1,5 @@
 package io.github.lumbre.denoise;
 
-import io.github.lumbre.denoise.Network.Layer;
-
 /**
  * A level of a tile: its light, and what the predicted kernels make of it. Planes are plain and
  * divided light, and maybe the same of the noise.
@@ -26,10 +24,10 @@ final class FilterLevel {
   final float[] mix;
 
   /** The weight of each pixel among those that are pooled. */
-  private final float[] weight;
+  final float[] weight;
 
   /** The light before filtering; none at full size, where it follows from the picture. */
-  private final float[][] light;
+  final float[][] light;
 
   FilterLevel(int level, int width, int height, int planes) {
     this.width = width;
@@ -54,160 +52,6 @@ final class FilterLevel {
     };
   }
 
-  /** Computes filtered rows, and pools their light into the next level. */
-  static final class Filter {
-    private static final int CHUNK = 256;
-    private static final int RADIUS = Network.SIDE / 2;
-    private static final float LARGEST_EXPONENT = 8;
-
-    private final Layer head;
-    private final FilterLevel level;
-    private final FilterLevel next;
-    private final Light source;
-    private final int planes;
-    private final float[][] inputs;
-    private final float[][] outputs;
-    private final float[][] wide;
-
-    /** By row modulo the side of the kernels, plane and shift. */
-    private final float[][][][] shifted;
-
-    private final float[] largest = new float[CHUNK];
-    private final float[] sums = new float[CHUNK];
-    private final float[] weights = new float[CHUNK];
-    private final float[] result = new float[CHUNK];
-
-    /**
-     * @param next the next coarser level; null for the coarsest
-     */
-    Filter(Layer head, FilterLevel level, FilterLevel next, Light source) {
-      this.head = head;
-      this.level = level;
-      this.next = next;
-      this.source = source;
-      planes = level.filtered.length;
-      inputs = new float[(head.inputs() + 2) / 3 * 3][CHUNK];
-      outputs = new float[(head.outputs() + 1) / 2 * 2][CHUNK];
-      wide = new float[planes][CHUNK + 2 * RADIUS];
-      shifted = new float[Network.SIDE][planes][Network.SIDE][CHUNK];
-    }
-
-    /**
-     * @param decoded the inputs of the head
-     * @param first an even number
-     */
-    void apply(Maps decoded, int first, int end) {
-      for (int x = 0; x < level.width; x += CHUNK) {
-        int count = Math.min(CHUNK, level.width - x);
-        for (int y = first - RADIUS; y < first + RADIUS; y++) {
-          shift(x, y, count);
-        }
-        for (int y = first; y < end; y++) {
-          shift(x, y + RADIUS, count);
-          predict(decoded, x, y, count);
-          filter(x, y, count);
-          int at = y * level.width + x;
-          System.arraycopy(outputs[Network.SHARE], 0, level.share, at, count);
-          if (level.mix.length != 0) {
-            Loops.sigmoids(outputs[Network.MIX], count);
-            System.arraycopy(outputs[Network.MIX], 0, level.mix, at, count);
-          }
-          if (next != null) {
-            pool(x, y, count);
-          }
-        }
-      }
-    }
-
-    private float[][][] row(int y) {
-      return shifted[Math.floorMod(y, Network.SIDE)];
-    }
-
-    private void shift(int x, int y, int count) {
-      source.write(x - RADIUS, y, wide, count + 2 * RADIUS);
-      for (int c = 0; c < planes; c++) {
-        for (int d = 0; d < Network.SIDE; d++) {
-          System.arraycopy(wide[c], d, row(y)[c][d], 0, count);
-        }
-      }
-    }
-
-    private void predict(Maps decoded, int x, int y, int count) {
-      for (int i = 0; i < head.inputs(); i++) {
-        System.arraycopy(decoded.plane(i), decoded.at(y) + x, inputs[i], 0, count);
-      }
-      for (int o = 0; o < outputs.length; o += 2) {
-        int second = Math.min(o + 1, head.outputs() - 1);
-        java.util.Arrays.fill(outputs[o], head.biases()[o]);
-        java.util.Arrays.fill(outputs[o + 1], head.biases()[second]);
-        for (int i = 0; i < head.inputs(); i++) {
-          float a = head.weights()[o * head.inputs() + i];
-          float b = head.weights()[second * head.inputs() + i];
-          Loops.addOne(inputs[i], outputs[o], outputs[o + 1], count, a, b);
-        }
-      }
-      Loops.sigmoids(outputs[Network.SHARE], count);
-    }
-
-    private void filter(int x, int y, int count) {
-      System.arraycopy(outputs[0], 0, largest, 0, count);
-      for (int t = 1; t < Network.TAPS; t++) {
-        Loops.raiseTo(largest, outputs[t], count);
-      }
-      java.util.Arrays.fill(sums, 0);
-      for (int t = 0; t < Network.TAPS; t++) {
-        Loops.exponentials(outputs[t], largest, sums, count);
-      }
-      for (int c = 0; c < planes; c++) {
-        java.util.Arrays.fill(result, 0);
-        for (int d = 0; d < Network.SIDE; d++) {
-          float[][] near = row(y + d - RADIUS)[c];
-          int t = d * Network.SIDE;
-          Loops.addProducts(
-              outputs[t], near[0], outputs[t + 1], near[1], outputs[t + 2], near[2], result, count);
-          Loops.addProduct(outputs[t + 3], near[3], result, count);
-          Loops.addProduct(outputs[t + 4], near[4], result, count);
-        }
-        Loops.divide(result, sums, result, count);
-        System.arraycopy(result, 0, level.filtered[c], y * level.width + x, count);
-      }
-    }
-
-    /** Adds a row to the weighted means of 2x2 pixels. */
-    private void pool(int x, int y, int count) {
-      if (level.weight.length == 0) {
-        java.util.Arrays.fill(weights, 1);
-      } else {
-        System.arraycopy(level.weight, y * level.width + x, weights, 0, count);
-      }
-      Loops.scaleByExponentials(weights, outputs[Network.WEIGHT], LARGEST_EXPONENT, count);
-      boolean isFirst = (y & 1) == 0;
-      int at = y / 2 * next.width + x / 2;
-      pool(next.weight, at, null, count, isFirst);
-      for (int c = 0; c < planes; c++) {
-        pool(next.light[c], at, row(y)[c][RADIUS], count, isFirst);
-      }
-      if (!isFirst) {
-        for (int i = at; i < at + count / 2; i++) {
-          for (float[] plane : next.light) {
-            plane[i] /= next.weight[i];
-          }
-          next.weight[i] *= .25f;
-        }
-      }
-    }
-
-    private void pool(float[] to, int at, float[] values, int count, boolean isFirst) {
-      for (int i = 0; i < count; i += 2) {
-        float sum =
-            values == null
-                ? weights[i] + weights[i + 1]
-                : weights[i] * values[i] + weights[i + 1] * values[i + 1];
-        to[at + i / 2] = isFirst ? sum : to[at + i / 2] + sum;
-      }
-    }
-  }
-
   /**
    * Replaces the low frequencies of rows of a result by those of the next coarser level.
    *
@@ -226,8 +70,7 @@ final class FilterLevel {
           float near = x % 2 == 0 ? .25f : .75f;
           float top = near * change[c][above + left] + (1 - near) * change[c][above + right];
           float bottom = near * change[c][below + left] + (1 - near) * change[c][below + right];
-          filtered[c][y * width + x] +=
-              share[y * width + x] * (upper * top + (1 - upper) * bottom);
+          filtered[c][y * width + x] += share[y * width + x] * (upper * top + (1 - upper) * bottom);
         }
       }
     }

@@ -1,5 +1,6 @@
 package io.github.lumbre.denoise;
 
+import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -72,7 +73,7 @@ final class Network {
 
   private static Network read() {
     try (InputStream in = Network.class.getResourceAsStream(RESOURCE)) {
-      return new Network(new DataInputStream(new java.io.ByteArrayInputStream(in.readAllBytes())));
+      return new Network(new DataInputStream(new ByteArrayInputStream(in.readAllBytes())));
     } catch (IOException e) {
       throw new UncheckedIOException("the denoiser's weights cannot be read", e);
     }
@@ -80,8 +81,7 @@ final class Network {
 
   private static Layer layer(DataInputStream in, int inputs, int outputs, int taps)
       throws IOException {
-    return new Layer(
-        inputs, outputs, halves(in, inputs * outputs * taps), halves(in, outputs));
+    return new Layer(inputs, outputs, halves(in, inputs * outputs * taps), halves(in, outputs));
   }
 
   private static float[] halves(DataInputStream in, int count) throws IOException {
@@ -97,9 +97,7 @@ final class Network {
     int exponent = bits >> 10 & 31;
     int fraction = bits & 1023;
     float magnitude =
-        exponent == 0
-            ? fraction * 0x1p-24f
-            : Math.scalb((float) (1024 + fraction), exponent - 25);
+        exponent == 0 ? fraction * 0x1p-24f : Math.scalb((float) (1024 + fraction), exponent - 25);
     return bits >> 15 == 0 ? magnitude : -magnitude;
   }
 

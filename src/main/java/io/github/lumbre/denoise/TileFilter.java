@@ -40,8 +40,7 @@ final class TileFilter {
     }
     FilterLevel[] levels = new FilterLevel[Network.LEVELS];
     for (int level = 0; level < Network.LEVELS; level++) {
-      levels[level] =
-          new FilterLevel(level, width >> level, height >> level, picture.planes());
+      levels[level] = new FilterLevel(level, width >> level, height >> level, picture.planes());
     }
     filterFinest(decoded[1], encoded[0], levels);
     for (int level = 1; level < Network.LEVELS; level++) {
@@ -122,7 +121,8 @@ final class TileFilter {
     workers.compute(
         height >> level,
         (first, end, convolution) ->
-            pair(layers, joined(level, coarser, encoded, first, end), first, end, convolution, out));
+            pair(
+                layers, joined(level, coarser, encoded, first, end), first, end, convolution, out));
     return out;
   }
 
@@ -152,8 +152,7 @@ final class TileFilter {
           Maps decoded = new Maps(width, first, end - first, layers[1].outputs());
           Maps[] inputs = joined(0, coarser, encoded, first, end);
           pair(layers, inputs, first, end, convolution, decoded);
-          new FilterLevel.Filter(network.head(0), levels[0], levels[1], light)
-              .apply(decoded, first, end);
+          new LevelFilter(network.head(0), levels[0], levels[1], light).apply(decoded, first, end);
         });
   }
 
@@ -163,15 +162,14 @@ final class TileFilter {
     workers.compute(
         level.height,
         (first, end, convolution) ->
-            new FilterLevel.Filter(network.head(index), level, next, level.light())
+            new LevelFilter(network.head(index), level, next, level.light())
                 .apply(decoded, first, end));
   }
 
   private void combine(FilterLevel level, FilterLevel coarser) throws InterruptedException {
     float[][] change = new float[coarser.filtered.length][coarser.width * coarser.height];
     workers.compute(
-        coarser.height,
-        (first, end, convolution) -> coarser.subtract(level, change, first, end));
+        coarser.height, (first, end, convolution) -> coarser.subtract(level, change, first, end));
     workers.compute(level.height, (first, end, convolution) -> level.add(change, first, end));
   }
 }

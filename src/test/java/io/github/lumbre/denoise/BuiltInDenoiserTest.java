@@ -164,14 +164,15 @@ class BuiltInDenoiserTest {
     NoisyPicture noisy = noisy(truth, (x, y) -> .7, .1, 9);
     NoisyPicture.Halves light = new NoisyPicture.Halves(noisy.light().mean(), new float[0]);
     NoisyPicture bare =
-        new NoisyPicture(
-            WIDTH, HEIGHT, light, Optional.empty(), Optional.empty(), new float[0], 0);
+        new NoisyPicture(WIDTH, HEIGHT, light, Optional.empty(), Optional.empty(), new float[0], 0);
     Denoised denoised = BuiltInDenoiser.denoise(bare, 1);
     assertThat(denoised.relativeError()).isEmpty();
     assertThat(squaredError(denoised.image().rgb(), truth)).isLessThan(.005 / 8);
   }
 
-  /** Every size has pixels at borders, and in tiles that have none of the network's smaller sizes. */
+  /**
+   * Every size has pixels at borders, and in tiles that have none of the network's smaller sizes.
+   */
   @Test
   void oddSizesAreFine() throws InterruptedException {
     for (int[] size : new int[][] {{1, 1}, {1, 40}, {17, 1}, {2, 3}, {7, 9}, {16, 16}, {33, 31}}) {
@@ -223,7 +224,9 @@ class BuiltInDenoiserTest {
         width, height, halves[0], Optional.of(halves[1]), Optional.of(halves[2]), new float[0], 0);
   }
 
-  /** The same bits on every machine, with and without compilers: the hash is that of any of them. */
+  /**
+   * The same bits on every machine, with and without compilers: the hash is that of any of them.
+   */
   @Test
   void bitsAreThoseOfEveryMachine() throws InterruptedException {
     NoisyPicture noisy = large(61, 47);

@@ -17,7 +17,8 @@ class NetworkTest {
     try (InputStream in = Network.class.getResourceAsStream(Network.RESOURCE)) {
       byte[] bytes = in.readAllBytes();
       String hash = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-      assertThat(hash).isEqualTo("005aa8fde842c2914a66b0b91df7c1f19c8b82151cc42d4952cfe2280029b17f");
+      assertThat(hash)
+          .isEqualTo("005aa8fde842c2914a66b0b91df7c1f19c8b82151cc42d4952cfe2280029b17f");
       assertThat(bytes).hasSize(2 * 425_960);
     }
   }

@@ -56,8 +56,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     }
     if (program.isEmpty() && !missing.isEmpty()) {
       messages.line(
-          "warning: %s: lacks %s%s"
-              .formatted(name, String.join(" and ", missing), HOW_TO_RECORD));
+          "warning: %s: lacks %s%s".formatted(name, String.join(" and ", missing), HOW_TO_RECORD));
     }
   }
 
