@@ -255,9 +255,6 @@ final class RenderCommand implements Callable<Integer> {
       }
       MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
       frames.picture().requireFits(file.settings());
-      require(
-          file.settings().samples() > 1 || !frames.denoised().needsNoise(),
-          "--denoise: the built-in denoiser expects at least 2 samples per pixel (-s), found 1");
       // The first frame of several takes longest to read: all of them share that time.
       Instant from = frames.isFirst() && !frames.isSingle() ? Instant.now() : begin;
       RunBudget budget =

@@ -52,8 +52,8 @@ class DenoiseCommandTest {
   @Test
   void anErrorOnAnotherScaleThanTheNoiseOfTheRenderIsSaidToBe() {
     String said =
-        "denoised \\(built-in\\): \\d+\\.\\d\\d % changed, error left roughly [0-9.]+ %;"
-            + " not comparable with the noise of the render";
+        "denoised \\(built-in\\): \\d+\\.\\d\\d % changed, noise before roughly [0-9.]+ %, error left"
+            + " roughly [0-9.]+ %; not comparable with the noise of the render";
     Outcome render =
         run("render", scene, "-s", "8", "-o", path("x.exr"), "--denoise", "--size", "32x32");
     assertThat(render.err()).containsPattern("noise about [0-9.]+ %").containsPattern(said);
@@ -64,7 +64,8 @@ class DenoiseCommandTest {
   void metadataSayWhatWasDone() throws IOException {
     run("render", scene, "-s", "8", "-o", path("x.png"), "--denoise");
     String png = new String(bytes("x.denoised.png"), StandardCharsets.ISO_8859_1);
-    assertThat(png).contains("Denoiser\0built-in", "DenoiserChange", "DenoiserErrorEstimate");
+    assertThat(png).contains("Denoiser\0built-in", "DenoiserChange", "DenoiserNoiseBefore");
+    assertThat(png).contains("DenoiserErrorEstimate");
     assertThat(new String(bytes("x.png"), StandardCharsets.ISO_8859_1)).doesNotContain("Denoiser");
   }
 

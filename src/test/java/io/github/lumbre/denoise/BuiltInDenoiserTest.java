@@ -99,6 +99,7 @@ class BuiltInDenoiserTest {
       sum += error * error / (expected[i] * expected[i] + Denoised.FLOOR);
     }
     double actual = Math.sqrt(sum / expected.length);
+    assertThat(denoised.relativeNoise().getAsDouble()).isGreaterThan(3 * actual);
     assertThat(denoised.relativeError().getAsDouble()).isBetween(actual / 2, 2 * actual);
   }
 

@@ -41,11 +41,6 @@ public final class DenoisedPicture implements AutoCloseable {
     return denoising.isPresent();
   }
 
-  /** Returns whether there is a denoiser that needs at least 2 samples per pixel. */
-  public boolean needsNoise() {
-    return denoising.filter(Denoising::needsNoise).isPresent();
-  }
-
   /**
    * Denoises and writes the picture; there must be a denoiser. See {@link Denoising#write}.
    *

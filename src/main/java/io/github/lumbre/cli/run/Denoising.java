@@ -87,14 +87,20 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
             options.pngBits(),
             options.jpegQuality(),
             metadata));
+    String noise =
+        denoised.relativeNoise().isPresent()
+            ? ", noise before roughly "
+                + Markdown.percent(denoised.relativeNoise().getAsDouble())
+            : "";
     String error =
         denoised.relativeError().isPresent()
             ? ", error left roughly %s; not comparable with the noise of the render"
                 .formatted(Markdown.percent(denoised.relativeError().getAsDouble()))
             : "";
     messages.line(
-        "%s: denoised (%s): %s changed%s"
-            .formatted(output.target(), denoised.engine(), percent(denoised.change()), error));
+        "%s: denoised (%s): %s changed%s%s"
+            .formatted(
+                output.target(), denoised.engine(), percent(denoised.change()), noise, error));
     report.put("denoised", output.target().toString());
     report.put("denoiser", denoised.engine());
   }
@@ -104,6 +110,9 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     Map<String, String> metadata = new LinkedHashMap<>();
     metadata.put("Denoiser", denoised.engine());
     metadata.put("DenoiserChange", percent(denoised.change()));
+    denoised
+        .relativeNoise()
+        .ifPresent(noise -> metadata.put("DenoiserNoiseBefore", percent(noise)));
     denoised
         .relativeError()
         .ifPresent(error -> metadata.put("DenoiserErrorEstimate", percent(error)));
