@@ -52,8 +52,8 @@ class DenoiseCommandTest {
   @Test
   void anErrorOnAnotherScaleThanTheNoiseOfTheRenderIsSaidToBe() {
     String said =
-        "denoised \\(built-in\\): \\d+\\.\\d\\d % changed, noise before roughly [0-9.]+ %, error left"
-            + " roughly [0-9.]+ %; not comparable with the noise of the render";
+        "denoised \\(built-in\\): \\d+\\.\\d\\d % changed, noise before roughly [0-9.]+ %, error"
+            + " left roughly [0-9.]+ %; not comparable with the noise of the render";
     Outcome render =
         run("render", scene, "-s", "8", "-o", path("x.exr"), "--denoise", "--size", "32x32");
     assertThat(render.err()).containsPattern("noise about [0-9.]+ %").containsPattern(said);

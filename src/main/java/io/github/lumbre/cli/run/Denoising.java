@@ -89,8 +89,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
             metadata));
     String noise =
         denoised.relativeNoise().isPresent()
-            ? ", noise before roughly "
-                + Markdown.percent(denoised.relativeNoise().getAsDouble())
+            ? ", noise before roughly " + Markdown.percent(denoised.relativeNoise().getAsDouble())
             : "";
     String error =
         denoised.relativeError().isPresent()
