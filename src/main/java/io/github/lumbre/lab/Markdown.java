@@ -15,8 +15,11 @@ public final class Markdown {
         .collect(Collectors.joining(" | ", "| ", " |"));
   }
 
-  /** Returns a share as a percentage with two digits, or three from 99.5 % on. */
+  /** Returns a share as a percentage with two digits, or three from 99.5 % on; 0 is 0 %. */
   public static String percent(double share) {
+    if (share == 0) {
+      return "0 %";
+    }
     return String.format(Locale.ROOT, share >= .1 ? "%.0f %%" : "%.2g %%", 100 * share);
   }
 

@@ -108,7 +108,7 @@ final class PlyReader {
     if (dropped > 0) {
       warnings.add("", "dropped triangles of zero area: " + dropped);
     }
-    vertices.repair(triangles, warnings);
+    vertices.repair(triangles, broken > 0, warnings);
     ModelMaterial material = material();
     ModelGeometry mesh = vertices.geometry(triangles.toArray());
     PlyTextures textures = textures(mesh, folder);

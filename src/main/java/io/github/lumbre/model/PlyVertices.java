@@ -190,10 +190,19 @@ final class PlyVertices {
   /**
    * Removes numbers that are not finite: unused positions become 0, and if a normal of a triangle
    * is broken, all normals are ignored.
+   *
+   * @param areReported whether a warning already names the broken positions
    */
-  void repair(TriangleList triangles, Warnings warnings) {
-    for (int i = 0; i < positions.length; i++) {
-      positions[i] = Double.isNaN(positions[i]) ? 0 : positions[i];
+  void repair(TriangleList triangles, boolean areReported, Warnings warnings) {
+    int broken = 0;
+    for (int i = 0; i < positions.length; i += 3) {
+      if (Double.isNaN(positions[i] + positions[i + 1] + positions[i + 2])) {
+        Arrays.fill(positions, i, i + 3, 0);
+        broken++;
+      }
+    }
+    if (broken > 0 && !areReported) {
+      warnings.add("element vertex", "ignored vertices that are not finite: " + broken);
     }
     boolean hasBroken = false;
     for (int i = 0; normals.length > 0 && i < 3 * triangles.count(); i++) {
