@@ -67,7 +67,8 @@ final class ModelObjects {
    * @param sceneName name of the scene file; problems of a model with this name are located in the
    *     model alone
    * @param kernel traversal kernel of shared meshes
-   * @param lenient whether a missing picture of a model is a warning instead of an error
+   * @param lenient whether a missing picture of a model is a warning instead of an error; it always
+   *     is if the scene stands for the model
    */
   ModelObjects(
       AssetData data, MaterialReader materials, String sceneName, Kernel kernel, boolean lenient) {
@@ -133,7 +134,8 @@ final class ModelObjects {
   private List<Part> parts(Placed object, String name, AssetData.Content content) {
     JsonNode node = object.node();
     try {
-      Model model = ModelReader.read(name, content.bytes(), data.folderOf(name), options(node));
+      ModelOptions options = options(node, name);
+      Model model = ModelReader.read(name, content.bytes(), data.folderOf(name), options);
       model.warnings().forEach(warning -> warn(node, name, warning));
       Transform toWorld = object.toWorld().times(ModelScene.TO_LEFT_HANDED);
       long maxTexels = data.allowance().texelsLeft();
@@ -219,7 +221,7 @@ final class ModelObjects {
     }
   }
 
-  private ModelOptions options(JsonNode node) {
+  private ModelOptions options(JsonNode node, String file) {
     Optional<Pose> pose =
         node.has("pose")
             ? node.string("pose")
@@ -232,7 +234,7 @@ final class ModelObjects {
         node.choice("up", UPS, Up.Y),
         node.number("unit", 1, Range.POSITIVE),
         data.allowance().left(),
-        lenient);
+        lenient || isTheScene(file));
   }
 
   /** Returns the surfaces that replace materials of the model, by the names of these. */

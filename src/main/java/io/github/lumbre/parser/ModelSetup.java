@@ -244,7 +244,12 @@ public record ModelSetup(
   public SceneText sceneOf(Path file, OptionalDouble aspect)
       throws SceneFormatException, IOException {
     Path model = file.toAbsolutePath().normalize();
-    return sceneIn(folderOf(model), model, aspect);
+    return shown().sceneIn(folderOf(model), model, aspect);
+  }
+
+  /** Returns this setup for a model that is rendered by itself: it may lack pictures. */
+  private ModelSetup shown() {
+    return reading(options.lenient(true));
   }
 
   /** Returns the nearest folder that contains both the model and the sky's picture. */
@@ -272,7 +277,7 @@ public record ModelSetup(
     Optional<Model> model = Optional.empty();
     for (View each : views) {
       if (model.isEmpty()) {
-        model = Optional.of(read(path));
+        model = Optional.of(shown().read(path));
       }
       texts.add(seenFrom(each).sceneOf(folder, path, model.get(), aspect));
     }
@@ -280,7 +285,8 @@ public record ModelSetup(
   }
 
   /**
-   * Returns the scene of a model file.
+   * Returns the scene of a model file, to be written to a file. A missing picture is an error
+   * unless the options are lenient, as it is in a scene.
    *
    * @param folder where asset paths start; contains the model and the sky's picture
    */
@@ -323,7 +329,7 @@ public record ModelSetup(
             name,
             () -> {
               requireBytes(content.length);
-              return ModelReader.read(name, content, files, options);
+              return ModelReader.read(name, content, files, options.lenient(true));
             });
     return sceneOf(folder, file, model, aspect);
   }

@@ -86,8 +86,8 @@ public final class SceneParser {
   }
 
   /**
-   * Returns a parser that reports references to missing assets, and missing pictures of models, as
-   * warnings, not errors.
+   * Returns a parser that reports references to missing assets, and missing pictures of glTF models
+   * in scenes, as warnings, not errors.
    */
   public SceneParser lenient() {
     return new SceneParser(true, mode, change, limits, textures, kernel);
@@ -178,7 +178,7 @@ public final class SceneParser {
     return timed(
         problems,
         () -> {
-          return parse(configured(setup).sceneOf(model, modelAspect()), problems);
+          return parse(setup.limitedTo(limits).sceneOf(model, modelAspect()), problems);
         });
   }
 
@@ -205,7 +205,7 @@ public final class SceneParser {
         problems,
         () -> {
           SceneText text =
-              configured(setup).sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
+              setup.limitedTo(limits).sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
           return parse(
               text.path(),
               text.json(),
@@ -233,7 +233,7 @@ public final class SceneParser {
         problems,
         () -> {
           List<SceneText> texts =
-              configured(setup).scenesOf(model, modelAspect(), List.copyOf(views));
+              setup.limitedTo(limits).scenesOf(model, modelAspect(), List.copyOf(views));
           SceneFile first = parse(texts.get(0), problems);
           List<Scene> scenes = new ArrayList<>(List.of(first.scene()));
           for (SceneText text : texts.subList(1, texts.size())) {
@@ -242,12 +242,6 @@ public final class SceneParser {
           }
           return new ModelViews(first, scenes);
         });
-  }
-
-  /** Returns a setup with the limits and the leniency of this parser. */
-  private ModelSetup configured(ModelSetup setup) {
-    ModelSetup limited = setup.limitedTo(limits);
-    return lenient ? limited.reading(limited.options().lenient(true)) : limited;
   }
 
   private OptionalDouble modelAspect() {

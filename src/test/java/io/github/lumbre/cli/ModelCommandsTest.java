@@ -390,17 +390,26 @@ class ModelCommandsTest {
     }
     ModelSample.write(directory);
     Files.delete(directory.resolve("paint.png"));
-    run("render T/sample.glb -o T/a.png")
-        .assertFailed(ExitCodes.ASSET, "sample.glb: images[0].uri: ", "paint.png");
+    String missing = "images[0].uri: expected a file, found none at \"paint.png\"";
+    run("import T/sample.glb").assertFailed(ExitCodes.ASSET, "sample.glb: " + missing);
+    String scene = "{\"mainCameraId\": 1, \"objects\": [{\"type\": \"Camera\", \"id\": 1,";
+    Files.writeString(
+        directory.resolve("s.json"),
+        scene
+            + " \"cameraType\": \"Pinhole\"},"
+            + " {\"type\": \"Model\", \"file\": \"sample.glb\"}]}");
+    run("check T/s.json").assertFailed(ExitCodes.ASSET, missing);
+    assertThat(run("check T/s.json --lenient").err()).contains("; the picture is left out");
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"paint.png", "http://localhost/paint.png", "../paint.png"})
-  void leniencyCoversThePicturesOfGltf(String uri) throws IOException {
+  void missingPicturesOfGltfAreLeftOut(String uri) throws IOException {
     ModelSample.writeWith(directory, "\"paint.png\"", "\"" + uri + "\"");
     Files.delete(directory.resolve("paint.png"));
-    run("render T/sample.glb -o T/a.png").assertFailed(ExitCodes.ASSET, "images[0].uri: ");
-    Outcome outcome = run("render T/sample.glb -o T/a.pfm --lenient --checkpoint T/a.film" + SMALL);
+    assertThat(run("render T/sample.glb -o T/a.png --strict").exitCode())
+        .isEqualTo(ExitCodes.WARNINGS);
+    Outcome outcome = run("render T/sample.glb -o T/a.pfm --checkpoint T/a.film" + SMALL);
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
     assertThat(outcome.err().lines())
         .singleElement()
@@ -410,7 +419,8 @@ class ModelCommandsTest {
         .endsWith("; the picture is left out");
     assertThat(directory.resolve("a.pfm")).isNotEmptyFile();
     runs("resume T/a.film -s 6 --quiet");
-    runs("check T/sample.glb --lenient");
+    runs("check T/sample.glb");
+    runs("views T/sample.glb -s 1 -o T/views --size 24x18");
   }
 
   @Test

@@ -57,8 +57,8 @@ public final class SceneOptions {
     @Option(
         names = "--lenient",
         description =
-            "Treat references to missing assets, missing pictures of a glTF model, and colors of a"
-                + " picture that are not finite, as warnings instead of errors.")
+            "Treat references to missing assets, missing pictures of a glTF model in a JSON scene,"
+                + " and colors of a picture that are not finite, as warnings instead of errors.")
     boolean lenient;
   }
 
@@ -143,9 +143,7 @@ public final class SceneOptions {
   /** Returns the scene around the model. */
   private SceneText ofModel() throws SceneFormatException, IOException {
     if (modelScene.isEmpty()) {
-      ModelSetup setup = model.setup(turn);
-      ModelSetup lenient = setup.reading(setup.options().lenient(isLenient()));
-      modelScene = Optional.of(lenient.sceneOf(scene, model.aspect()));
+      modelScene = Optional.of(model.setup(turn).sceneOf(scene, model.aspect()));
     }
     return modelScene.get();
   }
