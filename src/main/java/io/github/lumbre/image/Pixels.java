@@ -187,6 +187,20 @@ public final class Pixels {
     return at(x, y, channel == 0 ? red : channel == 1 ? green : blue);
   }
 
+  /**
+   * Looks up the values of a row and a channel in a table; faster than one {@link #raw} each.
+   *
+   * @param table a number for each encoded value
+   * @param row receives a number for each column
+   */
+  public void lookUp(int y, int channel, double[] table, double[] row) {
+    int i = y * rowStride + (channel == 0 ? red : channel == 1 ? green : blue);
+    boolean isWide = bytes.length == 0;
+    for (int x = 0; x < width; x++, i += pixelStride) {
+      row[x] = table[isWide ? shorts[i] & 0xffff : bytes[i] & 0xff];
+    }
+  }
+
   /** Returns an encoded alpha from 0 to {@link #max}, which is the result without alpha. */
   public int alpha(int x, int y) {
     return alpha >= 0 ? at(x, y, alpha) : isKey(x, y) ? 0 : max();

@@ -66,21 +66,16 @@ public final class EnvironmentLight implements Light {
   public static EnvironmentLight image(Frame axes, Texture<Rgb> radiance, int columns, int rows) {
     Objects.requireNonNull(axes, "axes");
     Objects.requireNonNull(radiance, "radiance");
-    double[][] weights = new double[rows][columns];
-    Optional<GridMaxima> maxima = GridMaxima.of(radiance, columns, rows);
+    double[][] weights =
+        GridMaxima.table(radiance, columns, rows)
+            .orElseGet(() -> brightest(radiance, columns, rows));
     double total = 0;
     for (int row = 0; row < rows; row++) {
       double solidAngle = solidAngle(row, rows);
-      if (maxima.isPresent()) {
-        maxima.get().read(row, weights[row]);
-      }
+      double[] cells = weights[row];
       for (int column = 0; column < columns; column++) {
-        double brightest =
-            maxima.isPresent()
-                ? weights[row][column]
-                : brightest(radiance, column, row, columns, rows);
-        weights[row][column] = solidAngle * brightest;
-        total += weights[row][column];
+        cells[column] *= solidAngle;
+        total += cells[column];
       }
     }
     return new EnvironmentLight(
@@ -98,9 +93,19 @@ public final class EnvironmentLight implements Light {
   }
 
   /**
-   * Returns a brightness of a grid cell that is positive if the filtered radiance is positive
+   * Returns a brightness of each grid cell that is positive if the filtered radiance is positive
    * anywhere in the cell.
    */
+  private static double[][] brightest(Texture<Rgb> radiance, int columns, int rows) {
+    double[][] brightest = new double[rows][columns];
+    for (int row = 0; row < rows; row++) {
+      for (int column = 0; column < columns; column++) {
+        brightest[row][column] = brightest(radiance, column, row, columns, rows);
+      }
+    }
+    return brightest;
+  }
+
   private static double brightest(
       Texture<Rgb> radiance, int column, int row, int columns, int rows) {
     double most = 0;

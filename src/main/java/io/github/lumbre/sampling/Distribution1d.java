@@ -35,30 +35,22 @@ public final class Distribution1d {
     if (n == 0) {
       throw new IllegalArgumentException("weights: expected at least one, found none");
     }
-    double largest = 0;
-    for (double weight : weights) {
-      if (!(weight >= 0) || Double.isInfinite(weight)) {
-        throw new IllegalArgumentException("weights: expected finite and >= 0, found " + weight);
-      }
-      largest = Math.max(largest, weight);
-    }
+    double largest = largest(weights);
     // Scale by the largest weight, so that sums of values such as 1e300 or 1e-300 stay in the range
     // of doubles. The scale is a power of two, so that no digit changes.
     int exponent = Math.getExponent(largest);
+    double scale = Math.scalb(1.0, -exponent);
     cumulative = new double[n + 1];
+    double total = 0;
     for (int i = 0; i < n; i++) {
-      cumulative[i + 1] = cumulative[i] + (largest == 0 ? 1 : Math.scalb(weights[i], -exponent));
+      total += largest == 0 ? 1 : weights[i] * scale;
+      cumulative[i + 1] = total;
     }
-    double total = cumulative[n];
     mean = largest == 0 ? 0 : Math.scalb(total / n, exponent);
     for (int i = 1; i <= n; i++) {
-      cumulative[i] = cumulative[i] == total ? 1 : cumulative[i] / total;
+      cumulative[i] /= total;
     }
-    int parts = Integer.highestOneBit(Math.max(1, n / ITEMS_PER_PART));
-    guide = new int[parts + 1];
-    for (int k = 1; k < guide.length; k++) {
-      guide[k] = search((double) k / parts, guide[k - 1], n - 1);
-    }
+    guide = guide(cumulative);
   }
 
   public int size() {
@@ -105,5 +97,34 @@ public final class Distribution1d {
   public double remainder(int item, double u) {
     double r = (u - cumulative[item]) / probability(item);
     return Math.max(0, Math.min(r, 0x1.fffffffffffffp-1));
+  }
+
+  private static double largest(double... weights) {
+    double largest = 0;
+    for (double weight : weights) {
+      if (!(weight >= 0) || weight == Double.POSITIVE_INFINITY) {
+        throw new IllegalArgumentException("weights: expected finite and >= 0, found " + weight);
+      }
+      // A branch that is rarely taken is faster than Math.max, which waits for the one before.
+      if (weight > largest) {
+        largest = weight;
+      }
+    }
+    return largest;
+  }
+
+  /** Returns the guide table; its search for all entries takes one pass over the items. */
+  private static int[] guide(double... cumulative) {
+    int n = cumulative.length - 1;
+    int parts = Integer.highestOneBit(Math.max(1, n / ITEMS_PER_PART));
+    int[] guide = new int[parts + 1];
+    // Entry k is the number of items that end at k / p or before: the last such item writes it.
+    for (int i = 0; i < n - 1; i++) {
+      guide[(int) Math.ceil(cumulative[i + 1] * parts)] = i + 1;
+    }
+    for (int k = 1; k <= parts; k++) {
+      guide[k] = Math.max(guide[k], guide[k - 1]);
+    }
+    return guide;
   }
 }

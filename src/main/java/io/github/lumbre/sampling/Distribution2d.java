@@ -1,19 +1,23 @@
 package io.github.lumbre.sampling;
 
 import io.github.lumbre.math.Point2;
+import java.util.stream.IntStream;
 
 /**
  * A piecewise constant density over the unit square, proportional in each cell of a grid to the
  * cell's weight. Immutable.
  */
 public final class Distribution2d {
+  /** From here on, threads share the work. */
+  private static final int MANY_ROWS = 256;
+
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
   private final Distribution1d rows;
   private final Distribution1d[] columns;
 
   /**
-   * Creates a distribution over a grid.
+   * Creates a distribution over a grid. For large grids, it uses the common pool of threads.
    *
    * @param weights {@code [row][column]}, row 0 at y = 0; each finite and ≥ 0; if all are 0, the
    *     distribution is uniform
@@ -21,10 +25,14 @@ public final class Distribution2d {
   public Distribution2d(double[][] weights) {
     columns = new Distribution1d[weights.length];
     double[] means = new double[weights.length];
-    for (int row = 0; row < weights.length; row++) {
-      columns[row] = new Distribution1d(weights[row]);
-      means[row] = columns[row].mean();
-    }
+    IntStream cells = IntStream.range(0, weights.length);
+    boolean isLarge = weights.length > MANY_ROWS;
+    (isLarge ? cells.parallel() : cells)
+        .forEach(
+            row -> {
+              columns[row] = new Distribution1d(weights[row]);
+              means[row] = columns[row].mean();
+            });
     rows = new Distribution1d(means);
   }
 

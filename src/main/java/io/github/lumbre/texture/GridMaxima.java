@@ -3,6 +3,7 @@ package io.github.lumbre.texture;
 import io.github.lumbre.image.Rgb;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * The largest components of a bilinear texture at nine points of each cell of a grid: its corners,
@@ -21,6 +22,9 @@ public final class GridMaxima {
 
   /** Columns whose numbers stay in the processor's first cache. */
   private static final int BLOCK = 1024;
+
+  /** Rows that a thread computes at a time. */
+  private static final int BAND = 256;
 
   private static final int NONE = -1;
 
@@ -84,12 +88,38 @@ public final class GridMaxima {
   }
 
   /**
+   * Returns the maxima of all cells, {@code [row][column]}; empty if the texture is none that
+   * interpolates texels bilinearly. Uses the common pool of threads.
+   *
+   * @param columns number of cells along u
+   * @param rows number of cells along v, from v = 0
+   */
+  public static Optional<double[][]> table(Texture<Rgb> texture, int columns, int rows) {
+    if (of(texture, columns, rows).isEmpty()) {
+      return Optional.empty();
+    }
+    double[][] table = new double[rows][];
+    int bands = (rows + BAND - 1) / BAND;
+    IntStream.range(0, bands)
+        .parallel()
+        .forEach(
+            band -> {
+              GridMaxima maxima = of(texture, columns, rows).orElseThrow();
+              for (int row = band * BAND; row < Math.min(rows, (band + 1) * BAND); row++) {
+                table[row] = new double[columns];
+                maxima.read(row, table[row]);
+              }
+            });
+    return Optional.of(table);
+  }
+
+  /**
    * Returns the maxima of a texture; empty if it is none that interpolates texels bilinearly.
    *
    * @param columns number of cells along u
    * @param rows number of cells along v
    */
-  public static Optional<GridMaxima> of(Texture<Rgb> texture, int columns, int rows) {
+  static Optional<GridMaxima> of(Texture<Rgb> texture, int columns, int rows) {
     boolean isTinted = texture instanceof TintedTexture;
     Texture<Rgb> plain = isTinted ? ((TintedTexture) texture).texture() : texture;
     Rgb tint = isTinted ? ((TintedTexture) texture).tint() : Rgb.WHITE;
@@ -123,7 +153,7 @@ public final class GridMaxima {
    * @param row number of the row, from v = 0
    * @param maxima receives a number of at least 0 for each column
    */
-  public void read(int row, double[] maxima) {
+  void read(int row, double[] maxima) {
     Arrays.fill(maxima, 0);
     for (int point = 0; point < POINTS; point++) {
       Bilinear around = around(0, coordinate(row, point, rows));

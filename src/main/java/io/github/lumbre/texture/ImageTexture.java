@@ -162,9 +162,7 @@ public final class ImageTexture implements Texture<Rgb> {
 
       @Override
       public void read(int y, int channel, double[] row) {
-        for (int x = 0; x < row.length; x++) {
-          row[x] = texel(x, y, channel);
-        }
+        pixels.lookUp(y, channel, decoded, row);
       }
     };
   }

@@ -5,8 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.testing.ChiSquare;
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the sampling of piecewise constant densities on the unit square. */
 class Distribution2dTest {
@@ -99,6 +102,24 @@ class Distribution2dTest {
       assertThat(distribution.pdf(new Point2(.2, .1))).isCloseTo(2.4, within(1e-14));
       assertThat(distribution.pdf(new Point2(.7, .5))).isCloseTo(1.2, within(1e-14));
       assertThat(distribution.pdf(new Point2(.2, .9))).isZero();
+    }
+  }
+
+  /** Rows of large grids are prepared by several threads. */
+  @ParameterizedTest
+  @ValueSource(ints = {256, 257, 3000})
+  void everyRowHasTheProbabilitiesOfItsWeights(int rows) {
+    double[][] weights = weights(rows, 7);
+    Distribution1d means =
+        new Distribution1d(
+            Arrays.stream(weights).mapToDouble(row -> new Distribution1d(row).mean()).toArray());
+    Distribution2d distribution = new Distribution2d(weights);
+    for (int row = 0; row < rows; row++) {
+      Distribution1d cells = new Distribution1d(weights[row]);
+      for (int column = 0; column < 7; column++) {
+        assertThat(distribution.probability(row, column))
+            .isEqualTo(means.probability(row) * cells.probability(column));
+      }
     }
   }
 

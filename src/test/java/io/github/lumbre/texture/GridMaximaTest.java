@@ -7,12 +7,14 @@ import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.ImageTexture.Role;
+import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The maxima have the bits of nine lookups in each cell. */
 class GridMaximaTest {
@@ -82,10 +84,25 @@ class GridMaximaTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {1, 255, 256, 257, 700})
+  void theTableHasAllRows(int rows) {
+    for (Texture<Rgb> texture : List.of(color(bytes(5, rows, 3)), linear(5, rows))) {
+      double[][] table = GridMaxima.table(texture, 5, rows).orElseThrow();
+      assertThat(table).hasDimensions(rows, 5);
+      GridMaxima maxima = GridMaxima.of(texture, 5, rows).orElseThrow();
+      double[] expected = new double[5];
+      for (int row = 0; row < rows; row++) {
+        maxima.read(row, expected);
+        assertThat(table[row]).isEqualTo(expected);
+      }
+    }
+  }
+
   @Test
   void otherTexturesHaveNone() {
-    assertThat(GridMaxima.of(Texture.constant(Rgb.WHITE), 2, 2)).isEmpty();
+    assertThat(GridMaxima.table(Texture.constant(Rgb.WHITE), 2, 2)).isEmpty();
     ImageTexture nearest = new ImageTexture(bytes(3, 2, 3), Role.COLOUR, Filter.NEAREST);
-    assertThat(GridMaxima.of(nearest, 3, 2)).isEmpty();
+    assertThat(GridMaxima.table(nearest, 3, 2)).isEmpty();
   }
 }
