@@ -116,16 +116,28 @@ final class PictureMutator {
     List<Chunk> chunks = chunks(sound);
     int at = random.nextInt(chunks.size());
     Chunk chunk = chunks.get(at);
-    switch (random.nextInt(7)) {
+    switch (random.nextInt(8)) {
       case 0 -> chunks.remove(at);
       case 1 -> chunks.add(random.nextInt(chunks.size()), chunk);
       case 2 -> chunks.set(at, new Chunk(CHUNKS[random.nextInt(CHUNKS.length)], chunk.data));
       case 3 -> chunks.set(at, new Chunk(chunk.type, cut(chunk.data)));
       case 4 -> chunks.set(0, new Chunk("IHDR", header(chunks.get(0).data)));
       case 5 -> chunks.add(1, new Chunk("PLTE", new byte[random.nextInt(800)]));
+      case 6 -> addTransparency(chunks);
       default -> changePixels(chunks);
     }
     return file(sound, chunks);
+  }
+
+  /** Adds alpha of colors before the pixels, mostly as long as one of the color types needs. */
+  private void addTransparency(List<Chunk> chunks) {
+    int[] lengths = {2, 6, random.nextInt(300)};
+    byte[] data = new byte[lengths[random.nextInt(lengths.length)]];
+    if (random.nextBoolean()) {
+      random.nextBytes(data);
+    }
+    int pixels = chunks.stream().map(Chunk::type).toList().indexOf("IDAT");
+    chunks.add(pixels, new Chunk("tRNS", data));
   }
 
   private static List<Chunk> chunks(byte[] file) {
