@@ -91,7 +91,30 @@ public final class BuiltInDenoiser {
       sum += error;
     }
     double relative = Math.sqrt(UNSEEN * sum / result.length);
-    return Denoised.of(noisy, result, "built-in", OptionalDouble.of(relative));
+    return Denoised.of(noisy, corrected(), "built-in", OptionalDouble.of(relative));
+  }
+
+  /** Returns the result with its light given back, and not farther than the noise allows. */
+  private float[] corrected() throws InterruptedException {
+    float[] corrected = new float[result.length];
+    LostLight lost = new LostLight(features, noisy.light().noise(), result);
+    int values = 3 * noisy.width();
+    workers.compute(
+        noisy.height(),
+        (first, end, convolution) -> {
+          double[] variances = new double[values];
+          float[] row = new float[values];
+          for (int y = first; y < end; y++) {
+            features.writeVariances(y, variances);
+            lost.write(y, row);
+            for (int i = 0; i < values; i++) {
+              double most = FARTHEST * Math.sqrt(variances[i]);
+              float value = near(row[i], features.light(y * values + i), most);
+              corrected[y * values + i] = Math.max(0, value);
+            }
+          }
+        });
+    return corrected;
   }
 
   /** Returns the numbers of tiles beside and below each other with the least work. */
@@ -129,21 +152,16 @@ public final class BuiltInDenoiser {
     workers.compute(
         Math.min(down, noisy.height() - top),
         (first, end, convolution) -> {
-          double[] variances = new double[3 * noisy.width()];
           for (int row = top + first; row < top + end; row++) {
             int from = (row - y) * level.width + left - x;
-            write(level, from, row, left, right, variances);
+            write(level, from, row, left, right);
           }
         });
   }
 
   /** Writes the pixels of a row, the first of which is at an index of the level. */
-  private void write(
-      FilterLevel level, int from, int row, int left, int right, double[] variances) {
+  private void write(FilterLevel level, int from, int row, int left, int right) {
     boolean isNoiseKnown = noisy.light().isNoiseKnown();
-    if (isNoiseKnown) {
-      features.writeVariances(row, variances);
-    }
     float[][] planes = level.filtered;
     for (int column = left; column < right; column++) {
       int at = from + column - left;
@@ -154,7 +172,6 @@ public final class BuiltInDenoiser {
           double noise = features.mixed(i, level.mix[at], planes[6 + c][at], planes[9 + c][at]);
           errors[row * errorsInRow + column / TileFilter.UNIT] +=
               noise * noise / ((double) value * value + Denoised.FLOOR);
-          value = near(value, features.light(i), FARTHEST * Math.sqrt(variances[3 * column + c]));
         }
         result[i] = Math.max(0, value);
       }

@@ -215,7 +215,7 @@ class BuiltInDenoiserTest {
       float[] mean = new float[3 * width * height];
       float[] noise = new float[mean.length];
       for (int i = 0; i < mean.length; i++) {
-        double deviation = .5 * (1 + Math.sin(.0001 * i));
+        double deviation = .5 * (1 + StrictMath.sin(.0001 * i));
         noise[i] = (float) (deviation * random.nextGaussian());
         mean[i] = (float) Math.abs(.3 + deviation * random.nextGaussian());
       }
@@ -248,12 +248,28 @@ class BuiltInDenoiserTest {
         noisy.light().noise()[3 * i + c] = isLit ? 12.5f : 0;
       }
     }
-    float[] clean = BuiltInDenoiser.denoise(noisy, 2).image().rgb();
     int holes = 0;
-    for (float value : clean) {
+    for (float value : BuiltInDenoiser.denoise(noisy, 2).image().rgb()) {
       holes += value < .02f ? 1 : 0;
     }
     assertThat(holes).isZero();
+  }
+
+  /** What the network darkens is given back where the means of neighborhoods tell it surely. */
+  @Test
+  void lightThatFilteringLosesIsGivenBack() {
+    float[] filtered = sampled((x, y) -> x < 32 ? .3 : .5);
+    NoisyPicture noisy = noisy((x, y) -> .5, (x, y) -> .7, .1, 14);
+    LostLight lost = new LostLight(new Features(noisy), noisy.light().noise(), filtered);
+    float[] row = new float[3 * WIDTH];
+    lost.write(24, row);
+    assertThat(row[3 * 5]).isCloseTo(.5f, within(.02f));
+    assertThat(row[3 * 60]).isCloseTo(.5f, within(.02f));
+    assertThat(Arrays.hashCode(row)).isEqualTo(691362158);
+    LostLight unsure =
+        new LostLight(new Features(noisy), sampled((x, y) -> (x + y) % 2 == 0 ? 9 : -9), filtered);
+    unsure.write(24, row);
+    assertThat(row[3 * 5]).isEqualTo(.3f);
   }
 
   @Test
