@@ -109,11 +109,7 @@ final class MirrorLights {
    * @param guide the one that scattered rays follow
    */
   static Optional<MirrorLights> of(
-      Scene scene,
-      Light[] emitters,
-      LightSampler selector,
-      MisHeuristic heuristic,
-      Guide guide) {
+      Scene scene, Light[] emitters, LightSampler selector, MisHeuristic heuristic, Guide guide) {
     if (Arrays.stream(emitters).noneMatch(AreaLight.class::isInstance) || Passing.isNeeded(scene)) {
       return Optional.empty();
     }
@@ -229,10 +225,7 @@ final class MirrorLights {
       return false;
     }
     Vec3 at = mirror.center().plus(mirror.radius(), normal);
-    double pdf =
-        probability
-            * light.pdf()
-            * density(mirror, from, at, to, onLight.normal());
+    double pdf = probability * light.pdf() * density(mirror, from, at, to, onLight.normal());
     if (!(pdf > 0)) {
       return false;
     }

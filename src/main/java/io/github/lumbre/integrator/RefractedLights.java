@@ -17,13 +17,15 @@ import java.util.Optional;
 
 /**
  * The lamps that surfaces see through clear glass, such as a window, the surface of water or a wine
- * glass. A shadow ray to a lamp ends at the glass. A search varies its direction until the refracted
- * ray meets the same point of the lamp. Multiple importance sampling weights this way with scattered
- * rays, which also find the light that the search misses. It is manifold next-event estimation
- * (Hanika, Droske and Fascione 2015) for refraction. Immutable.
+ * glass. A shadow ray to a lamp ends at the glass. A search varies its direction until the
+ * refracted ray meets the same point of the lamp. Multiple importance sampling weights this way
+ * with scattered rays, which also find the light that the search misses. It is manifold next-event
+ * estimation (Hanika, Droske and Fascione 2015) for refraction. Immutable.
  */
 final class RefractedLights {
-  /** The largest probability of a search. Measured: it takes less time to an error than 1/2 or 1. */
+  /**
+   * The largest probability of a search. Measured: it takes less time to an error than 1/2 or 1.
+   */
   private static final double MOST_SEARCHES = .25;
 
   /** The largest number of rays through the glass that one search traces. */
@@ -211,8 +213,8 @@ final class RefractedLights {
   }
 
   /**
-   * Returns the density of the direction that was found, per density of the straight one: the
-   * area that a beam covers on the lamp, relative to that of straight rays. 0 if the lamp shows both
+   * Returns the density of the direction that was found, per density of the straight one: the area
+   * that a beam covers on the lamp, relative to that of straight rays. 0 if the lamp shows both
    * another side.
    */
   private static double widening(Vec3 origin, Vec3 to, Vec3 lightNormal, GlassPath found) {

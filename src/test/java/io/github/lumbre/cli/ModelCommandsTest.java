@@ -513,8 +513,10 @@ class ModelCommandsTest {
     assertThat(run("check T/a.obj").err()).startsWith("warning: a.obj: ");
     assertThat(run("check T/a.obj --sky " + sky + " --json").out()).contains("a.obj: --sky: expec");
     String dark = " T/a.obj --sky-intensity 0 ";
-    assertThat(run("check" + dark).err()).contains("warning: a.obj: --sky: the light emits nothing");
-    assertThat(run("check" + dark + "--json").out()).contains("a.obj: --sky: the light emits nothing");
+    assertThat(run("check" + dark).err())
+        .contains("warning: a.obj: --sky: the light emits nothing");
+    assertThat(run("check" + dark + "--json").out())
+        .contains("a.obj: --sky: the light emits nothing");
     assertThat(run("audit" + dark).out()).contains("warning  --sky: the light emits nothing");
     assertThat(run("audit" + dark + "--json").out()).contains("\"path\": \"--sky\"");
     assertThat(run("render T/a.obj -o T/a.png --size 30000x30000").err())

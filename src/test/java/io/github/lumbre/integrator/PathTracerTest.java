@@ -407,7 +407,8 @@ class PathTracerTest {
 
   /** Returns a material whose normals are tilted by 45°. */
   private static Material tilted() {
-    Texture<Rgb> normals = Texture.constant(new Rgb(.5 + Math.sqrt(.125), .5, .5 + Math.sqrt(.125)));
+    Texture<Rgb> normals =
+        Texture.constant(new Rgb(.5 + Math.sqrt(.125), .5, .5 + Math.sqrt(.125)));
     return new NormalMapped(matte(.2), new NormalMap(normals, 1));
   }
 

@@ -170,8 +170,7 @@ class SmoothSurfaceTest {
   }
 
   private static List<Integrator> integrators(Material white) {
-    Scene scene =
-        empty().add(coarse(), white).add(EnvironmentLight.uniform(Rgb.WHITE)).build();
+    Scene scene = empty().add(coarse(), white).add(EnvironmentLight.uniform(Rgb.WHITE)).build();
     PathOptions bsdf = PathOptions.toDepth(40).by(MisHeuristic.BSDF).rouletteFrom(50);
     return List.of(new PathTracer(scene, bsdf));
   }
@@ -212,7 +211,8 @@ class SmoothSurfaceTest {
     RayTracer ray = new RayTracer(scene, 1, 1);
     Random random = new Random(6);
     for (int i = 0; i < 20_000; i++) {
-      Vec3 to = new Vec3(2 * random.nextDouble() - .7, random.nextDouble() - .3, random.nextDouble());
+      Vec3 to =
+          new Vec3(2 * random.nextDouble() - .7, random.nextDouble() - .3, random.nextDouble());
       Vec3 from = direction(random).times(9);
       Ray inwards = new Ray(from, to.minus(from).normalized());
       assertThat(radiance(path, inwards, i)).isZero();
