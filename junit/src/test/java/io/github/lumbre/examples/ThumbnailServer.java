@@ -12,6 +12,7 @@ import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -19,25 +20,42 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Semaphore;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
  * An example: a server that answers a model with its thumbnail. {@code POST /thumbnail/stl} with
  * the bytes of an STL file returns a PNG; so do glb, ply and obj.
  *
- * <p>All renders share one pool of threads. Models are read and rendered within {@link Limits}, and
- * only as many at once as fit into the heap. Nothing is written to files.
+ * <p>An upload is read first, within a number of bytes and a time, so that a slow or endless one
+ * stops nobody else. Only then does it wait for a permit: as many models are parsed and rendered at
+ * once as fit into the heap. All renders share one pool of threads and keep {@link Limits}. Nothing
+ * is written to files.
  */
 public final class ThumbnailServer implements AutoCloseable {
   private static final String PATH = "/thumbnail/";
   private static final int SIDE = 64;
   private static final int SAMPLES = 4;
-  private static final int CONNECTIONS = 16;
   private static final int PATIENCE_SECONDS = 60;
+
+  /** What is read of the rest of a refused upload, as a multiple of the limit of bytes. */
+  private static final int REST = 4;
+
+  /** The most connections at once; each holds a thread, and an upload in memory. */
+  private static final int MAX_CONNECTIONS = 64;
+
+  static {
+    // Of the JDK's server, before it is loaded: seconds until a request must be read, and an answer
+    // taken; milliseconds between checks. Afterwards it closes the connection.
+    System.setProperty("sun.net.httpserver.maxReqTime", "10");
+    System.setProperty("sun.net.httpserver.maxRspTime", "120");
+    System.setProperty("sun.net.httpserver.timerMillis", "500");
+  }
 
   private final Limits limits;
   private final HttpServer http;
-  private final ExecutorService handlers = Executors.newFixedThreadPool(CONNECTIONS);
+  private final ExecutorService handlers;
   private final ExecutorService renderers;
 
   /** Permits for models in memory: the heap divided by what one may need. */
@@ -46,6 +64,14 @@ public final class ThumbnailServer implements AutoCloseable {
   /** Starts a server on a free port of the local host. */
   public ThumbnailServer(Limits limits) throws IOException {
     this.limits = limits;
+    long uploads = Runtime.getRuntime().maxMemory() / (4 * limits.bytes());
+    handlers =
+        new ThreadPoolExecutor(
+            0,
+            (int) Math.max(2, Math.min(uploads, MAX_CONNECTIONS)),
+            1,
+            TimeUnit.MINUTES,
+            new SynchronousQueue<>());
     int processors = Runtime.getRuntime().availableProcessors();
     renderers = Executors.newFixedThreadPool(processors);
     long atOnce = Runtime.getRuntime().maxMemory() / (2 * limits.memory());
@@ -70,17 +96,18 @@ public final class ThumbnailServer implements AutoCloseable {
   private void answerOpen(HttpExchange exchange) throws IOException {
     try {
       String ending = exchange.getRequestURI().getPath().substring(PATH.length());
-      if (!exchange.getRequestMethod().equals("POST") || !ModelReader.ENDINGS.contains(ending)) {
-        reply(exchange, 404, "expected POST /thumbnail/ and one of " + ModelReader.ENDINGS);
+      boolean isModel = ModelReader.isModelName("model." + ending);
+      if (!exchange.getRequestMethod().equals("POST") || !isModel) {
+        reply(exchange, 404, "expected POST /thumbnail/ and one of " + ModelReader.NAMES);
         return;
       }
+      int most = (int) Math.min(limits.bytes() + 1, Integer.MAX_VALUE);
+      byte[] model = exchange.getRequestBody().readNBytes(most);
       if (!models.tryAcquire(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
         reply(exchange, 503, "busy");
         return;
       }
       try {
-        int most = (int) Math.min(limits.bytes() + 1, Integer.MAX_VALUE);
-        byte[] model = exchange.getRequestBody().readNBytes(most);
         reply(exchange, 200, thumbnail("model." + ending, model));
       } finally {
         models.release();
@@ -110,17 +137,26 @@ public final class ThumbnailServer implements AutoCloseable {
     return result.image().toPng(file.settings().development());
   }
 
-  private static void reply(HttpExchange exchange, int status, String text) throws IOException {
+  private void reply(HttpExchange exchange, int status, String text) throws IOException {
     reply(exchange, status, text.getBytes(StandardCharsets.UTF_8));
   }
 
-  private static void reply(HttpExchange exchange, int status, byte[] body) throws IOException {
-    // What is left of the upload is read and dropped, so that the client can read the answer.
-    exchange.getRequestBody().transferTo(OutputStream.nullOutputStream());
+  private void reply(HttpExchange exchange, int status, byte[] body) throws IOException {
+    // Some of what is left of the upload is read and dropped, so that most clients can read the
+    // answer; the rest is cut off with the connection.
+    drop(exchange.getRequestBody(), REST * limits.bytes());
     exchange.getResponseHeaders().set("Content-Type", status == 200 ? "image/png" : "text/plain");
     exchange.sendResponseHeaders(status, body.length);
     try (OutputStream out = exchange.getResponseBody()) {
       out.write(body);
+    }
+  }
+
+  private static void drop(InputStream body, long most) throws IOException {
+    byte[] buffer = new byte[8192];
+    int count = 0;
+    for (long left = most; left > 0 && count >= 0; left -= count) {
+      count = body.read(buffer);
     }
   }
 

@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.limit.Limits;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.SocketException;
+import java.net.SocketTimeoutException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -208,5 +212,73 @@ class ThumbnailServerTest {
     }
     System.out.printf(
         "heap in use after each quarter: %s MiB%n", heap.stream().map(b -> b >> 20).toList());
+  }
+
+  /** More uploads stall than there are permits for models. */
+  @Test
+  void stalledUploadsStopNobody() throws Exception {
+    List<Socket> stalled = new ArrayList<>();
+    try (ThumbnailServer server = new ThumbnailServer(LIMITS)) {
+      int permits = 2 * Runtime.getRuntime().availableProcessors();
+      for (int i = 0; i < permits + 4; i++) {
+        stalled.add(upload(server, "Content-Length: 1000\r\n\r\nv 0 0"));
+      }
+      long start = System.nanoTime();
+      HttpRequest request =
+          HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + "/thumbnail/stl"))
+              .POST(HttpRequest.BodyPublishers.ofByteArray(stl(12, 12)))
+              .build();
+      HttpResponse<byte[]> answer =
+          HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofByteArray());
+      assertThat(answer.statusCode()).isEqualTo(200);
+      assertThat(System.nanoTime() - start).isLessThan(TimeUnit.SECONDS.toNanos(8));
+      // The stalled ones are closed after their time.
+      for (Socket socket : stalled) {
+        socket.setSoTimeout(30_000);
+        assertThat(endsOf(socket)).isTrue();
+      }
+    } finally {
+      for (Socket socket : stalled) {
+        socket.close();
+      }
+    }
+  }
+
+  @Test
+  void anEndlessUploadIsCut() throws Exception {
+    try (ThumbnailServer server = new ThumbnailServer(LIMITS);
+        Socket socket = upload(server, "Transfer-Encoding: chunked\r\n\r\n")) {
+      byte[] chunk =
+          ("10000\r\n" + "v 0 0 0\n".repeat(8192) + "\r\n").getBytes(StandardCharsets.US_ASCII);
+      long most = 64L * LIMITS.bytes();
+      long sent = 0;
+      try {
+        while (sent < most) {
+          socket.getOutputStream().write(chunk);
+          sent += chunk.length;
+        }
+      } catch (IOException e) {
+        // The server has closed the connection.
+      }
+      assertThat(sent).isLessThan(most);
+    }
+  }
+
+  private static Socket upload(ThumbnailServer server, String rest) throws IOException {
+    Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
+    String head = "POST /thumbnail/obj HTTP/1.1\r\nHost: localhost\r\n" + rest;
+    socket.getOutputStream().write(head.getBytes(StandardCharsets.US_ASCII));
+    return socket;
+  }
+
+  /** Returns whether the server closes a connection. */
+  private static boolean endsOf(Socket socket) throws IOException {
+    try {
+      return socket.getInputStream().readAllBytes().length >= 0;
+    } catch (SocketTimeoutException e) {
+      return false;
+    } catch (SocketException e) {
+      return true;
+    }
   }
 }
