@@ -60,7 +60,7 @@ public class TextureBenchmark extends MicroBenchmark {
     private static Texture<Rgb> image(Filter filter) {
       byte[] values = new byte[3 * SIDE * SIDE];
       new SplittableRandom(3).nextBytes(values);
-      return new ImageTexture(Pixels.of(SIDE, SIDE, 3, values), Role.COLOUR, filter);
+      return new ImageTexture(Pixels.of(SIDE, SIDE, 3, values), Role.COLOR, filter);
     }
   }
 

@@ -108,8 +108,8 @@ final class Pilot {
     return vertex.contributions().stream().flatMap(c -> c.lights().stream()).toList();
   }
 
-  private static double grey(Rgb colour) {
-    return (colour.r() + colour.g() + colour.b()) / 3;
+  private static double grey(Rgb color) {
+    return (color.r() + color.g() + color.b()) / 3;
   }
 
   /** Returns the number of paths. */

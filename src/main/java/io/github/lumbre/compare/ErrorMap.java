@@ -17,7 +17,7 @@ public final class ErrorMap {
   private static final double DECADES = 3;
 
   /** sRGB-encoded colors, evenly spaced on the scale. */
-  private static final int[][] COLOURS = {
+  private static final int[][] COLORS = {
     {0, 0, 4},
     {58, 12, 96},
     {133, 33, 107},
@@ -45,14 +45,14 @@ public final class ErrorMap {
   }
 
   /** Returns the colors of the scale, evenly spaced, as CSS colors. */
-  public static List<String> webColours() {
-    return Arrays.stream(COLOURS)
+  public static List<String> webColors() {
+    return Arrays.stream(COLORS)
         .map(c -> String.format(Locale.ROOT, "#%02x%02x%02x", c[0], c[1], c[2]))
         .toList();
   }
 
   private static void paint(double error, float[] rgb, int at) {
     double decades = Elementary.log(Math.max(error, 1e-9)) / Elementary.log(10) + DECADES;
-    HeatScale.paint(decades / DECADES, COLOURS, rgb, at);
+    HeatScale.paint(decades / DECADES, COLORS, rgb, at);
   }
 }

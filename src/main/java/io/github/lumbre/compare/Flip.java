@@ -103,12 +103,12 @@ public final class Flip {
     requireSameSize(test, reference);
     Plane[] testOpponent = opponents(test);
     Plane[] referenceOpponent = opponents(reference);
-    Plane colour = colourDifference(testOpponent, referenceOpponent);
+    Plane color = colorDifference(testOpponent, referenceOpponent);
     Plane features = featureDifference(testOpponent[0], referenceOpponent[0]);
     return Plane.of(
-        colour.width(),
-        colour.height(),
-        i -> Elementary.pow(colour.values()[i], 1 - features.values()[i]));
+        color.width(),
+        color.height(),
+        i -> Elementary.pow(color.values()[i], 1 - features.values()[i]));
   }
 
   static void requireSameSize(Image test, Image reference) {
@@ -140,7 +140,7 @@ public final class Flip {
   }
 
   /** Returns the color difference after filtering by contrast sensitivity, in [0,1] (sec. 4.1). */
-  private static Plane colourDifference(Plane[] test, Plane[] reference) {
+  private static Plane colorDifference(Plane[] test, Plane[] reference) {
     Plane[] testSeen = seen(test);
     Plane[] referenceSeen = seen(reference);
     return Plane.of(

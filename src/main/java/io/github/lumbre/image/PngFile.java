@@ -113,14 +113,14 @@ record PngFile(int width, int height, PngTransparency transparency, byte[] conte
     }
   }
 
-  private static int bitsPerPixel(int depth, int colourType) throws ImageFormatException {
+  private static int bitsPerPixel(int depth, int colorType) throws ImageFormatException {
     int channels =
-        switch (colourType) {
+        switch (colorType) {
           case 0, 3 -> 1;
           case 2 -> 3;
           case 4 -> 2;
           case 6 -> 4;
-          default -> throw malformed("PNG has the unknown color type " + colourType);
+          default -> throw malformed("PNG has the unknown color type " + colorType);
         };
     return channels * depth;
   }

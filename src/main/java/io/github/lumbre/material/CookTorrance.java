@@ -63,13 +63,13 @@ public record CookTorrance(
 
   @Override
   public Bsdf at(double u, double v) {
-    Reflectances colours = Reflectances.of(diffuse.at(u, v), specular.at(u, v));
+    Reflectances colors = Reflectances.of(diffuse.at(u, v), specular.at(u, v));
     double alpha = roughness.at(u, v);
     double index = ior.at(u, v);
-    return colours.with(
+    return colors.with(
         alpha < SMOOTH
-            ? new FresnelMirror(colours.specular(), index)
+            ? new FresnelMirror(colors.specular(), index)
             : new MicrofacetReflection(
-                colours.specular(), index, MicrofacetDistribution.of(distribution, alpha)));
+                colors.specular(), index, MicrofacetDistribution.of(distribution, alpha)));
   }
 }

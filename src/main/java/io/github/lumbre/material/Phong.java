@@ -48,7 +48,7 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
 
   @Override
   public Bsdf at(double u, double v) {
-    Reflectances colours = Reflectances.of(diffuse.at(u, v), specular.at(u, v));
-    return colours.with(new PhongLobe(colours.specular(), Math.min(exponent.at(u, v), SHARPEST)));
+    Reflectances colors = Reflectances.of(diffuse.at(u, v), specular.at(u, v));
+    return colors.with(new PhongLobe(colors.specular(), Math.min(exponent.at(u, v), SHARPEST)));
   }
 }

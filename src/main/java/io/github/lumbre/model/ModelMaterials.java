@@ -226,7 +226,7 @@ final class ModelMaterials {
       return ColorChannel.of(input.factor());
     }
     ModelTexture source = usable.get();
-    Texture<Rgb> texture = texture(source, ImageTexture.Role.COLOUR);
+    Texture<Rgb> texture = texture(source, ImageTexture.Role.COLOR);
     Rgb factor = input.factor();
     return ColorChannel.of((u, v) -> texture.at(u, v).times(factor), source.uvSet());
   }

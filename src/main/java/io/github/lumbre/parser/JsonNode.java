@@ -28,7 +28,7 @@ final class JsonNode {
   private static final int SAFE_DIGITS = 18;
 
   private static final Set<String> VECTOR_KEYS = Set.of("x", "y", "z");
-  private static final Set<String> COLOUR_KEYS = Set.of("r", "g", "b", "a");
+  private static final Set<String> COLOR_KEYS = Set.of("r", "g", "b", "a");
 
   /** A JSON number: its text and its nearest double. */
   private record Literal(String text, double value) {}
@@ -450,7 +450,7 @@ final class JsonNode {
 
   /** Returns this object as a color; alpha is checked and ignored. */
   Rgb rgb() {
-    warnUnknown(COLOUR_KEYS);
+    warnUnknown(COLOR_KEYS);
     number("a", 1, Range.ANY);
     return new Rgb(
         number("r", 1, Range.NOT_NEGATIVE),

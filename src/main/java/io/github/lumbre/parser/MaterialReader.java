@@ -144,7 +144,7 @@ final class MaterialReader {
 
   private Surface color(JsonNode material) {
     Emission emission =
-        new Emission(textures.colour(material, "color", material.rgb("color")), true);
+        new Emission(textures.color(material, "color", material.rgb("color")), true);
     return (shape, scene) -> scene.addEmissive(shape, emission);
   }
 
@@ -158,7 +158,7 @@ final class MaterialReader {
   private Surface areaLight(JsonNode material) {
     Emission emission =
         new Emission(
-            textures.colour(material, "color", material.rgb("color")),
+            textures.color(material, "color", material.rgb("color")),
             material.flag("twoSided", false));
     return (shape, scene) -> {
       if (Double.isFinite(shape.area())) {
@@ -190,8 +190,8 @@ final class MaterialReader {
     return surface(
         material,
         new Phong(
-            textures.colour(material, "color", material.rgb("color")),
-            textures.colour(material, "specularColor", material.rgb("specularColor")),
+            textures.color(material, "color", material.rgb("color")),
+            textures.color(material, "specularColor", material.rgb("specularColor")),
             textures.scalar(material, "exponent", 1, Range.NOT_NEGATIVE, 0, Double.MAX_VALUE)));
   }
 
@@ -200,8 +200,8 @@ final class MaterialReader {
     return surface(
         material,
         new CookTorrance(
-            textures.colour(material, "color", material.rgb("color")),
-            textures.colour(material, "specularColor", material.rgb("specularColor")),
+            textures.color(material, "color", material.rgb("color")),
+            textures.color(material, "specularColor", material.rgb("specularColor")),
             textures.scalar(material, "roughness", 1, ROUGHNESS, 0, 1),
             textures.scalar(material, "ior", CookTorrance.DEFAULT_IOR, IOR, 1, MAX_IOR),
             material.choice("distribution", DISTRIBUTIONS, Kind.BECKMANN)));

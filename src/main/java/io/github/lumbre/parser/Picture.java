@@ -25,7 +25,7 @@ interface Picture {
 
   /** Returns the texture as radiance, such as that of a sky. */
   default Texture<Rgb> asLight() {
-    return as(Role.COLOUR);
+    return as(Role.COLOR);
   }
 
   /** Returns the mean of a texel's stored components, without conversion; row 0 is the top row. */

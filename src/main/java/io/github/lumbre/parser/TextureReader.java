@@ -261,17 +261,17 @@ final class TextureReader {
    *
    * @param constant the channel's constant color
    */
-  Texture<Rgb> colour(JsonNode material, String channel, Rgb constant) {
+  Texture<Rgb> color(JsonNode material, String channel, Rgb constant) {
     UvMapping mapping = mapping(material, channel);
     return find(material, channel, mapping)
-        .map(picture -> mapping.over(TintedTexture.of(constant, watched(picture, Role.COLOUR))))
+        .map(picture -> mapping.over(TintedTexture.of(constant, watched(picture, Role.COLOR))))
         .orElse(Texture.constant(constant));
   }
 
   /** Returns a color channel clamped to 1: a constant here, a texture at each lookup. */
   Texture<Rgb> reflectance(JsonNode material, String channel, Rgb constant) {
     boolean textured = assets.has(material, channel + "TextureId", Type.TEXTURE);
-    return colour(material, channel, textured ? constant : constant.clampedToOne());
+    return color(material, channel, textured ? constant : constant.clampedToOne());
   }
 
   /**

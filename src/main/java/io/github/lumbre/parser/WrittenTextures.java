@@ -69,7 +69,7 @@ final class WrittenTextures {
   void color(JsonObject to, String channel, Texture<Rgb> texture) {
     Parts parts = parts(texture);
     to.add(channel, Written.color(parts.tint()));
-    picture(to, channel, parts, Role.COLOUR);
+    picture(to, channel, parts, Role.COLOR);
   }
 
   /**
@@ -124,7 +124,7 @@ final class WrittenTextures {
     if (parts.picture() == StudioSky.INSTANCE) {
       to.addProperty("sky", "studio");
     } else if (!(parts.picture() instanceof Constant)) {
-      to.addProperty("textureId", id(parts.picture(), Role.COLOUR));
+      to.addProperty("textureId", id(parts.picture(), Role.COLOR));
     }
     return parts.tint();
   }

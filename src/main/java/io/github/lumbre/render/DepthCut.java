@@ -83,7 +83,7 @@ public record DepthCut(double share, double standardError) {
   }
 
   private static double light(Image image, int x, int y) {
-    Rgb colour = image.pixel(x, y);
-    return image.alpha(x, y) * (colour.r() + colour.g() + colour.b()) / 3;
+    Rgb color = image.pixel(x, y);
+    return image.alpha(x, y) * (color.r() + color.g() + color.b()) / 3;
   }
 }

@@ -16,7 +16,7 @@ public final class ImageTexture implements Texture<Rgb> {
   /** The meaning of the file's values. */
   public enum Role {
     /** Colors in sRGB, decoded to linear RGB. */
-    COLOUR {
+    COLOR {
       @Override
       double decode(int raw, int max) {
         return max == 255 ? Srgb.fromByte(raw) : Srgb.decode((double) raw / max);

@@ -169,7 +169,7 @@ class HostilePictureFilesTest {
   }
 
   /** Returns the OpenEXR file without compression, with the same values everywhere. */
-  private byte[] uncompressed(float alpha, float colour) {
+  private byte[] uncompressed(float alpha, float color) {
     ByteBuffer old = ByteBuffer.wrap(exr).order(ByteOrder.LITTLE_ENDIAN);
     int table = 0;
     while (old.getLong(table) != table + 2 * Long.BYTES) {
@@ -184,7 +184,7 @@ class HostilePictureFilesTest {
     for (int y = 0; y < HEIGHT; y++) {
       file.putInt(y).putInt(bytes);
       for (int i = 0; i < 4 * WIDTH; i++) {
-        file.putFloat(i < WIDTH ? alpha : colour);
+        file.putFloat(i < WIDTH ? alpha : color);
       }
     }
     return file.array();

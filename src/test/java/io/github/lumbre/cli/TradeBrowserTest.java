@@ -44,7 +44,7 @@ class TradeBrowserTest {
 
   /** Tables wider than a narrow screen that lack a note above them. */
   private static final String HIDDEN_COLUMNS =
-      """
+"""
 named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.clientWidth + 1),
   s => !s.previousElementSibling.matches('.hint') || box(s.previousElementSibling).height < 8)
 """;
@@ -75,16 +75,16 @@ named([...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.cl
    * Contrast by WCAG 2.1, which requires 4.5 for texts. Deliberately gray elements are excluded.
    */
   private static final String FAINT =
-      """
+"""
 (() => {
   const paper = getComputedStyle(document.body).backgroundColor;
-  const luminance = colour => colour.match(/[\\d.]+/g).slice(0, 3)
+  const luminance = color => color.match(/[\\d.]+/g).slice(0, 3)
     .map(v => v / 255).map(v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4)
     .reduce((sum, v, i) => sum + v * [.2126, .7152, .0722][i], 0);
   const contrast = (a, b) => (Math.max(a, b) + .05) / (Math.min(a, b) + .05);
-  const colour = e => e.ownerSVGElement ? getComputedStyle(e).fill : getComputedStyle(e).color;
+  const color = e => e.ownerSVGElement ? getComputedStyle(e).fill : getComputedStyle(e).color;
   return named(document.querySelectorAll('h1,h2,h3,p,th,tr:not(.dominated) td,svg text'),
-    e => contrast(luminance(colour(e)), luminance(paper)) < 4.5);
+    e => contrast(luminance(color(e)), luminance(paper)) < 4.5);
 })()
 """;
 

@@ -216,8 +216,8 @@ class TradeCommandTest {
 
   @Test
   void wrongFlagsAreNamed() throws IOException {
-    trade("--knobs", "depth,colour")
-        .assertFailed(ExitCodes.USAGE, "--knobs: expected some of sampler,lights,", "found colour");
+    trade("--knobs", "depth,color")
+        .assertFailed(ExitCodes.USAGE, "--knobs: expected some of sampler,lights,", "found color");
     trade("--seeds", "2").assertFailed(ExitCodes.USAGE, "--seeds: expected 3 to 1000");
     trade("-o", "page.txt").assertFailed(ExitCodes.USAGE, "-o: expected a name that ends in .html");
     Files.writeString(directory.resolve("none"), "");

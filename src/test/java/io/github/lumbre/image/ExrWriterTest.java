@@ -58,7 +58,7 @@ class ExrWriterTest {
   }
 
   @Test
-  void coloursAreMultipliedByAlphaAboveZero() throws IOException, DataFormatException {
+  void colorsAreMultipliedByAlphaAboveZero() throws IOException, DataFormatException {
     float[] rgb = {1, 2, 3, 1, 2, 3, 1, 2, 3};
     ExrFixture file = read(new Image(3, 1, rgb, new float[] {0, .5f, 1}));
     assertThat(file.channels().keySet()).containsExactly("A", "B", "G", "R");

@@ -45,10 +45,10 @@ class ImageReaderTest {
     return (x, y) -> (x * 7919 + y * 104729 + (x ^ y) * 31) & ((1 << depth) - 1);
   }
 
-  private static byte[] png(int width, int height, int depth, int colourType, boolean interlaced) {
+  private static byte[] png(int width, int height, int depth, int colorType, boolean interlaced) {
     return new PngFixture()
-        .header(width, height, depth, colourType, interlaced)
-        .data(width, height, depth, colourType, interlaced, noise(depth))
+        .header(width, height, depth, colorType, interlaced)
+        .data(width, height, depth, colorType, interlaced, noise(depth))
         .end();
   }
 
@@ -56,11 +56,11 @@ class ImageReaderTest {
   @CsvSource({
     "0, 1", "0, 2", "0, 4", "0, 8", "0, 16", "2, 8", "2, 16", "4, 8", "4, 16", "6, 8", "6, 16"
   })
-  void everyKindOfPngIsReadExactly(int colourType, int depth) throws IOException {
-    int channels = PngFixture.channels(colourType);
+  void everyKindOfPngIsReadExactly(int colorType, int depth) throws IOException {
+    int channels = PngFixture.channels(colorType);
     int max = (1 << depth) - 1;
     for (boolean interlaced : new boolean[] {false, true}) {
-      Pixels pixels = ImageReader.decode(png(21, 13, depth, colourType, interlaced));
+      Pixels pixels = ImageReader.decode(png(21, 13, depth, colorType, interlaced));
       assertThat(pixels.width()).isEqualTo(21);
       assertThat(pixels.height()).isEqualTo(13);
       assertThat(pixels.max()).isEqualTo(depth == 16 ? 65535 : 255);
@@ -108,19 +108,19 @@ class ImageReaderTest {
     ByteArrayOutputStream named = new ByteArrayOutputStream();
     named.writeBytes("linear\0\0".getBytes(StandardCharsets.US_ASCII));
     named.writeBytes(PngFixture.deflated(profile));
-    for (int colourType : new int[] {PngFixture.GREY, PngFixture.RGB}) {
-      Pixels plain = ImageReader.decode(png(9, 9, 8, colourType, false));
+    for (int colorType : new int[] {PngFixture.GREY, PngFixture.RGB}) {
+      Pixels plain = ImageReader.decode(png(9, 9, 8, colorType, false));
       for (byte[] file :
           new byte[][] {
             new PngFixture()
-                .header(9, 9, 8, colourType, false)
+                .header(9, 9, 8, colorType, false)
                 .chunk("gAMA", new byte[] {0, 1, (byte) 0x86, (byte) 0xa0})
-                .data(9, 9, 8, colourType, false, noise(8))
+                .data(9, 9, 8, colorType, false, noise(8))
                 .end(),
             new PngFixture()
-                .header(9, 9, 8, colourType, false)
+                .header(9, 9, 8, colorType, false)
                 .chunk("iCCP", named.toByteArray())
-                .data(9, 9, 8, colourType, false, noise(8))
+                .data(9, 9, 8, colorType, false, noise(8))
                 .end()
           }) {
         assertSame(ImageReader.decode(file), plain);
@@ -161,7 +161,7 @@ class ImageReaderTest {
   }
 
   @Test
-  void jpegColoursAreRead() throws IOException {
+  void jpegColorsAreRead() throws IOException {
     Pixels pixels = ImageReader.decode(jpeg(BufferedImage.TYPE_INT_RGB));
     assertThat(pixels.width()).isEqualTo(40);
     assertThat(pixels.height()).isEqualTo(24);
@@ -188,7 +188,7 @@ class ImageReaderTest {
   }
 
   @Test
-  void jpegInksAreTurnedIntoColours() throws IOException {
+  void jpegInksAreTurnedIntoColors() throws IOException {
     Pixels pixels = ImageReader.decode(Base64.getDecoder().decode(FOUR_INKS));
     assertThat(pixels.raw(3, 3, 0)).isCloseTo(191, within(1));
     assertThat(pixels.raw(3, 3, 1)).isCloseTo(95, within(1));
@@ -355,11 +355,11 @@ class ImageReaderTest {
 
   @Test
   void pngWithContradictoryChunksNeverCausesAnotherException() {
-    for (int colourType = 0; colourType < 8; colourType++) {
+    for (int colorType = 0; colorType < 8; colorType++) {
       for (int depth : new int[] {0, 1, 3, 8, 16, 32, 255}) {
         byte[] file =
             new PngFixture()
-                .header(4, 4, depth, colourType, false)
+                .header(4, 4, depth, colorType, false)
                 .chunk("PLTE", new byte[] {1, 2})
                 .chunk("IDAT", PngFixture.deflated(new byte[200]))
                 .end();

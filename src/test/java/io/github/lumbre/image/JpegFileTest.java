@@ -69,7 +69,7 @@ class JpegFileTest {
   }
 
   @Test
-  void componentsNamedRgbAreColours() throws IOException {
+  void componentsNamedRgbAreColors() throws IOException {
     assertMeans(finished(new JpegFixture(), "RGB"), 3, (channel, v) -> v[channel]);
     for (String other : new String[] {"XGB", "RXB", "RGX"}) {
       assertMeans(finished(new JpegFixture(), other), 3, JpegFileTest::yccToRgb);

@@ -49,7 +49,7 @@ class LinearReaderTest {
   }
 
   @Test
-  void coloursAndAlphaOfOpenExrAreApartAgain() throws IOException {
+  void colorsAndAlphaOfOpenExrAreApartAgain() throws IOException {
     Image image = ImageFixture.random(9, 20, true);
     Image read = LinearReader.decode(written(image, "a.exr"));
     for (int i = 0; i < image.rgb().length; i++) {

@@ -30,8 +30,8 @@ final class PngFixture {
     out.writeBytes(new byte[] {(byte) 0x89, 'P', 'N', 'G', 13, 10, 26, 10});
   }
 
-  static int channels(int colourType) {
-    return switch (colourType) {
+  static int channels(int colorType) {
+    return switch (colorType) {
       case RGB -> 3;
       case GREY_ALPHA -> 2;
       case RGBA -> 4;
@@ -51,9 +51,9 @@ final class PngFixture {
     return this;
   }
 
-  PngFixture header(int width, int height, int depth, int colourType, boolean interlaced) {
+  PngFixture header(int width, int height, int depth, int colorType, boolean interlaced) {
     ByteBuffer data = ByteBuffer.allocate(13).putInt(width).putInt(height);
-    data.put((byte) depth).put((byte) colourType).put((byte) 0).put((byte) 0);
+    data.put((byte) depth).put((byte) colorType).put((byte) 0).put((byte) 0);
     return chunk("IHDR", data.put((byte) (interlaced ? 1 : 0)).array());
   }
 
@@ -66,10 +66,10 @@ final class PngFixture {
       int width,
       int height,
       int depth,
-      int colourType,
+      int colorType,
       boolean interlaced,
       IntBinaryOperator sample) {
-    int channels = channels(colourType);
+    int channels = channels(colorType);
     ByteArrayOutputStream raw = new ByteArrayOutputStream();
     for (int[] pass : interlaced ? ADAM7 : WHOLE) {
       for (int y = pass[1]; y < height && pass[0] < width; y += pass[3]) {

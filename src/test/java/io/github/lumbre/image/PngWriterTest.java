@@ -127,7 +127,7 @@ class PngWriterTest {
     Image clear = new Image(1, 1, new float[] {1, .5f, 0}, new float[] {0});
     assertThat(raster(opaque, ImageWriter.Options.DEFAULT).getNumBands()).isEqualTo(3);
     assertThat(raster(clear, ImageWriter.Options.DEFAULT).getPixel(0, 0, new int[4]))
-        .as("straight: the colour of a clear pixel stays")
+        .as("straight: the color of a clear pixel stays")
         .containsExactly(255, 188, 0, 0);
   }
 

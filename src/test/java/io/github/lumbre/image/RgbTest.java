@@ -18,10 +18,10 @@ class RgbTest {
 
   @Test
   void arithmeticIsByChannel() {
-    Rgb colour = new Rgb(1, 2, 3);
-    assertThat(colour.plus(new Rgb(10, 20, 30))).isEqualTo(new Rgb(11, 22, 33));
-    assertThat(colour.times(new Rgb(10, 20, 30))).isEqualTo(new Rgb(10, 40, 90));
-    assertThat(colour.times(4)).isEqualTo(new Rgb(4, 8, 12));
+    Rgb color = new Rgb(1, 2, 3);
+    assertThat(color.plus(new Rgb(10, 20, 30))).isEqualTo(new Rgb(11, 22, 33));
+    assertThat(color.times(new Rgb(10, 20, 30))).isEqualTo(new Rgb(10, 40, 90));
+    assertThat(color.times(4)).isEqualTo(new Rgb(4, 8, 12));
     assertThat(Rgb.grey(2)).isEqualTo(new Rgb(2, 2, 2));
   }
 

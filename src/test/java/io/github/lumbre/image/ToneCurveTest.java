@@ -125,7 +125,7 @@ class ToneCurveTest {
   }
 
   @Test
-  void reinhardOfHugeColoursKeepsTheirRatios() {
+  void reinhardOfHugeColorsKeepsTheirRatios() {
     Rgb limit = ToneCurve.REINHARD.apply(new Rgb(1e60, 2e60, 4e59));
     Rgb huge = ToneCurve.REINHARD.apply(new Rgb(4e307, 8e307, 1.6e307));
     assertThat(huge.r()).isCloseTo(limit.r(), within(1e-14));

@@ -41,15 +41,15 @@ class LightTreeTest {
     SplittableRandom random = new SplittableRandom(seed);
     List<Light> lights = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      Rgb colour = Rgb.grey(Math.exp(random.nextDouble(-3, 3)));
+      Rgb color = Rgb.grey(Math.exp(random.nextDouble(-3, 3)));
       Vec3 position = point(random, SCENE);
       Transform place =
           Transform.translation(position)
               .times(Transform.rotationDegrees(point(random, 180)))
               .times(Transform.scale(new Vec3(1, 1, .5)));
       double size = Math.exp(random.nextDouble(-4, .5));
-      Emission emission = new Emission(Texture.constant(colour), random.nextInt(4) == 0);
-      PointLight bulb = new PointLight(position, colour, Falloff.INVERSE_SQUARE);
+      Emission emission = new Emission(Texture.constant(color), random.nextInt(4) == 0);
+      PointLight bulb = new PointLight(position, color, Falloff.INVERSE_SQUARE);
       lights.add(
           switch (i % 8) {
             case 0, 1, 2 -> new AreaLight(new Rectangle(place, size, .5, i % 3 == 0), emission);
@@ -58,8 +58,8 @@ class LightTreeTest {
             case 5, 6 -> spot(bulb, random);
             default ->
                 i % 32 == 7
-                    ? new DirectionalLight(direction(random), colour)
-                    : new PointLight(position, colour, Falloff.NONE);
+                    ? new DirectionalLight(direction(random), color)
+                    : new PointLight(position, color, Falloff.NONE);
           });
     }
     return lights;

@@ -90,9 +90,9 @@ final class BsdfLaws {
     assertHarmless(sample.weight());
   }
 
-  private static void assertHarmless(Rgb colour) {
-    assertThat(colour.isFinite()).isTrue();
-    assertThat(Math.min(colour.r(), Math.min(colour.g(), colour.b()))).isNotNegative();
+  private static void assertHarmless(Rgb color) {
+    assertThat(color.isFinite()).isTrue();
+    assertThat(Math.min(color.r(), Math.min(color.g(), color.b()))).isNotNegative();
   }
 
   /**

@@ -19,14 +19,14 @@ class ReflectancesTest {
   private static final TexturePoint HIT = new TexturePoint(0, 0);
   private static final double JUST_BELOW = Math.nextDown(CookTorrance.SMOOTH);
 
-  private static Texture<Rgb> colour(double r, double g, double b) {
+  private static Texture<Rgb> color(double r, double g, double b) {
     return Texture.constant(new Rgb(r, g, b));
   }
 
   private static Bsdf cookTorrance(Texture<Rgb> diffuse, double roughness, Kind kind) {
     return new CookTorrance(
             diffuse,
-            colour(1, 1, 1),
+            color(1, 1, 1),
             ScalarTexture.constant(roughness),
             ScalarTexture.constant(MicrofacetReflectionTest.PERFECT),
             kind)
@@ -35,22 +35,22 @@ class ReflectancesTest {
 
   private static Bsdf glass(double ior, double roughness) {
     return new Glass(
-            colour(1, 2, 1),
-            colour(.5, 1, 3),
+            color(1, 2, 1),
+            color(.5, 1, 3),
             ScalarTexture.constant(ior),
             ScalarTexture.constant(roughness))
         .at(HIT);
   }
 
   @Test
-  void coloursThatReflectTooMuchTogetherAreScaledAndKeepTheirHue() {
+  void colorsThatReflectTooMuchTogetherAreScaledAndKeepTheirHue() {
     Reflectances scaled = Reflectances.of(new Rgb(1, .5, 0), new Rgb(1, .5, .25));
     assertThat(scaled).isEqualTo(new Reflectances(new Rgb(.5, .25, 0), new Rgb(.5, .25, .125)));
     assertThat(Reflectances.of(Rgb.grey(1e300), Rgb.BLACK).diffuse()).isEqualTo(Rgb.WHITE);
   }
 
   @Test
-  void coloursThatReflectNoMoreThanOneStay() {
+  void colorsThatReflectNoMoreThanOneStay() {
     Rgb diffuse = new Rgb(.25, 0, 1);
     Rgb specular = new Rgb(.75, .5, 0);
     assertThat(Reflectances.of(diffuse, specular)).isEqualTo(new Reflectances(diffuse, specular));
@@ -71,11 +71,11 @@ class ReflectancesTest {
       Vec3 wo = BsdfLaws.direction(cos);
       for (double exponent : new double[] {0, 10, 1e6}) {
         Bsdf phong =
-            new Phong(colour(1, 1, 1), colour(1, 1, 1), ScalarTexture.constant(exponent)).at(HIT);
+            new Phong(color(1, 1, 1), color(1, 1, 1), ScalarTexture.constant(exponent)).at(HIT);
         assertThat(BsdfLaws.sampledAlbedo(phong, wo, 4000)).isLessThan(1.005);
       }
       for (double roughness : new double[] {0, .1, 1}) {
-        Bsdf bsdf = cookTorrance(colour(1, 1, 1), roughness, Kind.BECKMANN);
+        Bsdf bsdf = cookTorrance(color(1, 1, 1), roughness, Kind.BECKMANN);
         assertThat(BsdfLaws.sampledAlbedo(bsdf, wo, 4000)).isLessThan(1.005);
       }
     }
@@ -84,12 +84,12 @@ class ReflectancesTest {
   @ParameterizedTest
   @EnumSource(Kind.class)
   void roughnessBelowAThousandthIsAMirror(Kind kind) {
-    Texture<Rgb> black = colour(0, 0, 0);
+    Texture<Rgb> black = color(0, 0, 0);
     assertThat(cookTorrance(black, JUST_BELOW, kind)).isInstanceOf(FresnelMirror.class);
     assertThat(cookTorrance(black, 0, kind).isSpecular()).isTrue();
     assertThat(cookTorrance(black, CookTorrance.SMOOTH, kind))
         .isInstanceOf(MicrofacetReflection.class);
-    assertThat(cookTorrance(colour(.5, 0, 0), 0, kind).isSpecular()).isFalse();
+    assertThat(cookTorrance(color(.5, 0, 0), 0, kind).isSpecular()).isFalse();
   }
 
   @Test
@@ -121,7 +121,7 @@ class ReflectancesTest {
   void exponentsAreLimitedToWhatDirectionsCanTell() {
     for (double exponent : new double[] {1e12, 1e13, 1e300, Double.MAX_VALUE}) {
       Bsdf phong =
-          new Phong(colour(0, 0, 0), colour(1, 1, 1), ScalarTexture.constant(exponent)).at(HIT);
+          new Phong(color(0, 0, 0), color(1, 1, 1), ScalarTexture.constant(exponent)).at(HIT);
       assertThat(BsdfLaws.sampledAlbedo(phong, Vec3.Z, 100)).isCloseTo(1, within(1e-9));
     }
   }

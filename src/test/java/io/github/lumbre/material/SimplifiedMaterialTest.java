@@ -21,13 +21,13 @@ class SimplifiedMaterialTest {
   private static final ScalarTexture INDEX = ScalarTexture.constant(1.5);
   private static final TexturePoint SOMEWHERE = new TexturePoint(.3, .7);
 
-  private static List<Material> materials(Texture<Rgb> colour, ScalarTexture number) {
+  private static List<Material> materials(Texture<Rgb> color, ScalarTexture number) {
     return List.of(
-        new Matte(colour),
-        new Mirror(colour),
-        new Phong(colour, HALF, number),
-        new CookTorrance(colour, HALF, number, INDEX, MicrofacetDistribution.Kind.BECKMANN),
-        new Glass(colour, HALF, INDEX, number));
+        new Matte(color),
+        new Mirror(color),
+        new Phong(color, HALF, number),
+        new CookTorrance(color, HALF, number, INDEX, MicrofacetDistribution.Kind.BECKMANN),
+        new Glass(color, HALF, INDEX, number));
   }
 
   @Test

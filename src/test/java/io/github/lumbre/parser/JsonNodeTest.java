@@ -101,7 +101,7 @@ class JsonNodeTest {
   }
 
   @Test
-  void coloursAreNotNegative() {
+  void colorsAreNotNegative() {
     assertThat(errors("{\"c\": {\"g\": -0.5}}", n -> n.rgb("c")))
         .containsExactly("s.json: $.c.g: expected a finite number >= 0, found -0.5");
   }

@@ -151,7 +151,7 @@ class MaterialReaderTest {
   }
 
   @Test
-  void glassWarnsOnceHoweverManyOfItsColoursExceedOne() {
+  void glassWarnsOnceHoweverManyOfItsColorsExceedOne() {
     SceneFile file =
         parse(
             "'materialType': 'Refractive', 'ior': 1.5, 'refractionColor': {'r': 2},"

@@ -126,7 +126,7 @@ class ProceduralReaderTest {
   }
 
   @Test
-  void coloursAreTintedAndMapped() {
+  void colorsAreTintedAndMapped() {
     Texture<Rgb> plain = glow(3, CLOUD);
     Texture<Rgb> tinted =
         glow(

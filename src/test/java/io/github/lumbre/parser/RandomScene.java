@@ -215,7 +215,7 @@ final class RandomScene {
 
   private NormalMap normalMap() {
     return random.nextBoolean()
-        ? NormalMap.of(new ImageTexture(pixels, Role.COLOUR, Filter.BILINEAR))
+        ? NormalMap.of(new ImageTexture(pixels, Role.COLOR, Filter.BILINEAR))
         : new NormalMap(
             new ImageTexture(pixels, Role.NORMAL, Filter.NEAREST),
             mapping(),
@@ -274,8 +274,8 @@ final class RandomScene {
     Texture<Rgb> picture =
         switch (Math.floorMod(kind, 8)) {
           case 0 -> Texture.constant(rgb(1));
-          case 1 -> new ImageTexture(pixels, Role.COLOUR, Filter.NEAREST);
-          case 2 -> new ImageTexture(pixels(), Role.COLOUR, Filter.BILINEAR);
+          case 1 -> new ImageTexture(pixels, Role.COLOR, Filter.NEAREST);
+          case 2 -> new ImageTexture(pixels(), Role.COLOR, Filter.BILINEAR);
           case 3 -> new LinearTexture(linear());
           case 4 -> new WoodTexture(random.nextLong(), 40, 30, 3.5);
           case 5 -> new BilinearTexture(texels());

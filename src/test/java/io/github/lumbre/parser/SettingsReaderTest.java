@@ -96,7 +96,7 @@ class SettingsReaderTest {
   }
 
   @Test
-  void backgroundIsAColourOrNothing() {
+  void backgroundIsAColorOrNothing() {
     assertThat(SettingsReader.background(options("{}"))).isEmpty();
     assertThat(SettingsReader.background(options("{\"background\": \"transparent\"}"))).isEmpty();
     assertThat(SettingsReader.background(options("{\"background\": {\"r\": 2, \"g\": 0}}")))

@@ -200,7 +200,7 @@ class FilmTest {
   }
 
   @Test
-  void alphaIsTheShareThatCoversAndColourIsStraight() {
+  void alphaIsTheShareThatCoversAndColorIsStraight() {
     Film film = new Film(new Crop(0, 0, 2, 1), true, 0);
     film.add(0, new Rgb(.5, .25, 1), true);
     film.add(0, Rgb.BLACK, false);

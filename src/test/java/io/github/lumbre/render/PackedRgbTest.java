@@ -14,13 +14,13 @@ class PackedRgbTest {
     Random random = new Random(1);
     for (int i = 0; i < 100_000; i++) {
       double scale = Math.scalb(1.0, random.nextInt(96) - 64);
-      Rgb colour =
+      Rgb color =
           new Rgb(random.nextDouble() * scale, random.nextDouble() * scale, random.nextDouble());
-      Rgb kept = PackedRgb.unpacked(PackedRgb.of(colour.r(), colour.g(), colour.b()));
-      double error = colour.max() * 0x1p-18;
-      assertThat(kept.r()).isCloseTo(colour.r(), within(error));
-      assertThat(kept.g()).isCloseTo(colour.g(), within(error));
-      assertThat(kept.b()).isCloseTo(colour.b(), within(error));
+      Rgb kept = PackedRgb.unpacked(PackedRgb.of(color.r(), color.g(), color.b()));
+      double error = color.max() * 0x1p-18;
+      assertThat(kept.r()).isCloseTo(color.r(), within(error));
+      assertThat(kept.g()).isCloseTo(color.g(), within(error));
+      assertThat(kept.b()).isCloseTo(color.b(), within(error));
     }
   }
 
@@ -35,7 +35,7 @@ class PackedRgbTest {
   }
 
   @Test
-  void blackIsAColour() {
+  void blackIsAColor() {
     assertThat(PackedRgb.of(0, 0, 0)).isNotEqualTo(PackedRgb.NONE);
   }
 }

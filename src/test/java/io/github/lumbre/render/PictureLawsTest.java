@@ -43,7 +43,7 @@ class PictureLawsTest {
   }
 
   /** Returns a scene with many bounces and saturated colors, modified by the given functions. */
-  private static Scene colourful(UnaryOperator<Rgb> surfaces, UnaryOperator<Rgb> lights) {
+  private static Scene colorful(UnaryOperator<Rgb> surfaces, UnaryOperator<Rgb> lights) {
     Texture<Rgb> red = Texture.constant(surfaces.apply(new Rgb(.95, .3, .1)));
     Texture<Rgb> blue = Texture.constant(surfaces.apply(new Rgb(.02, .2, .6)));
     Texture<Rgb> pale = Texture.constant(surfaces.apply(new Rgb(.8, .95, .7)));
@@ -84,9 +84,9 @@ class PictureLawsTest {
 
   @Test
   void channelsDoNotKnowOfEachOther() throws InterruptedException {
-    UnaryOperator<Rgb> turn = colour -> new Rgb(colour.g(), colour.b(), colour.r());
-    Image picture = picture(colourful(c -> c, c -> c), 16, 1);
-    Image turned = picture(colourful(turn, turn), 16, 1);
+    UnaryOperator<Rgb> turn = color -> new Rgb(color.g(), color.b(), color.r());
+    Image picture = picture(colorful(c -> c, c -> c), 16, 1);
+    Image turned = picture(colorful(turn, turn), 16, 1);
 
     for (int y = 0; y < HEIGHT; y++) {
       for (int x = 0; x < WIDTH; x++) {
@@ -99,8 +99,8 @@ class PictureLawsTest {
   @ValueSource(ints = {-8, 1, 10})
   void pictureIsProportionalToItsLights(int exponent) throws InterruptedException {
     double scale = Math.scalb(1.0, exponent);
-    Image picture = picture(colourful(c -> c, c -> c), 16, 1);
-    Image scaled = picture(colourful(c -> c, c -> c.times(scale)), 16, 1);
+    Image picture = picture(colorful(c -> c, c -> c), 16, 1);
+    Image scaled = picture(colorful(c -> c, c -> c.times(scale)), 16, 1);
 
     for (int i = 0; i < picture.rgb().length; i++) {
       assertThat(scaled.rgb()[i]).isEqualTo((float) (picture.rgb()[i] * scale));
@@ -109,7 +109,7 @@ class PictureLawsTest {
 
   @Test
   void seedsDifferAndAgreeOnTheMean() throws InterruptedException {
-    Scene scene = colourful(c -> c, c -> c);
+    Scene scene = colorful(c -> c, c -> c);
     int samples = Effort.count(64, 4096);
     float[] one = picture(scene, samples, Effort.seed(0)).rgb();
     for (long seed : new long[] {1, -1, Long.MAX_VALUE}) {

@@ -7,19 +7,19 @@ import org.junit.jupiter.api.Test;
 
 /** Tests constant textures. */
 class ConstantTest {
-  private static final Rgb COLOUR = new Rgb(.1, .2, .3);
+  private static final Rgb COLOR = new Rgb(.1, .2, .3);
 
   @Test
   void constantsHaveOneValueEverywhere() {
     for (double place : new double[] {0, .5, -1e300, 1e300}) {
-      assertThat(Texture.constant(COLOUR).at(place, -place)).isEqualTo(COLOUR);
+      assertThat(Texture.constant(COLOR).at(place, -place)).isEqualTo(COLOR);
       assertThat(ScalarTexture.constant(.7).at(place, -place)).isEqualTo(.7);
     }
   }
 
   @Test
   void constantsAreKnownToBeConstant() {
-    assertThat(Texture.constant(COLOUR).isConstant()).isTrue();
+    assertThat(Texture.constant(COLOR).isConstant()).isTrue();
     assertThat(ScalarTexture.constant(.7).isConstant()).isTrue();
   }
 

@@ -45,7 +45,7 @@ class GridMaximaTest {
   }
 
   private static ImageTexture color(Pixels pixels) {
-    return new ImageTexture(pixels, Role.COLOUR, Filter.BILINEAR);
+    return new ImageTexture(pixels, Role.COLOR, Filter.BILINEAR);
   }
 
   static Stream<Arguments> textures() {
@@ -102,7 +102,7 @@ class GridMaximaTest {
   @Test
   void otherTexturesHaveNone() {
     assertThat(GridMaxima.table(Texture.constant(Rgb.WHITE), 2, 2)).isEmpty();
-    ImageTexture nearest = new ImageTexture(bytes(3, 2, 3), Role.COLOUR, Filter.NEAREST);
+    ImageTexture nearest = new ImageTexture(bytes(3, 2, 3), Role.COLOR, Filter.NEAREST);
     assertThat(GridMaxima.table(nearest, 3, 2)).isEmpty();
   }
 }

@@ -61,7 +61,7 @@ class ImageTextureTest {
   @EnumSource
   void aSingleTexelIsEverywhere(Filter filter) {
     ImageTexture texture =
-        new ImageTexture(Pixels.of(1, 1, 3, new byte[] {10, 20, 30}), Role.COLOUR, filter);
+        new ImageTexture(Pixels.of(1, 1, 3, new byte[] {10, 20, 30}), Role.COLOR, filter);
     Rgb texel = new Rgb(Srgb.fromByte(10), Srgb.fromByte(20), Srgb.fromByte(30));
     double[] extremes = {
       0, -0.0, 1, -1, .5, -1e-20, 1e-300, 1e9 + .25, -1e300, Double.MAX_VALUE, 1 - 0x1p-53
@@ -142,7 +142,7 @@ class ImageTextureTest {
   @ParameterizedTest
   @EnumSource
   void whatIsNotFiniteIsReadAtTheOriginAndCounted(Filter filter) {
-    ImageTexture texture = new ImageTexture(random(3, 5, 3), Role.COLOUR, filter);
+    ImageTexture texture = new ImageTexture(random(3, 5, 3), Role.COLOR, filter);
     Rgb origin = texture.at(new TexturePoint(0, 0));
     InvalidCoordinates.take();
     double[] odd = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
@@ -169,12 +169,12 @@ class ImageTextureTest {
       values[i] = (byte) i;
     }
     Pixels pixels = Pixels.of(256, 1, 1, values);
-    ImageTexture colour = new ImageTexture(pixels, Role.COLOUR, Filter.NEAREST);
+    ImageTexture color = new ImageTexture(pixels, Role.COLOR, Filter.NEAREST);
     ImageTexture data = new ImageTexture(pixels, Role.DATA, Filter.NEAREST);
     ImageTexture normal = new ImageTexture(pixels, Role.NORMAL, Filter.NEAREST);
     for (int i = 0; i < 256; i++) {
       TexturePoint p = new TexturePoint((i + .5) / 256, 0);
-      assertThat(colour.at(p)).isEqualTo(Rgb.grey(Srgb.decode(i / 255.0)));
+      assertThat(color.at(p)).isEqualTo(Rgb.grey(Srgb.decode(i / 255.0)));
       assertThat(data.at(p)).isEqualTo(Rgb.grey(i / 255.0));
       assertThat(normal.at(p)).isEqualTo(Rgb.grey(Math.max(-1, (i - 128) / 127.0)));
     }
@@ -185,7 +185,7 @@ class ImageTextureTest {
     short[] values = {0, (short) 32768, (short) 65535};
     Pixels pixels = Pixels.of(1, 1, 3, values);
     TexturePoint p = new TexturePoint(.5, .5);
-    assertThat(new ImageTexture(pixels, Role.COLOUR, Filter.NEAREST).at(p))
+    assertThat(new ImageTexture(pixels, Role.COLOR, Filter.NEAREST).at(p))
         .isEqualTo(new Rgb(0, Srgb.decode(32768 / 65535.0), 1));
     assertThat(new ImageTexture(pixels, Role.DATA, Filter.NEAREST).at(p))
         .isEqualTo(new Rgb(0, 32768 / 65535.0, 1));
@@ -197,7 +197,7 @@ class ImageTextureTest {
   @CsvSource({"3, 5", "1000, 999", "1, 1", "2, 1"})
   void bilinearIsTheWeightedMeanOfFourCentres(int width, int height) {
     Pixels pixels = random(width, height, 3);
-    ImageTexture texture = new ImageTexture(pixels, Role.COLOUR, Filter.BILINEAR);
+    ImageTexture texture = new ImageTexture(pixels, Role.COLOR, Filter.BILINEAR);
     SplittableRandom random = new SplittableRandom(6);
     for (int i = 0; i < 2000; i++) {
       TexturePoint p = somewhere(random);
@@ -243,8 +243,8 @@ class ImageTextureTest {
   @Test
   void bilinearMeetsTheTexelsAtTheirCentres() {
     Pixels pixels = random(8, 4, 3);
-    ImageTexture nearest = new ImageTexture(pixels, Role.COLOUR, Filter.NEAREST);
-    ImageTexture bilinear = new ImageTexture(pixels, Role.COLOUR, Filter.BILINEAR);
+    ImageTexture nearest = new ImageTexture(pixels, Role.COLOR, Filter.NEAREST);
+    ImageTexture bilinear = new ImageTexture(pixels, Role.COLOR, Filter.BILINEAR);
     for (int y = 0; y < 4; y++) {
       for (int x = 0; x < 8; x++) {
         TexturePoint centre = new TexturePoint((x + .5) / 8, (y + .5) / 4);
@@ -255,7 +255,7 @@ class ImageTextureTest {
 
   @Test
   void bilinearIsContinuousAcrossTheBorders() {
-    ImageTexture texture = new ImageTexture(random(3, 5, 3), Role.COLOUR, Filter.BILINEAR);
+    ImageTexture texture = new ImageTexture(random(3, 5, 3), Role.COLOR, Filter.BILINEAR);
     for (double other : new double[] {0, .1, .5, .99}) {
       assertClose(texture, new TexturePoint(-1e-20, other), new TexturePoint(0, other));
       assertClose(texture, new TexturePoint(1 - 0x1p-53, other), new TexturePoint(1, other));

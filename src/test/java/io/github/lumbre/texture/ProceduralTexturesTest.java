@@ -242,11 +242,11 @@ class ProceduralTexturesTest {
   @CsvSource({"30, 500, 500", "7, 300, 100", "100, 1000, 50", "13, 20, 700"})
   void everySampleHasACell(int samples, int width, int height) {
     TexelTexture texture = new VoronoiTexture(6, width, height, samples, false);
-    Set<Rgb> colours = new HashSet<>();
+    Set<Rgb> colors = new HashSet<>();
     for (int i = 0; i < width * height; i++) {
-      colours.add(texture.texel(i % width, i / width));
+      colors.add(texture.texel(i % width, i / width));
     }
-    assertThat(colours).hasSize(samples);
+    assertThat(colors).hasSize(samples);
   }
 
   /**

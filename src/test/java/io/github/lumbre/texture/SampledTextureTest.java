@@ -61,8 +61,8 @@ class SampledTextureTest {
     random.nextBytes(values);
     Pixels pixels = Pixels.of(5, 7, 3, values);
     SampledTexture texture =
-        new SampledTexture(pixels, Role.COLOUR, filter, Wrap.REPEAT, Wrap.REPEAT);
-    ImageTexture scene = new ImageTexture(pixels, Role.COLOUR, filter);
+        new SampledTexture(pixels, Role.COLOR, filter, Wrap.REPEAT, Wrap.REPEAT);
+    ImageTexture scene = new ImageTexture(pixels, Role.COLOR, filter);
     for (int i = 0; i < 1000; i++) {
       double u = random.nextDouble(-3, 3);
       double v = random.nextDouble(-3, 3);
@@ -75,7 +75,7 @@ class SampledTextureTest {
   void alphaIsNeverDecodedAndOneIfMissing() {
     Pixels pixels = Pixels.of(1, 1, 4, new byte[] {51, 102, (byte) 153, (byte) 204});
     SampledTexture texture =
-        new SampledTexture(pixels, Role.COLOUR, Filter.BILINEAR, Wrap.CLAMP, Wrap.CLAMP);
+        new SampledTexture(pixels, Role.COLOR, Filter.BILINEAR, Wrap.CLAMP, Wrap.CLAMP);
     assertThat(texture.channel(.3, .6, 3)).isCloseTo(.8, within(1e-15));
     assertThat(texture.channel(.3, .6, 0)).isEqualTo(Srgb.fromByte(51));
     assertThat(texture.channel(2).at(.3, .6)).isEqualTo(Srgb.fromByte(153));

@@ -24,7 +24,7 @@ class TintedTextureTest {
   @EnumSource
   void imagesAreTintedAlike(ImageTexture.Filter filter) {
     Pixels pixels = Pixels.of(2, 1, 3, new byte[] {10, 20, 30, 40, 50, 60});
-    ImageTexture image = new ImageTexture(pixels, ImageTexture.Role.COLOUR, filter);
+    ImageTexture image = new ImageTexture(pixels, ImageTexture.Role.COLOR, filter);
     Texture<Rgb> once = TintedTexture.of(TINT, image);
     assertThat(once.at(ANYWHERE)).isEqualTo(new TintedTexture(TINT, image).at(ANYWHERE));
     assertThat(TintedTexture.of(TINT, once).at(ANYWHERE))

@@ -150,8 +150,8 @@ public final class PixelJson {
     values.put(key + "_name", origin.name());
   }
 
-  private static List<Object> rgb(Rgb colour) {
-    return List.of(number(colour.r()), number(colour.g()), number(colour.b()));
+  private static List<Object> rgb(Rgb color) {
+    return List.of(number(color.r()), number(color.g()), number(color.b()));
   }
 
   private static List<Object> vector(Vec3 vector) {

@@ -22,7 +22,7 @@ final class LogChart {
   private static final int SHORT_NAME = 17;
 
   /** The number of series colors in the style sheet. */
-  private static final int COLOURS = 8;
+  private static final int COLORS = 8;
 
   private final String title;
   private final String across;
@@ -95,8 +95,8 @@ final class LogChart {
     return String.join("\n", lines);
   }
 
-  private static String colour(int number) {
-    return "var(--s" + number % COLOURS + ")";
+  private static String color(int number) {
+    return "var(--s" + number % COLORS + ")";
   }
 
   private void grid() {
@@ -122,7 +122,7 @@ final class LogChart {
     double left = LEFT + number % legendColumns * (WIDTH - LEFT - RIGHT) / (double) legendColumns;
     double at = bottom() + BELOW + LEGEND_LINE * (number / legendColumns) + 8.0;
     boolean isFaint = !s.points.isEmpty() && s.points.stream().allMatch(Point::isFaint);
-    lines.add(mark(left + 4, at - 4, number, isFaint ? "var(--faint)" : colour(number)));
+    lines.add(mark(left + 4, at - 4, number, isFaint ? "var(--faint)" : color(number)));
     text(left + 14, at, "start", "var(--ink)", 12, s.name);
   }
 
@@ -135,11 +135,11 @@ final class LogChart {
       }
       lines.add(
           "<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-opacity=\".6\"/>"
-              .formatted(path, colour(number)));
+              .formatted(path, color(number)));
     }
     for (Point point : s.points) {
       double px = x.at(point.x);
-      String shade = point.isFaint ? "var(--faint)" : colour(number);
+      String shade = point.isFaint ? "var(--faint)" : color(number);
       line(px, y.at(point.low), px, y.at(point.high), shade, 1.5);
       lines.add(mark(px, y.at(point.y), number, shade));
       label(px, y.at(point.high) - 5, shade, point.label);
@@ -147,42 +147,42 @@ final class LogChart {
   }
 
   /** Returns a marker whose shape identifies the series without color. */
-  private static String mark(double px, double py, int number, String colour) {
+  private static String mark(double px, double py, int number, String color) {
     return switch (number % 3) {
-      case 0 -> format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"/>", px, py, colour);
+      case 0 -> format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"/>", px, py, color);
       case 1 ->
           format(
               "<rect x=\"%.1f\" y=\"%.1f\" width=\"6.4\" height=\"6.4\" fill=\"%s\"/>",
-              px - 3.2, py - 3.2, colour);
-      default -> format("<path d=\"M%.1f %.1fl4 7h-8z\" fill=\"%s\"/>", px, py - 4.2, colour);
+              px - 3.2, py - 3.2, color);
+      default -> format("<path d=\"M%.1f %.1fl4 7h-8z\" fill=\"%s\"/>", px, py - 4.2, color);
     };
   }
 
-  private void line(double x1, double y1, double x2, double y2, String colour, double width) {
+  private void line(double x1, double y1, double x2, double y2, String color, double width) {
     lines.add(
         format(
             "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\""
                 + " stroke-width=\"%.1f\"/>",
-            x1, y1, x2, y2, colour, width));
+            x1, y1, x2, y2, color, width));
   }
 
-  private void text(double left, double base, String anchor, String colour, int size, String text) {
+  private void text(double left, double base, String anchor, String color, int size, String text) {
     if (!text.isEmpty()) {
       lines.add(
           format(
               "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\" font-size=\"%d\">%s"
                   + "</text>",
-              left, base, anchor, colour, size, Html.escaped(text)));
+              left, base, anchor, color, size, Html.escaped(text)));
     }
   }
 
-  private void label(double middle, double base, String colour, String text) {
+  private void label(double middle, double base, String color, String text) {
     if (!text.isEmpty()) {
       lines.add(
           format(
               "<text class=\"point\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"%s\""
                   + " font-size=\"11\">%s</text>",
-              middle, base, colour, Html.escaped(text)));
+              middle, base, color, Html.escaped(text)));
     }
   }
 

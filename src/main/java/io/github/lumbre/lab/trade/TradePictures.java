@@ -1,8 +1,8 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.compare.ErrorMap;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.compare.ErrorMap;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -54,7 +54,7 @@ final class TradePictures {
   private static void scale(Html html) {
     html.raw(
         "<div class=\"scale\" style=\"background:linear-gradient(90deg,"
-            + String.join(",", ErrorMap.webColours())
+            + String.join(",", ErrorMap.webColors())
             + ")\"></div><div class=\"marks\"><span>0.1 %</span><span>1 %</span><span>10"
             + " %</span><span>100 %</span></div><p class=\"note\">Colors of the relative error of"
             + " pixels.</p>");
