@@ -123,4 +123,10 @@ public final class Image {
     Objects.checkIndex(x, width);
     return Objects.checkIndex(y, height) * width + x;
   }
+
+  /** Returns the size and whether there is alpha, for people. */
+  @Override
+  public String toString() {
+    return "Image of " + width + "x" + height + " pixels" + (hasAlpha() ? " with alpha" : "");
+  }
 }

@@ -126,4 +126,10 @@ public final class ModelFile implements SceneContent {
       lights.forEach(scene::add);
     };
   }
+
+  /** Returns the name and the size of the file, for people. */
+  @Override
+  public String toString() {
+    return name + ", a model of " + content.length + " bytes";
+  }
 }

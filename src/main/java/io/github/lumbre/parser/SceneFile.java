@@ -44,7 +44,7 @@ public record SceneFile(
     MessageDigest digest = Sha256.digest();
     digest.update((hash + pose).getBytes(StandardCharsets.UTF_8));
     String newHash = HexFormat.of().formatHex(digest.digest());
-    Scene moved = scene.with(pose.place(scene.camera()));
+    Scene moved = scene.seenBy(pose.place(scene.camera()));
     return new SceneFile(moved, settings, warnings, newHash, files, contents, origins, text);
   }
 

@@ -165,8 +165,7 @@ public final class Scene {
     primitives = other.primitives;
     this.hierarchies = hierarchies;
     bvh = hierarchies.all();
-    kernelChange =
-        bvh == other.bvh ? other.kernelChange : hierarchies.kernelChange(shapes());
+    kernelChange = bvh == other.bvh ? other.kernelChange : hierarchies.kernelChange(shapes());
     lights = other.lights;
     emitters = other.emitters;
     environments = other.environments;
@@ -231,11 +230,6 @@ public final class Scene {
         shortcuts.stream()
             .filter(taken -> taken != shortcut)
             .collect(Collectors.toUnmodifiableSet()));
-  }
-
-  /** Returns the same scene, seen by another camera. Both share all surfaces and lights. */
-  public Scene with(Camera other) {
-    return new Scene(this, hierarchies, shortcuts, other, Optional.empty());
   }
 
   /**
@@ -321,7 +315,7 @@ public final class Scene {
                         "scene: expected one that was built in code, found one from a file")));
   }
 
-  /** Returns this scene, which shares everything, seen by another camera. */
+  /** Returns this scene, seen by another camera. Both share all surfaces and lights. */
   public Scene seenBy(Camera newCamera) {
     return new Scene(this, hierarchies, shortcuts, newCamera, Optional.empty());
   }
@@ -530,5 +524,11 @@ public final class Scene {
       sum = sum.plus(environment.from(direction));
     }
     return sum;
+  }
+
+  /** Returns the numbers of objects and lights, for people. */
+  @Override
+  public String toString() {
+    return "Scene of " + primitives().size() + " objects and " + lights().size() + " lights";
   }
 }

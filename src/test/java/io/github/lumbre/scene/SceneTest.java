@@ -10,6 +10,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
 import io.github.lumbre.light.Emission;
@@ -55,6 +56,14 @@ class SceneTest {
   /** Returns a ray towards +x that begins at some x. */
   private static Ray from(double x) {
     return new Ray(new Vec3(x, 0, 0), Vec3.X);
+  }
+
+  @Test
+  void textsStateNumbersAndSizes() {
+    assertThat(empty().build()).hasToString("Scene of 0 objects and 0 lights");
+    assertThat(new Image(3, 2, new float[18], new float[6]))
+        .hasToString("Image of 3x2 pixels with alpha");
+    assertThat(Image.black(4, 5)).hasToString("Image of 4x5 pixels");
   }
 
   @Test
