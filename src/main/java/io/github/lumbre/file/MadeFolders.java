@@ -13,6 +13,8 @@ import java.util.List;
  * @param folders the innermost first
  */
 record MadeFolders(List<Path> folders) {
+  static final MadeFolders NONE = new MadeFolders(List.of());
+
   /**
    * Makes the missing folders of a file.
    *

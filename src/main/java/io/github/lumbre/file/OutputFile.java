@@ -49,23 +49,28 @@ public final class OutputFile implements Closeable {
    *     the target is not a regular file or is protected, or if another run has reserved it
    */
   public static OutputFile open(Path target) throws IOException {
-    return open(target, Disk.REAL);
-  }
-
-  /**
-   * Reserves an output file that is written through the given disk operations; see {@link
-   * #open(Path)}.
-   */
-  public static OutputFile open(Path target, Disk disk) throws IOException {
     MadeFolders made = MadeFolders.of(Objects.requireNonNull(target, "target"));
     try {
-      Path destination = destination(target);
-      LockedFile temporary = LockedFile.open(target, hidden(destination, ".tmp"));
-      return new OutputFile(disk, target, destination, temporary, made);
+      return open(target, Disk.REAL, made);
     } catch (IOException e) {
       made.deleteEmpty();
       throw e;
     }
+  }
+
+  /**
+   * Reserves an output file in a directory that exists, for a disk that may fail; otherwise as
+   * {@link #open(Path)}. A directory that vanished during a run, as with its disk, is not made
+   * anew.
+   */
+  public static OutputFile open(Path target, Disk disk) throws IOException {
+    return open(Objects.requireNonNull(target, "target"), disk, MadeFolders.NONE);
+  }
+
+  private static OutputFile open(Path target, Disk disk, MadeFolders made) throws IOException {
+    Path destination = destination(target);
+    LockedFile temporary = LockedFile.open(target, hidden(destination, ".tmp"));
+    return new OutputFile(disk, target, destination, temporary, made);
   }
 
   /**
@@ -77,11 +82,16 @@ public final class OutputFile implements Closeable {
    */
   public static Closeable reserve(Path target) throws IOException {
     MadeFolders made = MadeFolders.of(target);
-    LockedFile lock = LockedFile.open(target, hidden(destination(target), ".lock"));
-    return () -> {
-      lock.close();
+    try {
+      LockedFile lock = LockedFile.open(target, hidden(destination(target), ".lock"));
+      return () -> {
+        lock.close();
+        made.deleteEmpty();
+      };
+    } catch (IOException e) {
       made.deleteEmpty();
-    };
+      throw e;
+    }
   }
 
   /**
