@@ -17,9 +17,9 @@ final class TileFilter {
 
   /**
    * @param left the tile's first column in the picture, a multiple of {@link #UNIT}
-   * @param top the first row, likewise
-   * @param width likewise; what is beyond the picture repeats its border
-   * @param height likewise
+   * @param top the first row, a multiple of {@link #UNIT}
+   * @param width a multiple of {@link #UNIT}; beyond the picture, its border is repeated
+   * @param height a multiple of {@link #UNIT}
    */
   TileFilter(Features picture, Workers workers, int left, int top, int width, int height) {
     this.picture = picture;

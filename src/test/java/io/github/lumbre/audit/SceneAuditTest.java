@@ -100,8 +100,9 @@ class SceneAuditTest {
 
   @Test
   void warningsOfTheParserAreFindings() throws Exception {
-    List<Finding> findings = auditOf(material("Diffuse", GREY + ", \"color\": 1"), sphere(0, 1, 1));
-    assertFinds(findings, "format", Severity.WARNING, "$.assets[0].color", "unknown key");
+    List<Finding> findings =
+        auditOf(material("Diffuse", GREY + ", \"colour\": 1"), sphere(0, 1, 1));
+    assertFinds(findings, "format", Severity.WARNING, "$.assets[0].colour", "unknown key");
   }
 
   @Test
@@ -293,7 +294,7 @@ class SceneAuditTest {
   @Test
   void cameraThatSeesNothingComesFirst() throws Exception {
     String behind =
-        "{\"type\": \"Shape\", \"shapeType\": \"Sphere\", \"color\": 1,"
+        "{\"type\": \"Shape\", \"shapeType\": \"Sphere\", \"colour\": 1,"
             + " \"localPosition\": {\"x\": 0, \"y\": 1, \"z\": -40}}";
     List<Finding> findings = audit("\"maxTraceDepth\": 5", "", behind, LAMP);
     assertThat(findings.get(0).found()).startsWith("the camera sees no object: none of ");

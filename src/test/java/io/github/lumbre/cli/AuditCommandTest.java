@@ -15,27 +15,27 @@ class AuditCommandTest {
 
   @Test
   void warningsFailOnlyUnderStrictness() {
-    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"color\": 2");
+    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"colour\": 2");
     String scene = TinyScene.write(directory, odd).toString();
     Outcome relaxed = Outcome.of("audit", scene);
     assertThat(relaxed.exitCode()).isZero();
     assertThat(relaxed.err()).isEmpty();
     assertThat(relaxed.out())
-        .contains("warning  $.objects[2].color: unknown key", "effect: ", "fix: ")
+        .contains("warning  $.objects[2].colour: unknown key", "effect: ", "fix: ")
         .contains("warnings 1, notes ");
     assertThat(Outcome.of("audit", scene, "--strict").exitCode()).isEqualTo(ExitCodes.WARNINGS);
   }
 
   @Test
   void jsonHoldsTheFindings() {
-    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"color\": 2");
+    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"colour\": 2");
     String scene = TinyScene.write(directory, odd).toString();
     JsonObject audit =
         JsonParser.parseString(Outcome.of("audit", scene, "--json").out()).getAsJsonObject();
     assertThat(audit.get("format").getAsString()).isEqualTo(AuditCommand.FORMAT);
     assertThat(audit.get("warnings").getAsInt()).isEqualTo(1);
     JsonObject first = audit.getAsJsonArray("findings").get(0).getAsJsonObject();
-    assertThat(first.get("path").getAsString()).isEqualTo("$.objects[2].color");
+    assertThat(first.get("path").getAsString()).isEqualTo("$.objects[2].colour");
     assertThat(first.get("severity").getAsString()).isEqualTo("warning");
   }
 

@@ -77,7 +77,7 @@ class CheckCommandTest {
 
   @Test
   void warningsFailOnlyUnderStrictness() {
-    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"color\": 2");
+    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"colour\": 2");
     Outcome relaxed = check(odd);
     assertThat(relaxed.exitCode()).isZero();
     assertThat(relaxed.err()).startsWith("warning: ");

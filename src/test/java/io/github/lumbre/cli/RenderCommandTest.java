@@ -178,10 +178,10 @@ class RenderCommandTest {
 
   @Test
   void warningsAreToldAndStrictnessStopsBeforeRendering() throws IOException {
-    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"color\": 2");
+    String odd = TinyScene.with("\"radius\": 1", "\"radius\": 1, \"colour\": 2");
     Outcome told = render(odd, "--quiet");
     assertThat(told.exitCode()).isZero();
-    assertThat(told.err()).startsWith("warning: ").contains("color");
+    assertThat(told.err()).startsWith("warning: ").contains("colour");
     Files.delete(picture());
     Outcome strict = render(odd, "--strict");
     assertThat(strict.exitCode()).isEqualTo(ExitCodes.WARNINGS);

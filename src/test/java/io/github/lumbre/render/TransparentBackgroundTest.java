@@ -50,7 +50,7 @@ class TransparentBackgroundTest {
     return Transform.translation(new Vec3(x, y, z));
   }
 
-  /** Returns a black surface of which rays pass a part. */
+  /** Returns a black surface that lets a part of the rays pass. */
   private static Material veil(double opacity) {
     return MetallicRoughness.builder()
         .metallic(ScalarChannel.of(0))

@@ -30,7 +30,7 @@ class SpellingTest {
     List<String> known = List.of("width", "height", "radius");
 
     assertThat(Spelling.suggestion("widht", known)).isEqualTo("; did you mean width?");
-    assertThat(Spelling.suggestion("color", known)).isEmpty();
+    assertThat(Spelling.suggestion("colour", known)).isEmpty();
   }
 
   @Test

@@ -48,7 +48,7 @@ final class SparkPasses implements PassRenderer {
 
   private static final long POLL_MILLIS = 100;
 
-  /** The time after which missing executors are told; Spark itself goes on trying. */
+  /** The time after which missing executors are reported; Spark itself keeps trying. */
   private static final double PATIENCE_SECONDS = 30;
 
   private final JavaSparkContext spark;

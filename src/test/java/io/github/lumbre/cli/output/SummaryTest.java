@@ -134,7 +134,7 @@ class SummaryTest {
         .isCloseTo(.18, within(1e-6));
   }
 
-  /** Of a model of which more than half is black, the rest decides, not the background. */
+  /** If more than half of a model is black, its other pixels decide, not the background. */
   @ParameterizedTest
   @CsvSource({"1e6, .3", "1, 1e6"})
   void automaticExposureOfAHalfBlackModelIsThatOfItsLitPart(float sky, float luminance) {
