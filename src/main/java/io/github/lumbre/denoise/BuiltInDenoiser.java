@@ -159,7 +159,7 @@ public final class BuiltInDenoiser {
         });
   }
 
-  /** Writes the pixels of a row, the first of which is at an index of the level. */
+  /** Writes the pixels of a row; the first is at an index of the level. */
   private void write(FilterLevel level, int from, int row, int left, int right) {
     boolean isNoiseKnown = noisy.light().isNoiseKnown();
     float[][] planes = level.filtered;

@@ -210,7 +210,7 @@ final class PlyVertices {
       hasBroken |= Double.isNaN(normals[at] + normals[at + 1] + normals[at + 2]);
     }
     if (hasBroken) {
-      warnings.add("element vertex", "ignored the normals, of which some are not finite");
+      warnings.add("element vertex", "ignored the normals, because some are not finite");
       normals = new double[0];
     }
     for (int i = 0; i < normals.length; i++) {

@@ -155,7 +155,7 @@ class BrokenElementsTest {
     assertThat(triangle(ply(normals, sound, "3 0 1 2;")).warnings()).isEmpty();
     ModelFixture broken = ply(normals, sound.replaceFirst("0 0 1", "0 0 nan"), "3 0 1 2;");
     assertThat(triangle(broken).warnings())
-        .containsExactly("element vertex: ignored the normals, of which some are not finite");
+        .containsExactly("element vertex: ignored the normals, because some are not finite");
     assertThat(broken.geometry().normals()).isEmpty();
   }
 
