@@ -109,7 +109,7 @@ final class GlassCheck implements Check {
           Finding.warning(
               LAW,
               file.origins().primitives().get(surface.primitive),
-              "the glass overlaps that of " + other,
+              "the glass overlaps the glass of " + other,
               "each surface refracts as if its other side were air; in the overlap, this matches"
                   + " neither glass",
               "leave a gap between the two, or model their common boundary as one surface"));
@@ -118,7 +118,7 @@ final class GlassCheck implements Check {
           Finding.note(
               LAW,
               file.origins().primitives().get(surface.primitive),
-              "the glass lies entirely inside that of " + other,
+              "the glass lies entirely inside the glass of " + other,
               "its ior is relative to the surrounding glass, not to air",
               "use 1.33 / 1.5 for water in glass, or 1 / 1.5 for an air bubble"));
     }

@@ -10,7 +10,7 @@ import java.util.Optional;
 
 /**
  * A camera that turns film points into world-space rays. Immutable. Its pose is a position and a
- * rotation; its aspect ratio is that of the film.
+ * rotation; it takes its aspect ratio from the film.
  */
 public abstract sealed class Camera
     permits PinholeCamera,

@@ -36,7 +36,7 @@ public sealed interface Lens {
   }
 
   /**
-   * A perspective camera with a thin lens, which blurs what is not in focus.
+   * A perspective camera with a thin lens, which blurs everything out of focus.
    *
    * @param fovDegrees the full vertical angle of view, in degrees, in (0, 180)
    * @param focusDistance from the lens to the plane of focus, in world units, &gt; 0

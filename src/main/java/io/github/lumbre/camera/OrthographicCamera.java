@@ -16,7 +16,7 @@ public final class OrthographicCamera extends Camera {
   /**
    * Creates a camera.
    *
-   * @param position the center of the film, in world space; what lies behind it is invisible
+   * @param position the center of the film, in world space; surfaces behind it are invisible
    * @param axes the orthonormal world-space directions right, up and forward
    * @param aspect the width of the film divided by its height, &gt; 0 and finite
    * @param height the height of the film, in world units, &gt; 0 and finite

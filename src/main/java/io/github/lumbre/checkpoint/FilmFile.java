@@ -21,7 +21,7 @@ import java.util.zip.CRC32C;
  * A film with its header, as stored in a checkpoint file: header, pixels, checksum.
  * docs/film-format.md describes the bytes. The film is not copied.
  *
- * @param header what the film's samples depend on, and which samples it has
+ * @param header the scene and settings of the film's samples, and which samples it has
  * @param film the sums of the samples
  */
 public record FilmFile(FilmHeader header, Film film) {

@@ -22,7 +22,7 @@ import java.util.Set;
  *     identities belong to the same picture, and their samples may be added
  * @param hasAlpha whether the film counts the samples that cover each pixel
  * @param window the film's window in the full frame
- * @param layers what the film records besides the picture
+ * @param layers the layers that the film records besides the picture
  * @param parts the samples of the film, in parts that do not overlap; usually one part
  * @param faults numbers of rejected and of saturated samples, and the positions of the first
  *     rejected ones; all other statistics are dropped
@@ -151,8 +151,8 @@ public record FilmHeader(
   }
 
   /**
-   * Returns whether samples are missing between those of the film: they are not consecutive, or
-   * some pixels of the window lack samples that others have.
+   * Returns whether samples are missing between the samples of the film: they are not consecutive,
+   * or some pixels of the window lack samples that others have.
    */
   public boolean hasGaps() {
     return parts.size() != 1 || !parts.get(0).window().equals(window);

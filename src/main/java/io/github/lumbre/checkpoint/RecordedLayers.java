@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The layers of a film in a file, with the names that the scene gives to what they hold.
+ * The layers of a film in a file, with the names that the scene gives to their contents.
  *
  * @param kinds the layers
  * @param lightGroups the names of the light groups; empty without {@link Layer#LIGHTS}

@@ -22,8 +22,8 @@ record Plane(int width, int height, double[] values) {
   }
 
   /**
-   * Returns the convolution with the product of two symmetric or antisymmetric kernels. Values
-   * beyond the border are those of the nearest pixel.
+   * Returns the convolution with the product of two symmetric or antisymmetric kernels. Beyond the
+   * border, the nearest pixel counts.
    *
    * @param across weights along rows, an odd number of them
    * @param down weights along columns, an odd number of them

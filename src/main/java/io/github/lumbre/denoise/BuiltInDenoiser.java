@@ -25,8 +25,8 @@ public final class BuiltInDenoiser {
   private static final double FARTHEST = 4;
 
   /**
-   * How much larger the squared error is than the filtered noise: that of the light which the
-   * kernels mix. Measured on scenes that were held out in the training.
+   * How much larger the squared error is than the filtered noise, since kernels also mix different
+   * light. Measured on scenes that were held out in the training.
    */
   private static final double UNSEEN = 2.6;
 
@@ -179,7 +179,7 @@ public final class BuiltInDenoiser {
   }
 
   /**
-   * Limits how far a result is from the noisy light, so that what has no noise stays. Black is no
+   * Limits how far a result is from the noisy light, so that pixels without noise stay. Black is no
    * evidence of that: where little light arrives, all samples of a neighborhood can miss it.
    */
   private static float near(float value, float light, double most) {

@@ -4,8 +4,8 @@ import io.github.lumbre.denoise.Network.Layer;
 import java.util.Arrays;
 
 /**
- * Convolutions of 3x3 taps, and what they need of memory; one for each thread. Rows are copied into
- * arrays of their own, one for each tap, so that the loops use all arrays at the same index.
+ * Convolutions of 3x3 taps, with their memory; one for each thread. Rows are copied into arrays of
+ * their own, one for each tap, so that the loops use all arrays at the same index.
  */
 final class Convolution {
   /** Pixels that are computed together: their inputs stay in the processor's cache. */

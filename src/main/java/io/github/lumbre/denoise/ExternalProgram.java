@@ -23,7 +23,7 @@ record ExternalProgram(Path program, Duration limit) {
   private static final int SHOWN = 200;
 
   /**
-   * Runs a command and returns the start of what it said.
+   * Runs a command and returns the start of its output.
    *
    * @throws DenoiseException if the program does not start, takes too long, or fails
    * @throws InterruptedException if the thread is interrupted; the program is ended
@@ -71,7 +71,9 @@ record ExternalProgram(Path program, Duration limit) {
     return new String(start, StandardCharsets.UTF_8);
   }
 
-  /** Returns what the ended program said; nothing if a process that it left behind still speaks. */
+  /**
+   * Returns the output of the ended program; nothing if a process that it left behind still writes.
+   */
   private static String get(FutureTask<String> said) throws InterruptedException {
     try {
       return said.get(1, TimeUnit.SECONDS);

@@ -1,8 +1,8 @@
 package io.github.lumbre.denoise;
 
 /**
- * A level of a tile: its light, and what the predicted kernels make of it. Planes are plain and
- * divided light, and maybe the same of the noise.
+ * A level of a tile: its light before and after the predicted kernels. Planes are plain and divided
+ * light, and maybe the same of the noise.
  */
 final class FilterLevel {
   /** Fills rows of light. */
@@ -53,7 +53,7 @@ final class FilterLevel {
   }
 
   /**
-   * Replaces the low frequencies of rows of a result by those of the next coarser level.
+   * Replaces the low frequencies of rows of a result by the rows of the next coarser level.
    *
    * @param change the coarser level minus this one pooled, by plane
    */

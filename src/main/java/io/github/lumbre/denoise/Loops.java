@@ -1,9 +1,9 @@
 package io.github.lumbre.denoise;
 
 /**
- * The inner loops. Each uses all of its arrays at the same index, which is what the optimizing
- * compiler needs to make vector code of it. Each result is a sum in a fixed order without fused
- * operations, so that its bits do not depend on the compiler.
+ * The inner loops. Each uses all of its arrays at the same index, as the optimizing compiler needs
+ * to make vector code of it. Each result is a sum in a fixed order without fused operations, so
+ * that its bits do not depend on the compiler.
  */
 final class Loops {
   private static final float SMALLEST_EXPONENT = -16;

@@ -2,9 +2,9 @@ package io.github.lumbre.denoise;
 
 /**
  * Gives back light that filtering lost: kernels that spare few bright pixels among many dark ones
- * make sparse light too dark. The mean of a neighborhood says so where it differs from that of the
- * result by more than its noise explains; how much of the difference is given back follows from
- * both (James &amp; Stein 1961).
+ * make sparse light too dark. The mean of a neighborhood shows this where it differs from the mean
+ * of the result by more than its noise explains; how much of the difference is given back follows
+ * from both (James &amp; Stein 1961).
  */
 final class LostLight {
   private static final int RADIUS = 12;

@@ -37,7 +37,7 @@ final class Network {
    * A layer: each output is a weighted sum of taps of all inputs.
    *
    * @param weights by output, input and tap
-   * @param biases what each output is added to
+   * @param biases a number that each output is added to
    */
   record Layer(int inputs, int outputs, float[] weights, float[] biases) {}
 

@@ -19,8 +19,8 @@ import java.util.Optional;
  * @param albedo {@link Layer#DENOISING_ALBEDO}; empty if it is not known
  * @param normal {@link Layer#DENOISING_NORMAL}; empty if it is not known
  * @param alpha one value in [0,1] for each pixel, or none for an opaque picture
- * @param replaced number of pixels whose light was not finite and was replaced by that of their
- *     neighbors
+ * @param replaced number of pixels whose light was not finite and was replaced by the light of
+ *     their neighbors
  */
 public record NoisyPicture(
     int width,
@@ -98,7 +98,7 @@ public record NoisyPicture(
         : Optional.empty();
   }
 
-  /** Returns noise; none if that of a pixel is not known. */
+  /** Returns noise; none if the noise of a pixel is not known. */
   private static float[] known(float[] noise) {
     for (float value : noise) {
       if (!Float.isFinite(value)) {

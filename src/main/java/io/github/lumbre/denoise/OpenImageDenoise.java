@@ -155,7 +155,7 @@ public final class OpenImageDenoise {
     return file;
   }
 
-  /** Runs the program and returns what it said. */
+  /** Runs the program and returns its output. */
   private String run(List<String> arguments, Path output)
       throws DenoiseException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(program.toString()));

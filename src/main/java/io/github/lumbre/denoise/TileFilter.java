@@ -56,7 +56,7 @@ final class TileFilter {
     return new Maps(width >> level, 0, height >> level, planes);
   }
 
-  /** Returns what the way down leaves at each level. */
+  /** Returns the features of each level, from the finest to the coarsest. */
   private Maps[] encoded() throws InterruptedException {
     Maps[] encoded = new Maps[Network.LEVELS];
     Maps pooled = null;
@@ -89,7 +89,7 @@ final class TileFilter {
     return features;
   }
 
-  /** Computes two layers of a strip, without keeping what is between them. */
+  /** Computes two layers of a strip, without keeping the features between them. */
   private void pair(
       Layer[] layers, Maps[] inputs, int first, int end, Convolution convolution, Maps out) {
     // All levels have the tile's form.
@@ -126,7 +126,7 @@ final class TileFilter {
     return out;
   }
 
-  /** Returns a coarser level at twice its size, and beside it what the way down left. */
+  /** Returns a coarser level at twice its size, and beside it the features of the finer level. */
   private Maps[] joined(int level, Maps coarser, Maps encoded, int first, int end) {
     Maps doubled = new Maps(encoded.width(), first - 2, end - first + 4, coarser.count());
     for (int y = Math.max(0, first - 2); y < Math.min(height >> level, end + 2); y++) {

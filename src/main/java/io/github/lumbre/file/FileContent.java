@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Recognizes what a file holds by its first bytes, for messages. Stateless. */
+/** Recognizes the format of a file by its first bytes, for messages. Stateless. */
 public final class FileContent {
   /** The number of first bytes that are looked at. */
   public static final int START = 4096;
@@ -87,7 +87,7 @@ public final class FileContent {
   private FileContent() {}
 
   /**
-   * Returns what a file holds, such as {@code a PNG picture} or {@code FBX}; empty if it is not
+   * Returns the format of a file, such as {@code a PNG picture} or {@code FBX}; empty if it is not
    * recognized.
    *
    * @param start the first {@link #START} bytes of the file, or more; all if it has fewer
@@ -104,7 +104,7 @@ public final class FileContent {
     return ofText(text(start));
   }
 
-  /** Returns a description of {@link #describe} and what to do with such a file. */
+  /** Returns {@link #describe} with advice on such a file. */
   public static String withAdvice(String found) {
     if (found.endsWith(" picture")) {
       return found + "; name the scene or model that uses it";

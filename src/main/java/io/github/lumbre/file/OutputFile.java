@@ -20,9 +20,9 @@ import java.util.Objects;
  * existing file. If the file is closed without a commit, the temporary file is deleted and the
  * target is unchanged.
  *
- * <p>The name of the temporary file depends only on that of the target. Two runs therefore cannot
- * write the same target at the same time, and the next run reuses a file that a killed run left
- * behind.
+ * <p>The name of the temporary file depends only on the name of the target. Two runs therefore
+ * cannot write the same target at the same time, and the next run reuses a file that a killed run
+ * left behind.
  */
 public final class OutputFile implements Closeable {
   private final Disk disk;
@@ -113,7 +113,7 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * Discards what was written before and returns a channel at position 0 of the empty file. This
+   * Discards everything written before and returns a channel at position 0 of the empty file. This
    * object owns the channel; callers must not close it.
    *
    * @throws IllegalStateException if the file is committed or closed

@@ -165,8 +165,8 @@ final class BinaryTraversal implements Traversal {
    * Returns the upper half of the bits of a number. For numbers ≥ 0 it never decreases as the
    * number grows. Negative numbers have negative ranks in no useful order, but slabs are only
    * compared with ranks ≥ 0. Ranks order nodes to a relative precision of about 1e-6, which never
-   * loses a hit. The minimum of two integers is much cheaper than that of two doubles, which must
-   * handle NaN and -0.
+   * loses a hit. The minimum of two integers is much cheaper than the minimum of two doubles, which
+   * must handle NaN and -0.
    */
   private static int rank(double t) {
     return (int) (Double.doubleToRawLongBits(t) >> 32);

@@ -23,7 +23,7 @@ final class BuildItems {
   /** The maximum number of items that one task quantizes. */
   private static final int MAX_PART = 1 << 14;
 
-  /** The least surface area of a large item's box, relative to that of all items. */
+  /** The least surface area of a large item's box, relative to the area of the box of all items. */
   private static final double LARGE = 1 / 32.;
 
   /** With more large items, none is separated from the others: a room has about twelve. */

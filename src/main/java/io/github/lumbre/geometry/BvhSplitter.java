@@ -5,7 +5,7 @@ package io.github.lumbre.geometry;
  * per thread, which works only on its own range of the shared items.
  *
  * <p>The first thousand items are split by the interpreter, largely. Java compiles methods that are
- * called often, so what is done for each item is a method of its own.
+ * called often, so the work for each item is a method of its own.
  */
 final class BvhSplitter {
   private static final int BINS = 16;
@@ -128,8 +128,7 @@ final class BvhSplitter {
   }
 
   /** Adds an item, given by its weight and box, to the bin at an offset. */
-  private void add(
-      int at, int weight, int minX, int maxX, int minY, int maxY, int minZ, int maxZ) {
+  private void add(int at, int weight, int minX, int maxX, int minY, int maxY, int minZ, int maxZ) {
     int[] all = bins;
     all[at + WEIGHT] += weight;
     all[at] = Math.min(all[at], minX);
@@ -219,7 +218,9 @@ final class BvhSplitter {
     return first;
   }
 
-  /** Returns the cost of the measured range as a leaf, less that of a node; infinite for none. */
+  /**
+   * Returns the cost of the measured range as a leaf, less the cost of a node; infinite for none.
+   */
   private double leafCost() {
     return fitsLeaf()
         ? halfArea(range, 0) * (costs.units(range[WEIGHT]) - costs.nodeCost())

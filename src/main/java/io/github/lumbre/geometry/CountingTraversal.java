@@ -78,7 +78,7 @@ final class CountingTraversal implements Traversal {
     }
 
     /**
-     * Returns the t at which the ray enters a box, at least that of the hit which it has passed;
+     * Returns the t at which the ray enters a box, at least the t of the hit that it has passed;
      * NaN if it misses the box or has left it before.
      */
     private double entry(double[] box) {

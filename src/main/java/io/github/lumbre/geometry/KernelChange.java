@@ -39,12 +39,12 @@ public final class KernelChange {
     this.lastPlace = lastPlace;
   }
 
-  /** Returns the change of a hierarchy and of those of its {@link MeshInstance}s. */
+  /** Returns the change of a hierarchy and of the hierarchies of its {@link MeshInstance}s. */
   public static KernelChange of(Bvh bvh, List<? extends Shape> shapes) {
     return of(List.of(bvh), shapes);
   }
 
-  /** Returns the change of hierarchies over shapes and of those of their {@link MeshInstance}s. */
+  /** Returns the change of hierarchies over shapes, and of their {@link MeshInstance}s. */
   public static KernelChange of(List<Bvh> hierarchies, List<? extends Shape> shapes) {
     return of(hierarchies, shapes, BvhBuilder.MAX_ITEMS);
   }
@@ -162,7 +162,7 @@ public final class KernelChange {
       origin = somewhere();
     }
 
-    /** Returns the nanoseconds of the next searches; those of all instances are the same. */
+    /** Returns the nanoseconds of the next searches; all instances share one sequence. */
     long next() {
       long start = System.nanoTime();
       for (int i = 0; i < RAYS; i++) {

@@ -56,12 +56,12 @@ public final class Mesh implements Shape {
     return new Mesh(world, Optional.of(new Source(local, toWorld)));
   }
 
-  /** Returns a mesh whose coordinates are those of the world; see {@link #of}. */
+  /** Returns a mesh whose coordinates are in world space; see {@link #of}. */
   public static Mesh of(TriangleMesh mesh) {
     return of(mesh, Transform.IDENTITY);
   }
 
-  /** Returns what {@link #of} was given; empty for a {@linkplain #baked baked} mesh. */
+  /** Returns the arguments of {@link #of}; empty for a {@linkplain #baked baked} mesh. */
   public Optional<Source> source() {
     return source;
   }

@@ -9,7 +9,7 @@ final class Placement {
   /** Larger sizes overflow when squared. */
   private static final double LARGEST = 1e150;
 
-  /** A distance far above that of rounding errors, relative to the coordinates. */
+  /** A distance far above all rounding errors, relative to the coordinates. */
   private static final double CLEARANCE = 1e-6;
 
   private Placement() {}

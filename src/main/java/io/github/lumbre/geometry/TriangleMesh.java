@@ -355,7 +355,7 @@ public final class TriangleMesh {
 
   /**
    * Returns whether the vertices have nothing but positions, normals and one set of uvs, and the
-   * front of each triangle is that of {@link Front#NORMALS}.
+   * front of each triangle is decided as in {@link Front#NORMALS}.
    */
   public boolean isPlain() {
     return (front == Front.NORMALS || sides.length == 0)
@@ -401,7 +401,7 @@ public final class TriangleMesh {
     return known;
   }
 
-  /** Returns what decides which side of a triangle is its front. */
+  /** Returns the rule for which side of a triangle is its front. */
   Front front() {
     return front;
   }
@@ -411,7 +411,7 @@ public final class TriangleMesh {
     return (sides.length > 0 && sides[triangle] == TURNED) ^ mirrored;
   }
 
-  /** Returns whether vertex normals of a triangle are not those of shading; see {@link Front}. */
+  /** Returns whether shading turns the vertex normals of a triangle around; see {@link Front}. */
   boolean hasNormalsBehind(int triangle) {
     return sides.length > 0 && sides[triangle] >= BEHIND;
   }

@@ -287,7 +287,7 @@ final class VectorTraversal implements Traversal {
 
   /**
    * Returns, for each triangle of a leaf's block, whether it belongs to the leaf and the ray may
-   * hit it before its end, in the encoding of {@link #MASKS}. The test is that of Möller &amp;
+   * hit it before its end, in the encoding of {@link #MASKS}. The test follows Möller &amp;
    * Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection", without the division. Its
    * error bounds are derived in docs/design.md.
    */
@@ -334,8 +334,8 @@ final class VectorTraversal implements Traversal {
             .reinterpretAsInts()
             .lanewise(VectorOperators.XOR, sign)
             .reinterpretAsFloats();
-    // Within the error bounds, no edge function is negative and the depth is at most that of the
-    // ray's end.
+    // Within the error bounds, no edge function is negative and the depth is at most the depth of
+    // the ray's end.
     FloatVector room = spread.mul(ray.edgeError).add(ray.edgeFloor);
     FloatVector depthRoom = spread.mul(spread).mul(ray.depthError).add(ray.depthFloor);
     FloatVector end = FloatVector.broadcast(FLOATS, ray.end);

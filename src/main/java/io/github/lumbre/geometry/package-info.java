@@ -10,7 +10,7 @@
  *
  * <p>Rays, hits and shapes are in world space; {@link io.github.lumbre.geometry.TriangleMesh} and
  * {@link io.github.lumbre.geometry.SharedMesh} are in local space. Geometric normals point outward
- * for hits from either side; those of planes and rectangles point to their front side. The origin
+ * for hits from either side; normals of planes and rectangles point to their front side. The origin
  * of a ray that leaves a surface is offset by an error bound computed from the hit, not by a fixed
  * epsilon; only {@code SurfaceHit} does this.
  */

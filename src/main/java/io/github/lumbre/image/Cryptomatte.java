@@ -161,7 +161,7 @@ public record Cryptomatte(String type, List<ImageLayer> layers, Map<String, Inte
     return mask;
   }
 
-  /** Returns the id of a name: its hash, changed so that its bits are those of a normal float. */
+  /** Returns the id of a name: its hash, changed so that its bits form a normal float. */
   static int id(String name) {
     int hash = hash(name);
     int exponent = hash >>> 23 & 0xff;

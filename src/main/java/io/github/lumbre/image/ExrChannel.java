@@ -94,7 +94,7 @@ record ExrChannel(String name, Type type, int use) {
     return name.substring(0, Math.max(0, name.lastIndexOf('.')));
   }
 
-  /** Returns the name without that of the layer. */
+  /** Returns the name without the name of the layer. */
   String component() {
     return name.substring(name.lastIndexOf('.') + 1);
   }

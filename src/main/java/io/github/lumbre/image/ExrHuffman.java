@@ -6,8 +6,8 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * Decodes the canonical Huffman code of PIZ compression. Among the codes, those of greater length
- * have smaller values. One symbol stands for repetitions of the previous value. Not reusable.
+ * Decodes the canonical Huffman code of PIZ compression. Longer codes have smaller values. One
+ * symbol stands for repetitions of the previous value. Not reusable.
  */
 final class ExrHuffman {
   private static final int SYMBOLS = (1 << 16) + 1;

@@ -33,7 +33,7 @@ final class ExrPiz {
     values = new short[shortsPerPixel * width * height];
   }
 
-  /** Returns the bytes of the block: for each line, those of each channel. */
+  /** Returns the bytes of the block: for each line, the bytes of one channel after the other. */
   byte[] unpacked() throws ImageFormatException {
     short[] table = new short[VALUES];
     int max = readTable(table);

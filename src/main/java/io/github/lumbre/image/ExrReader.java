@@ -20,7 +20,7 @@ import java.util.zip.DataFormatException;
  * Reads OpenEXR files ("OpenEXR File Layout", openexr.com): scan lines and tiles, of which the
  * full-size level is read; of several parts, the first; no compression, RLE, ZIPS, ZIP or PIZ. The
  * channels are R, G and B, or the gray Y, and perhaps A, of the picture or of its only layer. The
- * picture is that of the display window; pixels outside the data window are 0.
+ * picture has the size of the display window; pixels outside the data window are 0.
  */
 final class ExrReader {
   private static final int MAGIC = 20000630;

@@ -21,8 +21,8 @@ import java.util.zip.Deflater;
  */
 final class ExrWriter {
   /**
-   * Reserved names, which metadata cannot use: the attributes that every file has, and those of
-   * multi-part or tiled files, which readers interpret in any file.
+   * Reserved names, which metadata cannot use: the attributes that every file has, and the
+   * attributes of multi-part or tiled files, which readers interpret in any file.
    */
   static final Set<String> RESERVED =
       Set.of(

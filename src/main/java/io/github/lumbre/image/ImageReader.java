@@ -36,8 +36,8 @@ public final class ImageReader {
   /**
    * Checks the structure of a file without decoding the picture.
    *
-   * @throws ImageFormatException if it is not that of a PNG or JPEG file, or the picture is too
-   *     large
+   * @throws ImageFormatException if it is not the beginning of a PNG or JPEG file, or the picture
+   *     is too large
    */
   public static void requireIntact(byte[] file) throws ImageFormatException {
     if (PngFile.startsIn(file)) {

@@ -40,7 +40,8 @@ final class JpegWriter {
       metadata.mergeTree(METADATA, markers(image, options.metadata()));
       writer.write(null, new IIOImage(picture, null, metadata), param);
     } catch (IIOException e) {
-      // The exception's own message is empty; that of its cause is "No space left on device".
+      // The exception's own message is empty; the message of its cause is "No space left on
+      // device".
       throw e.getCause() instanceof IOException cause ? cause : e;
     } finally {
       writer.dispose();

@@ -18,7 +18,7 @@ interface SampleRows {
    * Reads a row.
    *
    * @param y row from the top
-   * @param row receives the values, 0 to 2^bits - 1, those of each pixel together
+   * @param row receives the values, 0 to 2^bits - 1, all channels of a pixel together
    */
   void read(int y, int[] row);
 }

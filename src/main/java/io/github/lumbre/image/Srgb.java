@@ -12,7 +12,7 @@ public final class Srgb {
   /** Upper limit of the linear values of each byte, with an error of some ulps. */
   private static final double[] LIMITS = new double[256];
 
-  /** A byte that is not larger than those of the linear values from i / (length - 1) on. */
+  /** Lower bounds of the bytes of linear values from i / (length - 1) on. */
   private static final byte[] LEAST = new byte[1025];
 
   /** Values that differ from a limit by this share or more have the byte of their side. */
@@ -62,7 +62,7 @@ public final class Srgb {
 
   /**
    * Returns the encoded byte, 0 to 255, nearest to a linear value; the inverse of {@link
-   * #fromByte}. It is that of {@link #encode}, found without powers.
+   * #fromByte}. It equals the byte of {@link #encode}, but is found without powers.
    */
   public static int toByte(double linear) {
     double v = clamp(linear);

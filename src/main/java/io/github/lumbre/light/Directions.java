@@ -6,7 +6,7 @@ import io.github.lumbre.math.Vec3;
 
 /** The directions of lights that have an axis. */
 public final class Directions {
-  /** Squared lengths this close to 1 are those of unit vectors. */
+  /** Vectors whose squared length is this close to 1 count as unit vectors. */
   private static final double UNIT = 1e-14;
 
   private Directions() {}

@@ -25,7 +25,7 @@ public record Emission(Texture<Rgb> radiance, boolean twoSided, double meanRadia
   }
 
   /**
-   * Creates an emission whose mean radiance is that of a grid of 16 × 16 points of the texture's
+   * Creates an emission whose mean radiance is the mean of 16 × 16 grid points of the texture's
    * unit square.
    */
   public Emission(Texture<Rgb> radiance, boolean twoSided) {

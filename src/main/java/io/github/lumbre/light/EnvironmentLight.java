@@ -255,8 +255,8 @@ public final class EnvironmentLight implements Light {
   /**
    * {@inheritDoc}
    *
-   * <p>For an image, that of a surface that faces a small spot with all the light of the image. For
-   * a constant radiance 0: BSDF samples alone find this light best.
+   * <p>For an image: the irradiance of a surface that faces a small spot with all the light of the
+   * image. For a constant radiance 0: BSDF samples alone find this light best.
    */
   @Override
   public double farIrradiance() {

@@ -9,7 +9,10 @@ import io.github.lumbre.math.Vec3;
  * black. Immutable.
  */
 public final class Facing {
-  /** Tolerance for rounding, relative to the coordinates. It is also above that of the bounds. */
+  /**
+   * Tolerance for rounding, relative to the coordinates. It also exceeds the rounding of the
+   * bounds.
+   */
   private static final double ROUNDING = 1e-8;
 
   /** The center and the half sides of the emitter's bounding box; NaN if it has none. */

@@ -8,11 +8,11 @@ import io.github.lumbre.math.Vec3;
  * The bounds of the nodes of a {@link LightTree} in a flat array of floats, from which the
  * importance of several nodes to a point is computed in one loop. Immutable.
  *
- * <p>Importances are approximately those of {@link LightNodes#importance}, in another unit. Most
- * lights are surfaces with equal normals in a node, whose importance needs no square root: with the
- * squared distance d², the vector v from the node's center to the point, and the radius r of its
- * bounding sphere, it is I (r − v·n) (r + v·a) / d⁴, where n is the point's normal and a the axis
- * of the lights' normals.
+ * <p>Importances approximate {@link LightNodes#importance}, in another unit. Most lights are
+ * surfaces with equal normals in a node, whose importance needs no square root: with the squared
+ * distance d², the vector v from the node's center to the point, and the radius r of its bounding
+ * sphere, it is I (r − v·n) (r + v·a) / d⁴, where n is the point's normal and a the axis of the
+ * lights' normals.
  *
  * <p>Positions are relative to the box of all nodes, so that floats have enough range and precision
  * in every scene. The radius of each node includes the rounding errors of positions, so that the
@@ -42,7 +42,9 @@ final class LightTreeBounds {
    */
   private static final double POSITION_ERROR = 0x1p-20;
 
-  /** Points farther away than this are moved nearer: the directions to all nodes are nearly equal. */
+  /**
+   * Points farther away than this are moved nearer: the directions to all nodes are nearly equal.
+   */
   private static final double FAR = 1e5;
 
   private final float[] nodes;

@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param texels of all pictures that a scene decodes, at least 0
  * @param triangles of all meshes, counted once for each use, at least 0
  * @param samples per pixel, at least 1
- * @param memory heap bytes for what is read, and again for the film; at least 1. What is read is
+ * @param memory heap bytes for the scene, and again for the film; at least 1. What is read is
  *     estimated from counts, so it is a bound of the order of magnitude
  * @param time of reading, and again of rendering, more than 0
  */
@@ -103,7 +103,7 @@ public record Limits(
     return new Limits(bytes, pixels, texels, triangles, samples, memory, value);
   }
 
-  /** Returns whether the bytes of files are limited, as those of uploads are. */
+  /** Returns whether the bytes of files are limited, as in {@link #UPLOADS}. */
   public boolean hasLimitedBytes() {
     return bytes < Long.MAX_VALUE / 2;
   }
@@ -114,9 +114,9 @@ public record Limits(
   }
 
   /**
-   * Returns what to say about a number that exceeds its limit; empty if it does not.
+   * Returns a message about a number that exceeds its limit; empty if it does not.
    *
-   * @param things what is counted, in the plural
+   * @param things the counted things, in the plural
    */
   public static Optional<String> excess(String things, long max, long found) {
     return found <= max

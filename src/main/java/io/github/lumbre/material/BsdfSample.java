@@ -57,7 +57,7 @@ public final class BsdfSample {
   }
 
   /**
-   * Sets the density to that of a mixture of densities, and the weight with it.
+   * Sets the density to a mixture of densities, and the weight accordingly.
    *
    * @param newPdf density per solid angle, above 0
    */

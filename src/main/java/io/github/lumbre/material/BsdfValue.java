@@ -40,12 +40,12 @@ public final class BsdfValue {
     bsdfPdf = newPdf;
   }
 
-  /** Sets the density to that of a mixture of BSDF sampling and another technique. */
+  /** Sets the density to a mixture of BSDF sampling and another technique. */
   public void mix(double newPdf) {
     pdf = newPdf;
   }
 
-  /** Multiplies the densities by the probability of what follows. */
+  /** Multiplies the densities by the probability of the next choice. */
   public void scalePdf(double factor) {
     pdf *= factor;
     bsdfPdf *= factor;

@@ -8,7 +8,7 @@ import java.util.Optional;
 
 /**
  * Any material on a surface whose normals a map perturbs. A clear coat keeps the surface's normals:
- * the map perturbs those of the lobes below it.
+ * the map perturbs the normals of the lobes below it.
  *
  * @param uvSet 0 or 1: the texture coordinates of the map
  */

@@ -6,10 +6,10 @@ import io.github.lumbre.texture.Texture;
 
 /**
  * A floor that shows only its shadows: the camera sees black where other surfaces block the direct
- * light, in proportion to the light that they block, and otherwise what is behind the floor. All
- * other rays meet a diffuse surface.
+ * light, in proportion to the light that they block, and otherwise shows the background. All other
+ * rays meet a diffuse surface.
  *
- * @param surface what other rays meet
+ * @param surface the material that other rays hit
  */
 public record ShadowCatcher(Matte surface) implements Material {
   /**
@@ -23,7 +23,7 @@ public record ShadowCatcher(Matte surface) implements Material {
   /**
    * Returns a shadow catcher of one color.
    *
-   * @param albedo what other surfaces receive of it, each component in [0, 1]
+   * @param albedo its reflectance toward other surfaces, each component in [0, 1]
    * @throws IllegalArgumentException if a component is out of range
    */
   public static ShadowCatcher of(Rgb albedo) {

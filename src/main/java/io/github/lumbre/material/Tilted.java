@@ -5,7 +5,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 
 /**
- * A BSDF whose normal differs from that of the surface. A direction on different sides of both
+ * A BSDF whose normal differs from the surface's normal. A direction on different sides of both
  * shading planes scatters no light.
  *
  * @param frame around the BSDF's normal, in the surface's shading frame

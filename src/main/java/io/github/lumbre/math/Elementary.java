@@ -156,7 +156,7 @@ public final class Elementary {
   /**
    * Returns e to the power x, with an error of at most 2 ulp (Tang 1989). x is split into a
    * multiple of ln 2 / 32 and a remainder. The power of the multiple comes from a table and the
-   * exponent bits; that of the remainder from six terms of the series.
+   * exponent bits; the power of the remainder comes from six terms of the series.
    */
   public static double exp(double x) {
     if (!(Math.abs(x) <= 745.2)) {

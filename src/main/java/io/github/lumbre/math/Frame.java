@@ -7,7 +7,7 @@ import java.util.Objects;
  * either handedness, because mirrored textures have mirrored frames. Immutable.
  *
  * <p>It stores plain numbers instead of three vectors. The JIT can remove the allocation of a
- * short-lived object, but rarely that of objects inside it.
+ * short-lived object, but rarely the allocation of objects inside it.
  */
 public final class Frame {
   /** The world's own axes. */

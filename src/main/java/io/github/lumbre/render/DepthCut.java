@@ -6,9 +6,9 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 
 /**
- * An estimate of the energy lost to the path length limit: what longer paths add in a pilot render
- * of the full frame with 64×48 pixels and 2 samples per pixel. Deterministic for a scene and its
- * settings.
+ * An estimate of the energy lost to the path length limit: the light that longer paths add in a
+ * pilot render of the full frame with 64×48 pixels and 2 samples per pixel. Deterministic for a
+ * scene and its settings.
  *
  * <p>Both depths use the same random numbers, so each path has the same first vertices, and the
  * difference is the lost energy. The longer paths have 4 times the depth, or 32 more vertices if

@@ -65,7 +65,7 @@ public final class Film {
    * @param window the part of the full frame that the film holds
    * @param hasAlpha whether the film counts the samples that cover a pixel
    * @param firstSample the number of each pixel's first sample, at least 0
-   * @param layers what the film records besides the picture
+   * @param layers the layers that the film records besides the picture
    * @throws IllegalArgumentException if {@code firstSample} is negative
    */
   public Film(Crop window, boolean hasAlpha, int firstSample, FilmLayers layers) {
@@ -92,7 +92,7 @@ public final class Film {
     return covered.length != 0;
   }
 
-  /** Returns what the film records besides the picture. */
+  /** Returns the layers that the film records besides the picture. */
   public FilmLayers layers() {
     return layers.layers();
   }
@@ -234,8 +234,8 @@ public final class Film {
   }
 
   /**
-   * Returns where the mean of a pixel's samples up to the last power of two before their number is,
-   * once those of another film are added; lost if the sums do not contain it.
+   * Returns where the first mean of a pixel is stored once another film is added: the mean of its
+   * samples up to the last power of two below their number. Lost if the sums do not contain it.
    */
   private FirstMean firstMeanWith(Film other, int from, int to) {
     int count = counts[to];
@@ -423,7 +423,7 @@ public final class Film {
   }
 
   /**
-   * Returns the values of a layer: those of its channels, pixel by pixel from the window's top
+   * Returns the values of a layer: all channels of a pixel, pixel by pixel from the window's top
    * left; see {@link Layer}. Light is not divided by alpha.
    *
    * @throws IllegalArgumentException if the film does not have the layer, or if the layer has no

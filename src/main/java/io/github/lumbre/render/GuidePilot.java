@@ -23,8 +23,8 @@ import java.util.List;
  *
  * <p>Its work is fixed. Records are taken in the order of the pixels, whatever thread found them,
  * and cost is counted in rays. The guide is therefore a function of the scene, the settings that
- * samples depend on, and the seed alone. It never changes after the pilot. The random numbers are
- * not those of the picture.
+ * samples depend on, and the seed alone. It never changes after the pilot. Its random numbers
+ * differ from the random numbers of the picture.
  */
 final class GuidePilot {
   /** The largest number of paths in all passes. */
@@ -70,7 +70,7 @@ final class GuidePilot {
   record Learned(Guide guide, GuideReport report) {}
 
   /**
-   * Returns what the pilot of some settings learns.
+   * Returns the guide that the pilot of some settings learns.
    *
    * @param settings their guiding is not off
    * @param scene framed for the settings
@@ -150,8 +150,7 @@ final class GuidePilot {
     Integrator integrator = Integrator.of(scene, settings, guide);
     PilotGrid grid = PilotGrid.of(settings, paths);
     int limit = Math.max(1, MOST_RECORDS / grid.rows());
-    List<Row> rows =
-        crew.render(grid.rows(), row -> recordRow(integrator, grid, row, pass, limit));
+    List<Row> rows = crew.render(grid.rows(), row -> recordRow(integrator, grid, row, pass, limit));
     GuideRecords all = new GuideRecords();
     for (Row row : rows) {
       all.addAll(row.records());

@@ -11,9 +11,10 @@ import java.util.Map;
  * What the pilot render of {@code --guide} did, and why.
  *
  * @param outcome whether the paths are guided, or why not
- * @param gain if it was measured, squared error times rays of unguided paths, over that of guided
- *     ones. Otherwise it is predicted from the pilot's records: the second moment of what scattered
- *     rays find, over that with guided paths; 1 if nothing was learned
+ * @param gain if it was measured, squared error times rays of unguided paths, over the product for
+ *     guided ones. Otherwise it is predicted from the pilot's records: the second moment of the
+ *     light that scattered rays find, over the second moment with guided paths; 1 if nothing was
+ *     learned
  * @param isMeasured whether both kinds of paths were tried; {@code on} does not try them
  * @param rays rays of the pilot; 0 if there was nothing to learn
  * @param bytes size of the guide

@@ -64,8 +64,8 @@ final class GuideTrial {
   /**
    * The outcome.
    *
-   * @param gain squared error times rays of unguided paths, over that of guided ones; 1 if neither
-   *     has an error
+   * @param gain squared error times rays of unguided paths, over the product for guided ones; 1 if
+   *     neither has an error
    * @param isBetter whether guided paths are certainly better, and by enough
    * @param rays of the trial
    */
@@ -97,19 +97,18 @@ final class GuideTrial {
   }
 
   /**
-   * Compares the errors and rays of unguided paths with those of guided ones.
+   * Compares unguided with guided paths by their errors and rays.
    *
    * @param before error of each pixel with unguided paths, at least 0
    * @param after error of each pixel with guided paths
    */
   static Outcome judge(double[] before, double[] after, long raysBefore, long raysAfter) {
-    // One limit for both: that of the side with more noise.
+    // One limit for both: the limit of the side with more noise.
     double limit = Math.max(PilotErrors.limit(before), PilotErrors.limit(after));
     double price = (double) raysBefore / raysAfter;
     double gain = price * ratio(before, after, limit, Jackknife.NONE);
     double bound =
-        Jackknife.bound(
-            GROUPS, CERTAINTY, group -> price * ratio(before, after, limit, group));
+        Jackknife.bound(GROUPS, CERTAINTY, group -> price * ratio(before, after, limit, group));
     return new Outcome(
         gain > 0 && gain < Double.POSITIVE_INFINITY ? gain : 1,
         gain >= LEAST_GAIN && bound > 1,
@@ -120,8 +119,7 @@ final class GuideTrial {
   private record Side(List<Rgb[]> means, long rays) {}
 
   private Side side(Guide guide) throws InterruptedException, PilotRows.Stopped {
-    PilotSamples samples =
-        new PilotSamples(settings, scene, Integrator.of(scene, settings, guide));
+    PilotSamples samples = new PilotSamples(settings, scene, Integrator.of(scene, settings, guide));
     List<Rgb[]> means = new ArrayList<>();
     long rays = 0;
     for (Side row : crew.render(pixels.rows(), number -> row(samples, number))) {

@@ -72,8 +72,8 @@ final class KernelUpgrade {
    * Starts the change if it pays, after a pass. On a busy machine, threads wait for processors, so
    * that the processor time counts.
    *
-   * @param processorSeconds the processor seconds that this JVM has used, which bound those of the
-   *     threads; called if the change pays without such a bound
+   * @param processorSeconds the processor seconds that this JVM has used, an upper bound of the
+   *     seconds of the threads; called if the change pays without such a bound
    */
   static void passed(
       Scene scene, double seconds, double secondsLeft, DoubleSupplier processorSeconds) {

@@ -163,7 +163,7 @@ final class LayerSums {
     }
   }
 
-  /** Returns the number of sums before those of a layer. */
+  /** Returns the number of sums before the sums of a layer. */
   private int offset(Layer layer, Layer[] among) {
     int offset = 0;
     for (int i = 0; among[i] != layer; i++) {

@@ -10,7 +10,7 @@ import java.util.Optional;
  * An estimate of the heap that a render needs, made before it starts.
  *
  * @param settings settings of the render
- * @param layers what the film records besides the picture
+ * @param layers the layers that the film records besides the picture
  * @param sceneBytes bytes in use by the scene and the program
  * @param maxHeapBytes maximum heap size in bytes
  */
@@ -51,8 +51,7 @@ public record MemoryEstimate(
    * can then be saved while the other receives samples.
    */
   public static boolean leavesRoomForCopy(RenderSettings settings, FilmLayers layers) {
-    return now(settings, layers).fitsWithCopy()
-        || measured(settings, layers).fitsWithCopy();
+    return now(settings, layers).fitsWithCopy() || measured(settings, layers).fitsWithCopy();
   }
 
   /** Returns the estimate for a scene that has just been read. Runs a full garbage collection. */
@@ -84,7 +83,7 @@ public record MemoryEstimate(
     return (BYTES_PER_PIXEL + more) * pixels() + layerBytes();
   }
 
-  /** Returns the bytes of the film's layers, without those of the written file. */
+  /** Returns the bytes of the film's layers, without the bytes of the written file. */
   public long layerBytes() {
     return layers.bytesPerPixel() * pixels();
   }

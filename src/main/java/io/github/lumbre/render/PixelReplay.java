@@ -97,8 +97,8 @@ public final class PixelReplay {
    * All samples of a pixel.
    *
    * @param samples the number of samples
-   * @param seen what the camera rays of the samples hit, the primitive of most samples first; rays
-   *     that hit nothing are not among them
+   * @param seen the primitives that the camera rays of the samples hit, the primitive of most
+   *     samples first; rays that hit nothing are not among them
    * @param mean the mean of all samples, summed as in a film; this includes samples that do not
    *     cover a pixel with alpha
    * @param variance the unbiased variance of one sample; 0 if there is only one

@@ -98,9 +98,9 @@ public interface Sampler {
   void startSample(int x, int y, int sample);
 
   /**
-   * Moves to a part of the current sample, for example to a branch of a split path. Its numbers are
-   * those of sample {@code sample * parts + part}, so that all parts of all samples of a pixel are
-   * distributed as evenly as samples are. That number is taken modulo 2^32, beyond which the
+   * Moves to a part of the current sample, for example to a branch of a split path. It has the
+   * numbers of sample {@code sample * parts + part}, so that all parts of all samples of a pixel
+   * are distributed as evenly as samples are. That number is taken modulo 2^32, beyond which the
    * numbers repeat.
    *
    * @param part 0 to {@code parts - 1}

@@ -25,7 +25,7 @@ final class Placements {
   }
 
   /**
-   * @param earlier those of another scene with some of the same nodes
+   * @param earlier the placements of another scene with some of the same nodes
    */
   Placements(Placements earlier) {
     this.earlier = earlier.placed;

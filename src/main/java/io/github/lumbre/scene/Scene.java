@@ -358,7 +358,7 @@ public final class Scene {
         SurfaceNames.of(same.objectNames, same.materialNames));
   }
 
-  /** Returns what the scene was built from; empty if it was read from a file. */
+  /** Returns the description that the scene was built from; empty if it was read from a file. */
   public Optional<SceneDescription> description() {
     return built.map(
         from ->
@@ -434,7 +434,10 @@ public final class Scene {
     return names;
   }
 
-  /** Returns what the camera sees instead of environment lights; empty if it sees these. */
+  /**
+   * Returns the radiance that the camera sees instead of environment lights; empty if it sees
+   * these.
+   */
   public Optional<Rgb> backplate() {
     return backplate;
   }

@@ -24,8 +24,8 @@ import java.util.function.Consumer;
 /**
  * Builds a {@link Scene} in code. Mutable; the scene is immutable.
  *
- * <p>The scene's surfaces come first, then those of {@linkplain SceneContent models}, then lights,
- * each in the order in which they were added, as in a scene file.
+ * <p>The scene's surfaces come first, then {@linkplain SceneContent models}, then lights, each in
+ * the order in which they were added, as in a scene file.
  */
 public final class SceneBuilder {
   private final boolean isGroup;
@@ -66,7 +66,7 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets where the camera stands and looks. The aspect ratio is that of the settings of a render.
+   * Sets where the camera stands and looks. The settings of a render give the aspect ratio.
    *
    * @param eye position of the camera
    * @param target the point in the middle of the picture
@@ -245,7 +245,7 @@ public final class SceneBuilder {
    * Adds a model at a place, for example.
    *
    * @param name of the object, at most 60 characters; empty for none
-   * @param transform invertible; from the content's space to that of the scene or group
+   * @param transform invertible; from the content's space to the space of the scene or group
    * @throws IllegalArgumentException if the transform is singular
    */
   public SceneBuilder add(String name, Transform transform, SceneContent content) {
@@ -263,7 +263,7 @@ public final class SceneBuilder {
    * Adds a group: parts that move together.
    *
    * @param name of the group, unique among the groups of the scene
-   * @param transform invertible; from the group's space to that of the scene or the outer group
+   * @param transform invertible; from the group's space to the space of the scene or outer group
    * @param parts adds the parts to the builder that it is given
    * @throws IllegalArgumentException if the transform is singular
    */
@@ -278,7 +278,7 @@ public final class SceneBuilder {
    * Moves a group: replaces its transform.
    *
    * @param group name of a group that was added, in the scene or in another group
-   * @param transform invertible; from the group's space to that of the scene or the outer group
+   * @param transform invertible; from the group's space to the space of the scene or outer group
    * @throws IllegalArgumentException if there is no such group or the transform is singular
    */
   public SceneBuilder place(String group, Transform transform) {

@@ -14,7 +14,7 @@ public interface SceneContent {
   }
 
   /**
-   * Returns the content at a place. Calls with several transforms share what does not depend on
+   * Returns the content at a place. Calls with several transforms share all that does not depend on
    * them, such as meshes and textures.
    *
    * @param toWorld from the scene's space, in which the content was given, to world space

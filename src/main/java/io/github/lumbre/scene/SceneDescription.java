@@ -15,7 +15,8 @@ import java.util.Optional;
  * @param viewpoint of the camera; empty if the scene was given a camera for one aspect ratio
  * @param nodes in the order in which they were added
  * @param materialNames names of materials, by identity
- * @param backplate what the camera sees instead of environment lights; empty if it sees these
+ * @param backplate radiance that the camera sees instead of environment lights; empty if it sees
+ *     these
  */
 public record SceneDescription(
     Optional<Viewpoint> viewpoint,

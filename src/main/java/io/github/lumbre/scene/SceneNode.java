@@ -15,7 +15,7 @@ public sealed interface SceneNode {
    * Parts that move together.
    *
    * @param name of the group, unique among the groups of a scene
-   * @param transform from the group's space to that of its parent
+   * @param transform from the group's space to its parent's space
    */
   record Group(String name, Transform transform, List<SceneNode> children) implements SceneNode {
     public Group {

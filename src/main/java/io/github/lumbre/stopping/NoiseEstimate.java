@@ -44,7 +44,10 @@ public record NoiseEstimate(
     return Math.sqrt(upperRelativeMse);
   }
 
-  /** Returns the same estimate with another stated confidence: that of all checks together. */
+  /**
+   * Returns the same estimate with another stated confidence: the confidence of all checks
+   * together.
+   */
   NoiseEstimate claiming(double jointConfidence) {
     return new NoiseEstimate(relativeMse, upperRelativeMse, jointConfidence, tailShare, pixels);
   }

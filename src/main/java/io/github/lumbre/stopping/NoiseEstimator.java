@@ -51,8 +51,8 @@ final class NoiseEstimator {
   }
 
   /**
-   * Returns the estimate of a film with few samples per pixel. Its bound is at least that of the
-   * cautious estimate, computed with that estimate's own spread.
+   * Returns the estimate of a film with few samples per pixel. Its bound is at least the bound of
+   * the cautious estimate, computed with that estimate's own spread.
    */
   static Optional<NoiseEstimate> ofFewSamples(Film film, double confidence) {
     Optional<NoiseEstimate> cautious = cautious(film, confidence);

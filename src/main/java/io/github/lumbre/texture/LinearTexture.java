@@ -6,7 +6,7 @@ import java.util.Objects;
 
 /**
  * A picture of linear light, such as a sky, as a texture that repeats infinitely in both
- * directions, with bilinear interpolation. Coordinates are those of {@link ImageTexture}. It takes
+ * directions, with bilinear interpolation. It has the coordinates of {@link ImageTexture}. It takes
  * 12 bytes per texel.
  */
 public final class LinearTexture implements Texture<Rgb> {

@@ -82,7 +82,7 @@ final class Noise {
     return sum;
   }
 
-  /** Interpolates bilinearly between the value of a cell and those of its next neighbors. */
+  /** Interpolates bilinearly between the values of a cell and its next neighbors. */
   private double smooth(Octave octave, int column, int row) {
     int x = column * octave.columns;
     int y = row * octave.rows;

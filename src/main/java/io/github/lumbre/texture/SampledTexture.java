@@ -6,7 +6,7 @@ import java.util.Objects;
 
 /**
  * A picture as a texture, with a wrap mode for each direction and access to single channels and
- * alpha. Coordinates are those of {@link ImageTexture}. It takes at most 4 bytes per texel for 8
+ * alpha. It has the coordinates of {@link ImageTexture}. It takes at most 4 bytes per texel for 8
  * bits per channel, and 8 for 16. Immutable.
  */
 public final class SampledTexture implements Texture<Rgb> {

@@ -6,7 +6,7 @@ import io.github.lumbre.math.Elementary;
 /**
  * A photo studio as a sky: white walls, a bright key light to the left in front of the object, a
  * weaker fill light to the right and a rim light behind. All edges are smooth, so that it adds no
- * noise. The coordinates are those of a latitude-longitude image: u = 0.5 is forward, v = 1 is up.
+ * noise. It has the coordinates of a latitude-longitude image: u = 0.5 is forward, v = 1 is up.
  */
 public enum StudioSky implements Texture<Rgb> {
   INSTANCE;

@@ -13,7 +13,7 @@ public interface Texture<T> {
    */
   T at(double u, double v);
 
-  /** Returns the value at a point: that of its first texture coordinates, unless stated. */
+  /** Returns the value at a point, by its first texture coordinates unless stated. */
   default T at(SurfacePoint p) {
     return at(p.u(0), p.v(0));
   }

@@ -175,7 +175,7 @@ class SceneAuditTest {
         "glass",
         Severity.WARNING,
         "$.objects[3]",
-        "overlaps that of $.objects[4]");
+        "overlaps the glass of $.objects[4]");
     assertFinds(
         auditOf(glass, sphere(0, 1, 1), sphere(0, 1, .5)),
         "glass",
