@@ -41,11 +41,9 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
-  private static final String BASIC = "math image sampling texture geometry";
   private static final String LIBRARY =
-      BASIC
-          + " file text limit path material camera light scene model guiding integrator render"
-          + " parser checkpoint denoise stopping preview audit compare";
+      "math image sampling texture geometry file text limit path material camera light scene model"
+          + " guiding integrator render parser checkpoint denoise stopping preview audit compare";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -59,40 +57,62 @@ class LayersTest {
           Map.entry("sampling", "math"),
           Map.entry("texture", "math image sampling"),
           Map.entry("geometry", "math image sampling texture"),
-          Map.entry("material", BASIC),
-          Map.entry("camera", "math image sampling"),
-          Map.entry("light", BASIC),
-          Map.entry("scene", BASIC + " text material camera light"),
+          Map.entry("material", "math image sampling texture geometry"),
+          Map.entry("camera", "math sampling"),
+          Map.entry("light", "math image sampling texture geometry"),
+          Map.entry("scene", "math image geometry text material camera light"),
           Map.entry("guiding", ""),
-          Map.entry("integrator", BASIC + " path material camera light scene guiding"),
           Map.entry(
-              "render", "limit math image sampling geometry path camera scene guiding integrator"),
-          Map.entry("model", BASIC + " file text limit material camera light scene"),
-          Map.entry("parser", BASIC + " file text limit material camera light scene model"),
-          Map.entry("checkpoint", "file image sampling scene render"),
+              "integrator",
+              "math image sampling texture geometry path material camera light scene guiding"),
+          Map.entry("render", "limit math image sampling path camera scene guiding integrator"),
+          Map.entry(
+              "model", "math image texture geometry file text limit material camera light scene"),
+          Map.entry(
+              "parser",
+              "math image sampling texture geometry file text limit material camera light scene"
+                  + " model"),
+          Map.entry("checkpoint", "file image scene render"),
           Map.entry("denoise", "math image sampling scene render"),
-          Map.entry("stopping", "math image scene render"),
+          Map.entry("stopping", "math scene render"),
           Map.entry("preview", "image scene render checkpoint stopping"),
-          Map.entry("audit", BASIC + " path material camera light scene integrator render parser"),
-          Map.entry("compare", "math image render"),
-          Map.entry("lab", "file image scene render parser"),
+          Map.entry(
+              "audit",
+              "math image sampling texture geometry path material camera light scene render"
+                  + " parser"),
+          Map.entry("compare", "math image"),
+          Map.entry("lab", "file scene render parser"),
           Map.entry("lab.metrics", "math image"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
-          Map.entry("lab.report", "image scene render parser lab lab.metrics lab.perf"),
-          Map.entry("lab.checks", BASIC + " material camera light scene integrator render"),
+          Map.entry("lab.report", "scene render parser lab lab.metrics lab.perf"),
+          Map.entry(
+              "lab.checks",
+              "math image sampling texture geometry material camera light scene integrator"
+                  + " render"),
           Map.entry(
               "lab.trade",
               "math image sampling geometry scene integrator render denoise stopping lab"
                   + " lab.metrics lab.perf compare"),
-          Map.entry("cli.output", LIBRARY + " lab"),
-          Map.entry("cli.run", LIBRARY + " lab cli.output"),
-          Map.entry("cli.option", LIBRARY + " lab lab.perf cli.output cli.run"),
-          Map.entry("cli.view", LIBRARY + " lab cli.output"),
+          Map.entry(
+              "cli.output",
+              "math image sampling geometry file text path material camera light scene model"
+                  + " render parser checkpoint stopping lab"),
+          Map.entry(
+              "cli.run",
+              "image file text scene render parser checkpoint denoise stopping lab cli.output"),
+          Map.entry(
+              "cli.option",
+              "image geometry file scene model render parser checkpoint denoise stopping lab"
+                  + " lab.perf cli.output cli.run"),
+          Map.entry(
+              "cli.view",
+              "math image geometry path camera scene render parser checkpoint stopping preview"
+                  + " lab cli.output"),
           Map.entry(
               "cli",
-              LIBRARY
-                  + " lab lab.metrics lab.perf lab.report lab.checks lab.trade"
-                  + " cli.output cli.run cli.option cli.view"));
+              "math image texture file scene model render parser checkpoint denoise audit"
+                  + " compare lab lab.perf lab.report lab.checks lab.trade cli.output cli.run"
+                  + " cli.option cli.view"));
 
   /** The third-party libraries that each package may use. */
   private static final Map<String, List<String>> LIBRARIES =
@@ -136,11 +156,10 @@ class LayersTest {
   @ParameterizedTest
   @MethodSource("packages")
   void packageUsesOnlyWhatLiesBelow(String name) {
-    Stream<String> below = Arrays.stream(MAY_USE.get(name).split(" ")).filter(p -> !p.isEmpty());
     String[] allowed =
         Stream.of(
                 Stream.of("java..", "javax.imageio..", ROOT + name),
-                below.map(ROOT::concat),
+                below(name).stream().map(ROOT::concat),
                 LIBRARIES.getOrDefault(name, List.of()).stream())
             .flatMap(s -> s)
             .toArray(String[]::new);
@@ -150,6 +169,21 @@ class LayersTest {
             .resideInAPackage(ROOT + name)
             .should()
             .onlyDependOnClassesThat(resideInAnyOf(allowed)));
+  }
+
+  /** What may be used and is not would hide that a layer has come apart. */
+  @ParameterizedTest
+  @MethodSource("packages")
+  void packageUsesAllThatItMayUse(String name) {
+    Set<String> used =
+        LUMBRE.stream()
+            .filter(type -> type.getPackageName().equals(ROOT + name))
+            .flatMap(type -> type.getDirectDependenciesFromSelf().stream())
+            .map(dependency -> dependency.getTargetClass().getBaseComponentType().getPackageName())
+            .filter(target -> target.startsWith(ROOT))
+            .map(target -> target.substring(ROOT.length()))
+            .collect(Collectors.toSet());
+    assertThat(used).containsAll(below(name));
   }
 
   @Test
@@ -312,6 +346,10 @@ class LayersTest {
 
   private static String[] packagesOf(String names) {
     return Arrays.stream(names.split(" ")).map(ROOT::concat).toArray(String[]::new);
+  }
+
+  private static List<String> below(String name) {
+    return Arrays.stream(MAY_USE.get(name).split(" ")).filter(p -> !p.isEmpty()).toList();
   }
 
   private static DescribedPredicate<JavaClass> resideInAnyOf(String... packages) {
