@@ -15,6 +15,8 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.io.InputStream;
@@ -37,7 +39,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Packages form layers with downward dependencies only, and the library does not affect its host
- * program.
+ * program. A package and its {@code internal} part, which the module does not export, are one
+ * layer.
  */
 class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
@@ -138,6 +141,21 @@ class LayersTest {
           .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
           .importPackages("io.github.lumbre");
 
+  private static final SliceAssignment LAYERS =
+      new SliceAssignment() {
+        @Override
+        public SliceIdentifier getIdentifierOf(JavaClass type) {
+          return type.getPackageName().startsWith(ROOT)
+              ? SliceIdentifier.of(layer(type.getPackageName()))
+              : SliceIdentifier.ignore();
+        }
+
+        @Override
+        public String getDescription() {
+          return "layers";
+        }
+      };
+
   static Stream<String> packages() {
     return MAY_USE.keySet().stream().sorted();
   }
@@ -148,7 +166,7 @@ class LayersTest {
         LUMBRE.stream()
             .map(JavaClass::getPackageName)
             .filter(name -> name.startsWith(ROOT))
-            .map(name -> name.substring(ROOT.length()))
+            .map(LayersTest::layer)
             .collect(Collectors.toSet());
     assertThat(found).isEqualTo(MAY_USE.keySet());
   }
@@ -158,15 +176,16 @@ class LayersTest {
   void packageUsesOnlyWhatLiesBelow(String name) {
     String[] allowed =
         Stream.of(
-                Stream.of("java..", "javax.imageio..", ROOT + name),
-                below(name).stream().map(ROOT::concat),
+                Stream.of("java..", "javax.imageio.."),
+                Stream.of(packagesOf(name)),
+                below(name).stream().map(LayersTest::packagesOf).flatMap(Stream::of),
                 LIBRARIES.getOrDefault(name, List.of()).stream())
             .flatMap(s -> s)
             .toArray(String[]::new);
     check(
         classes()
             .that()
-            .resideInAPackage(ROOT + name)
+            .resideInAnyPackage(packagesOf(name))
             .should()
             .onlyDependOnClassesThat(resideInAnyOf(allowed)));
   }
@@ -177,11 +196,14 @@ class LayersTest {
   void packageUsesAllThatItMayUse(String name) {
     Set<String> used =
         LUMBRE.stream()
-            .filter(type -> type.getPackageName().equals(ROOT + name))
+            .filter(
+                type ->
+                    type.getPackageName().startsWith(ROOT)
+                        && layer(type.getPackageName()).equals(name))
             .flatMap(type -> type.getDirectDependenciesFromSelf().stream())
             .map(dependency -> dependency.getTargetClass().getBaseComponentType().getPackageName())
             .filter(target -> target.startsWith(ROOT))
-            .map(target -> target.substring(ROOT.length()))
+            .map(LayersTest::layer)
             .collect(Collectors.toSet());
     assertThat(used).containsAll(below(name));
   }
@@ -200,7 +222,7 @@ class LayersTest {
 
   @Test
   void packagesHaveNoCycles() {
-    check(slices().matching(ROOT + "(**)").should().beFreeOfCycles());
+    check(slices().assignedFrom(LAYERS).should().beFreeOfCycles());
   }
 
   @Test
@@ -242,7 +264,7 @@ class LayersTest {
       module = ModuleDescriptor.read(in);
     }
     assertThat(module.exports().stream().map(ModuleDescriptor.Exports::source))
-        .isSubsetOf(packagesOf(LIBRARY));
+        .isSubsetOf(Arrays.stream(LIBRARY.split(" ")).map(ROOT::concat).toList());
     assertThat(module.opens()).isEmpty();
     assertThat(module.requires().stream().map(ModuleDescriptor.Requires::name))
         .containsExactlyInAnyOrder("java.base", "java.desktop", "com.google.gson");
@@ -321,9 +343,9 @@ class LayersTest {
     check(
         library()
             .and()
-            .haveNameNotMatching(".*\\.math\\.Elementary(\\$.*)?")
+            .haveNameNotMatching(".*\\.math\\.internal\\.Elementary(\\$.*)?")
             .and()
-            .resideOutsideOfPackage(ROOT + "image")
+            .resideOutsideOfPackages(packagesOf("image"))
             .should()
             .dependOnClassesThat()
             .areAssignableTo(StrictMath.class));
@@ -345,7 +367,14 @@ class LayersTest {
   }
 
   private static String[] packagesOf(String names) {
-    return Arrays.stream(names.split(" ")).map(ROOT::concat).toArray(String[]::new);
+    return Arrays.stream(names.split(" "))
+        .flatMap(name -> Stream.of(ROOT + name, ROOT + name + ".internal"))
+        .toArray(String[]::new);
+  }
+
+  /** Returns the layer of a package below the root. */
+  private static String layer(String packageName) {
+    return packageName.substring(ROOT.length()).replaceFirst("\\.internal$", "");
   }
 
   private static List<String> below(String name) {

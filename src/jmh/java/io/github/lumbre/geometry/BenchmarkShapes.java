@@ -1,8 +1,8 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -1,9 +1,9 @@
 package io.github.lumbre.camera;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Sampler;
 import java.util.Optional;
 

@@ -1,6 +1,6 @@
 package io.github.lumbre.camera;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Distribution1d;
 import java.util.function.DoubleUnaryOperator;
 

@@ -1,7 +1,7 @@
 package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;

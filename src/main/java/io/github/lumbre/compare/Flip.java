@@ -2,7 +2,7 @@ package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * The perceived difference between two pictures when a viewer alternates between them on a screen

@@ -3,7 +3,7 @@ package io.github.lumbre.compare;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.Srgb;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * The structural similarity of two pictures (Wang, Bovik, Sheikh &amp; Simoncelli 2004, "Image

@@ -1,7 +1,7 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * The directions from a point to a rectangle, with an area-preserving map from the unit square to

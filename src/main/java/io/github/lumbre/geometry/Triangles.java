@@ -1,6 +1,6 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.FusedMultiplyAdd;
+import io.github.lumbre.math.internal.FusedMultiplyAdd;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,6 +1,6 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.FusedMultiplyAdd;
+import io.github.lumbre.math.internal.FusedMultiplyAdd;
 import java.util.Optional;
 
 /** The number of floats that a vector of this processor holds in this JVM. */

@@ -1,6 +1,6 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.math.FusedMultiplyAdd;
+import io.github.lumbre.math.internal.FusedMultiplyAdd;
 
 /**
  * A ray in the space of a {@link WideTree}, as floats for its box and triangle tests. Mutable; each

@@ -1,11 +1,11 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Distribution2d;
 import io.github.lumbre.sampling.Warp;
 import io.github.lumbre.texture.GridMaxima;

@@ -1,8 +1,8 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.math.Bounds3;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * Bounds of the light of one or more emitters: of its origin, its directions and its approximate

@@ -1,7 +1,7 @@
 package io.github.lumbre.light;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * Light bounds in a flat array, from which the importance of each node to a point is computed.

@@ -1,8 +1,8 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.math.Bounds3;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * The bounds of the nodes of a {@link LightTree} in a flat array of floats, from which the

@@ -1,9 +1,9 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.Objects;
 import java.util.Optional;
 

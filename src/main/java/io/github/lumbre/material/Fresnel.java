@@ -1,6 +1,6 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /** The Fresnel reflectance of a smooth boundary between two dielectrics. */
 public final class Fresnel {

@@ -1,8 +1,8 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Warp;
 
 /**

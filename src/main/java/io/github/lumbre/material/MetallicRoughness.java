@@ -2,9 +2,9 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Objects;

@@ -1,9 +1,9 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * The normalized modified Phong lobe, on both sides of the surface: f = specular · (n+2)/2π ·

@@ -1,6 +1,6 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * The distribution of visible slopes of a Beckmann surface with α = 1, along the viewing direction

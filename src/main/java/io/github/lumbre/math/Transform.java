@@ -1,5 +1,7 @@
 package io.github.lumbre.math;
 
+import io.github.lumbre.math.internal.Elementary;
+
 /**
  * An affine transform from an object's local space to world space: a 3×3 matrix and a translation,
  * acting on column vectors, with its inverse. Immutable.

@@ -1,6 +1,6 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;

@@ -1,6 +1,6 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelTexture.Wrap;
 import java.io.IOException;

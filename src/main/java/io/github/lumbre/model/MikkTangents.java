@@ -1,7 +1,7 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;

@@ -1,8 +1,8 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.model.Model;
 import io.github.lumbre.model.ModelPart;
 import io.github.lumbre.model.ModelScene;

@@ -1,8 +1,8 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 
 /** Angles of the scene format. */
 final class Rotations {

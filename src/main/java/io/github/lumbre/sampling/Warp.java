@@ -1,8 +1,8 @@
 package io.github.lumbre.sampling;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 
 /** Area-preserving maps from the unit square to other domains, with their densities. */
 public final class Warp {

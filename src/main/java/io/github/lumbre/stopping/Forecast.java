@@ -1,6 +1,6 @@
 package io.github.lumbre.stopping;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * A forecast of the number of samples that a target error takes, from one error check.

@@ -1,6 +1,6 @@
 package io.github.lumbre.stopping;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.PixelHalves;
 import java.util.Optional;

@@ -1,6 +1,6 @@
 package io.github.lumbre.stopping;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /** The standard normal distribution. */
 final class Normal {

@@ -1,7 +1,7 @@
 package io.github.lumbre.texture;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /** Marble: thin black veins across white stone, distorted by turbulence. */
 public final class MarbleTexture implements TexelTexture {

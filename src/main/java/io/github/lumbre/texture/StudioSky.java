@@ -1,7 +1,7 @@
 package io.github.lumbre.texture;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /**
  * A photo studio as a sky: white walls, a bright key light to the left in front of the object, a

@@ -1,7 +1,7 @@
 package io.github.lumbre.texture;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /** Wood: dark rings around the center of the texture, distorted by turbulence. */
 public final class WoodTexture implements TexelTexture {

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.math.FusedMultiplyAdd;
+import io.github.lumbre.math.internal.FusedMultiplyAdd;
 import java.nio.file.Path;
 import java.util.List;
 

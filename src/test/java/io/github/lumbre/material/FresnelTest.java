@@ -3,7 +3,7 @@ package io.github.lumbre.material;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;

@@ -1,7 +1,7 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import java.nio.ByteBuffer;
 import java.util.function.IntToDoubleFunction;
 

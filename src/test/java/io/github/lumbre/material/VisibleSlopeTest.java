@@ -2,7 +2,7 @@ package io.github.lumbre.material;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

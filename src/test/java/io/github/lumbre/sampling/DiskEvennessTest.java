@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.internal.Elementary;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.geometry.NearestHit;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.parser.CameraPose;
 import io.github.lumbre.scene.Scene;
 

@@ -1,8 +1,8 @@
 package io.github.lumbre.lab.checks;
 
 import io.github.lumbre.geometry.TriangleMesh;
-import io.github.lumbre.math.Elementary;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
 
 /** A closed latitude-longitude mesh around the origin, and its vertices. */
 final class Ball {

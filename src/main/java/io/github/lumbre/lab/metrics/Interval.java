@@ -1,6 +1,6 @@
 package io.github.lumbre.lab.metrics;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;

@@ -1,6 +1,6 @@
 package io.github.lumbre.lab.metrics;
 
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 
 /** Student's t distribution. */
 public final class StudentT {

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.lab.metrics.Interval;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;

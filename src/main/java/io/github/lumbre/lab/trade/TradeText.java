@@ -2,7 +2,7 @@ package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.metrics.Interval;
-import io.github.lumbre.math.Elementary;
+import io.github.lumbre.math.internal.Elementary;
 import java.util.List;
 import java.util.Locale;
 

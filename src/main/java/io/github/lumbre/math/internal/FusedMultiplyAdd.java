@@ -1,4 +1,4 @@
-package io.github.lumbre.math;
+package io.github.lumbre.math.internal;
 
 /**
  * The sum of a product and a number, rounded once, as {@link Math#fma} returns it, at a fair speed

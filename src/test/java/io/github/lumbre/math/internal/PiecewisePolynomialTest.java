@@ -1,4 +1,4 @@
-package io.github.lumbre.math;
+package io.github.lumbre.math.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package io.github.lumbre.math;
+package io.github.lumbre.math.internal;
 
 import java.util.function.DoubleUnaryOperator;
 

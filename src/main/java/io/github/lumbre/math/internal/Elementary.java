@@ -1,4 +1,4 @@
-package io.github.lumbre.math;
+package io.github.lumbre.math.internal;
 
 /**
  * Elementary functions whose results are bit-identical on every JVM and processor.
