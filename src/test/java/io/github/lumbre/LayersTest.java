@@ -84,10 +84,10 @@ class LayersTest {
               "math image sampling texture geometry path material camera light scene render"
                   + " parser"),
           Map.entry("compare", "math image"),
-          Map.entry("lab", "file scene render parser"),
+          Map.entry("lab", "image file scene render parser"),
           Map.entry("lab.metrics", "math image"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
-          Map.entry("lab.report", "scene render parser lab lab.metrics lab.perf"),
+          Map.entry("lab.report", "scene render parser lab lab.perf"),
           Map.entry(
               "lab.checks",
               "math image sampling texture geometry material camera light scene integrator"
@@ -119,17 +119,18 @@ class LayersTest {
 
   /** The third-party libraries that each package may use. */
   private static final Map<String, List<String>> LIBRARIES =
-      Map.of(
-          "geometry", List.of("jdk.incubator.vector.."),
-          "image", List.of("com.google.gson.."),
-          "model", List.of("com.google.gson.."),
-          "parser", List.of("com.google.gson.."),
-          "lab.perf", List.of("com.google.gson..", "com.sun.management.."),
-          "lab.trade", List.of("com.google.gson.."),
-          "cli.output", List.of("com.google.gson..", "picocli.."),
-          "cli.option", List.of("picocli.."),
-          "cli.view", List.of("com.google.gson..", "com.sun.net.httpserver.."),
-          "cli", List.of("com.google.gson..", "com.sun.management..", "picocli.."));
+      Map.ofEntries(
+          Map.entry("geometry", List.of("jdk.incubator.vector..")),
+          Map.entry("image", List.of("com.google.gson..")),
+          Map.entry("model", List.of("com.google.gson..")),
+          Map.entry("parser", List.of("com.google.gson..")),
+          Map.entry("lab", List.of("com.sun.management..")),
+          Map.entry("lab.perf", List.of("com.google.gson..")),
+          Map.entry("lab.trade", List.of("com.google.gson..")),
+          Map.entry("cli.output", List.of("com.google.gson..", "picocli..")),
+          Map.entry("cli.option", List.of("picocli..")),
+          Map.entry("cli.view", List.of("com.google.gson..", "com.sun.net.httpserver..")),
+          Map.entry("cli", List.of("com.google.gson..", "com.sun.management..", "picocli..")));
 
   private static final Set<String> TRANSCENDENTAL =
       Set.of(

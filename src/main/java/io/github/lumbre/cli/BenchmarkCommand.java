@@ -12,15 +12,13 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.cli.run.CommandLineHost;
 import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.perf.Hardware;
-import io.github.lumbre.lab.report.BenchmarkCsv;
-import io.github.lumbre.lab.report.BenchmarkMarkdown;
 import io.github.lumbre.lab.report.BenchmarkPlan;
-import io.github.lumbre.lab.report.BenchmarkReport;
 import io.github.lumbre.lab.report.BenchmarkResult;
 import io.github.lumbre.lab.report.BenchmarkRunner;
+import io.github.lumbre.lab.report.BenchmarkTables;
 import io.github.lumbre.lab.report.ReportRow;
 import io.github.lumbre.lab.report.ReportTable;
 import io.github.lumbre.lab.report.TableHashes;
@@ -30,6 +28,7 @@ import io.github.lumbre.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -166,8 +165,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     checkOutputs(folder, selected);
     TableHashes stored = TableHashes.load(folder.directory());
     Messages out = new Messages(spec.commandLine().getOut());
-    BenchmarkReport report =
-        new BenchmarkReport(new BenchmarkMarkdown(Hardware.here(), plan), out::line);
+    List<BenchmarkResult> results = new ArrayList<>();
     try (Interruption interruption = Interruption.listen()) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
       BenchmarkRunner runner =
@@ -176,8 +174,8 @@ final class BenchmarkCommand implements Callable<Integer> {
               plan,
               kernel.over(new SceneParser()),
               new CommandLineHost(interruption, hasDisplay, errors()));
-      boolean complete = interruption.beginRender() && run(selected, runner, report);
-      int verdict = settle(stored, report.results());
+      boolean complete = interruption.beginRender() && run(selected, runner, results, out);
+      int verdict = settle(stored, results);
       return complete ? verdict : ExitCodes.INTERRUPTED;
     }
   }
@@ -229,33 +227,26 @@ final class BenchmarkCommand implements Callable<Integer> {
   }
 
   /** Renders and prints the rows. Returns whether all are complete; false if stopped. */
-  private boolean run(List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report)
-      throws SceneFormatException, TaskException {
-    try (TextOutput output = TextOutput.reserve(csv)) {
-      return run(selected, runner, report, output);
-    }
-  }
-
   private boolean run(
-      List<ReportRow> selected, BenchmarkRunner runner, BenchmarkReport report, TextOutput output)
+      List<ReportRow> selected, BenchmarkRunner runner, List<BenchmarkResult> results, Messages out)
       throws SceneFormatException, TaskException {
-    report.begin();
-    try {
-      for (ReportRow row : selected) {
-        Optional<BenchmarkResult> result = runner.run(row);
-        if (result.isEmpty()) {
-          return false;
+    BenchmarkTables tables = new BenchmarkTables(Machine.here(), runner.plan());
+    try (TextOutput output = TextOutput.reserve(csv)) {
+      tables.head().forEach(out::line);
+      try {
+        for (ReportRow row : selected) {
+          BenchmarkResult result = runner.run(row);
+          out.line(tables.line(result));
+          results.add(result);
         }
-        report.add(result.get());
+      } finally {
+        // Keep the finished rows even if a later one fails.
+        tables.foot(results).forEach(out::line);
+        output.write(tables.csv(results));
       }
       return true;
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
       return false;
-    } finally {
-      // Keep the finished rows even if a later one fails.
-      report.end();
-      output.write(new BenchmarkCsv(Hardware.here(), runner.plan()).text(report.results()));
     }
   }
 

@@ -12,17 +12,16 @@ import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.cli.run.CommandLineHost;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.lab.LabHost;
+import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.perf.PairedRenders;
 import io.github.lumbre.lab.perf.PerfComparison;
 import io.github.lumbre.lab.perf.PerfComparison.Clock;
-import io.github.lumbre.lab.perf.PerfJson;
-import io.github.lumbre.lab.perf.PerfMachine;
-import io.github.lumbre.lab.perf.PerfMarkdown;
 import io.github.lumbre.lab.perf.PerfPlan;
 import io.github.lumbre.lab.perf.PerfResult;
 import io.github.lumbre.lab.perf.PerfRunner;
+import io.github.lumbre.lab.perf.PerfTables;
 import io.github.lumbre.lab.perf.PerfTimes;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
@@ -203,12 +202,18 @@ final class PerfCommand implements Callable<Integer> {
         Interruption interruption = Interruption.listen()) {
       LabHost host =
           new CommandLineHost(interruption, false, new Messages(spec.commandLine().getErr()));
-      boolean complete =
-          interruption.beginRender()
-              && (paired
-                  ? runPairs(new PairedRenders(plan, host), out)
-                  : run(new PerfRunner(plan, host), plan, out, output));
-      return complete ? ExitCodes.OK : ExitCodes.INTERRUPTED;
+      if (!interruption.beginRender()) {
+        return ExitCodes.INTERRUPTED;
+      }
+      if (paired) {
+        runPairs(new PairedRenders(plan, host), out);
+      } else {
+        run(new PerfRunner(plan, host), out, output);
+      }
+      return ExitCodes.OK;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitCodes.INTERRUPTED;
     }
   }
 
@@ -249,48 +254,30 @@ final class PerfCommand implements Callable<Integer> {
     }
   }
 
-  /** Measures scenes with two settings and prints the ratios. Returns false if stopped. */
-  private boolean runPairs(PairedRenders bench, Messages out)
-      throws SceneFormatException, TaskException {
+  /** Measures scenes with two settings and prints the ratios. */
+  private void runPairs(PairedRenders bench, Messages out)
+      throws SceneFormatException, TaskException, InterruptedException {
     bench.head().forEach(out::line);
-    try {
-      for (Path scene : scenes) {
-        Optional<String> row = bench.row(scene);
-        if (row.isEmpty()) {
-          return false;
-        }
-        out.line(row.get());
-      }
-      return true;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return false;
+    for (Path scene : scenes) {
+      out.line(bench.line(scene));
     }
   }
 
-  /** Measures the scenes and prints the results. Returns false if stopped. */
-  private boolean run(PerfRunner runner, PerfPlan plan, Messages out, TextOutput output)
-      throws SceneFormatException, TaskException {
-    PerfMachine machine = PerfMachine.here();
-    PerfMarkdown table = new PerfMarkdown(machine, plan);
+  /** Measures the scenes and prints the results. */
+  private void run(PerfRunner runner, Messages out, TextOutput output)
+      throws SceneFormatException, TaskException, InterruptedException {
+    PerfTables tables = new PerfTables(Machine.here(), runner.plan());
     List<PerfResult> results = new ArrayList<>();
-    table.head().forEach(out::line);
+    tables.head().forEach(out::line);
     try {
       for (Path scene : scenes) {
-        Optional<List<PerfResult>> measured = runner.run(scene);
-        if (measured.isEmpty()) {
-          return false;
-        }
-        results.addAll(measured.get());
-        measured.get().forEach(result -> out.line(table.row(result)));
+        List<PerfResult> measured = runner.run(scene);
+        results.addAll(measured);
+        measured.forEach(result -> out.line(tables.line(result)));
       }
-      return true;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return false;
     } finally {
       // Keep the finished measurements even if a later one fails.
-      output.write(PerfJson.text(machine, plan, results));
+      output.write(tables.json(results));
     }
   }
 }

@@ -5,11 +5,10 @@ import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.lab.perf.Hardware;
-import io.github.lumbre.lab.perf.PerfMachine;
 import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.lab.trade.TradeBudget;
 import io.github.lumbre.lab.trade.TradePage;
@@ -153,9 +152,9 @@ final class TradeRun {
     facts.put("scene hash", file.hash());
     facts.put("size", settings.width() + "x" + settings.height());
     facts.put("seeds", result.seeds() + " for each setting, numbered from 1");
-    facts.put("machine", Hardware.here().line());
+    facts.put("machine", Machine.here().line());
     facts.put("threads", threads == 0 ? "one per processor" : String.valueOf(threads));
-    facts.put("load", String.format(Locale.ROOT, "%.1f", PerfMachine.here().load()));
+    facts.put("load", String.format(Locale.ROOT, "%.1f", Machine.here().loadBefore()));
     facts.put("version", Release.number());
     facts.put("took", Math.round(spent()) + " s");
   }

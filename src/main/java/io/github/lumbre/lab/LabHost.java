@@ -18,9 +18,6 @@ public interface LabHost {
   /** Opens the display of one render; it can also cancel the render. */
   Display display();
 
-  /** Reports a warning in one line. */
-  void warn(String line);
-
   /** The display of one render. */
   interface Display extends Progress, AutoCloseable {
     @Override

@@ -30,9 +30,4 @@ public record CommandLineHost(Interruption interruption, boolean hasDisplay, Mes
   public Display display() {
     return new RenderMonitor(interruption, hasDisplay);
   }
-
-  @Override
-  public void warn(String line) {
-    messages.warning(line);
-  }
 }

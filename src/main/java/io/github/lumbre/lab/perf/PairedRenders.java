@@ -1,23 +1,21 @@
 package io.github.lumbre.lab.perf;
 
-import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.MemoryCheck;
-import io.github.lumbre.lab.SceneFolder;
+import io.github.lumbre.lab.Pairs;
+import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.Trial;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.metrics.PictureNoise;
-import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 
 /**
  * Renders scenes alternately in one process with the baseline and with a plan's settings, so that
@@ -26,133 +24,89 @@ import java.util.Optional;
  * <p>The ratios are medians; their intervals hold for every distribution. Each error comes from two
  * renders, so there are half as many error ratios.
  */
-public final class PairedRenders {
+public record PairedRenders(PerfPlan plan, LabHost host) {
   /** The smallest number of pairs for which error ratios have an interval. */
   public static final int FEWEST_PAIRS = 12;
 
-  private final PerfPlan plan;
-  private final LabHost host;
+  private static final Table<Row> TABLE =
+      Table.<Row>empty()
+          .text("scene", row -> row.scene.name())
+          .text("size", row -> row.scene.settings().width() + "x" + row.scene.settings().height())
+          .number("samples", row -> row.scene.settings().samples())
+          .text("CPU time", row -> median(row.times()))
+          .text("memory allocated", row -> median(row.pairs.ratios(Cost::allocatedBytes)))
+          .text("squared error", row -> row.isSame() ? "1" : median(row.errors()))
+          .text("gain", row -> median(row.products().stream().map(v -> 1 / v).toList()))
+          .text("picture", row -> row.isSame() ? "same" : "different");
 
-  /** One of the two compared settings, with its renders in order. */
-  private static final class Way {
-    private final Scene scene;
-    private final RenderSettings settings;
-    private final List<TimedRender> renders = new ArrayList<>();
-
-    private Way(Scene scene, RenderSettings settings) {
-      this.scene = scene;
-      this.settings = settings;
+  private record Row(MeasuredScene scene, Pairs pairs) {
+    boolean isSame() {
+      return pairs.isSamePicture();
     }
 
-    /** Renders once and records the result. Returns false if stopped. */
-    private boolean render(int number, int threads, LabHost host) throws InterruptedException {
-      RenderSettings own =
-          settings.toBuilder().threads(threads).seed(settings.seed() + number).build();
-      TimedRender render;
-      try (LabHost.Display display = host.display()) {
-        render = TimedRender.of(scene, own, display);
+    List<Double> times() {
+      return pairs.ratios(Cost::cpuSeconds);
+    }
+
+    /** Returns the ratio of squared errors of every two pairs. */
+    List<Double> errors() {
+      List<Double> base = errors(pairs.base());
+      List<Double> other = errors(pairs.other());
+      return IntStream.range(0, base.size()).mapToObj(i -> other.get(i) / base.get(i)).toList();
+    }
+
+    private static List<Double> errors(List<Trial.Outcome> renders) {
+      int even = renders.size() / 2 * 2;
+      return PictureNoise.of(Pairs.pictures(renders.subList(0, even))).relativeMses();
+    }
+
+    /** Returns the ratios of time × squared error. */
+    List<Double> products() {
+      List<Double> times = times();
+      if (isSame()) {
+        return times;
       }
-      renders.add(render);
-      return render.result().complete();
+      List<Double> errors = errors();
+      return IntStream.range(0, errors.size())
+          .mapToObj(i -> errors.get(i) * Math.sqrt(times.get(2 * i) * times.get(2 * i + 1)))
+          .toList();
     }
-
-    private List<Image> pictures() {
-      return renders.stream().map(render -> render.result().image()).toList();
-    }
-  }
-
-  public PairedRenders(PerfPlan plan, LabHost host) {
-    this.plan = plan;
-    this.host = host;
   }
 
   /** Returns the lines above the rows, in Markdown. */
   public List<String> head() {
-    return List.of(
+    return TABLE.head(
         "Ratios to the baseline, medians of "
             + plan.repeat()
             + " alternating pairs with 95 % intervals; gain: 1 / (time × squared error). "
-            + plan.sentences(),
-        "",
-        "| scene | size | samples | CPU time | memory allocated | squared error | gain | picture |",
-        "|---|---|--:|---|---|---|---|---|");
+            + plan.sentences());
   }
 
-  /** Returns a scene's row; empty if stopped. */
-  public Optional<String> row(Path scene)
-      throws SceneFormatException, TaskException, InterruptedException {
+  /**
+   * Returns a scene's row.
+   *
+   * @throws InterruptedException if the host cancels a render
+   */
+  public String line(Path path) throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser = new SceneParser().overriding(plan.plain()::over);
-    SceneFile file = host.read(scene, parser);
-    MemoryCheck.require(file.settings(), FilmLayers.NONE);
-    Way plain = new Way(file.scene(), file.settings());
-    RenderSettings settings =
-        file.settings().toBuilder().adaptive(plan.adaptive()).split(plan.split()).build();
-    Way changed = new Way(plan.over(file).scene(), settings);
-    int threads = plan.threads().get(0);
-    for (int pair = 0; pair < plan.repeat() + 1; pair++) {
-      // The order ABBA cancels a drift.
-      Way first = pair % 2 == 0 ? plain : changed;
-      Way second = pair % 2 == 0 ? changed : plain;
-      if (!first.render(pair, threads, host) || !second.render(pair, threads, host)) {
-        return Optional.empty();
-      }
-      if (pair == 0) {
-        // The first pair warms up the JVM and is not counted.
-        plain.renders.clear();
-        changed.renders.clear();
-      }
-    }
-    return Optional.of(row(SceneFolder.name(scene), plain, changed));
+    MeasuredScene scene = MeasuredScene.read(path, parser, UnaryOperator.identity(), host);
+    MeasuredScene changed = scene.with(plan.over(scene.file()));
+    RenderSettings plain = scene.settings().toBuilder().threads(plan.threads().get(0)).build();
+    RenderSettings other = plain.toBuilder().adaptive(plan.adaptive()).split(plan.split()).build();
+    Pairs.Side first = pair -> scene.render(seeded(plain, pair));
+    Pairs.Side second = pair -> changed.render(seeded(other, pair));
+    // The first pair warms up the JVM and is not counted.
+    Pairs.of(0, 1, first, second);
+    return TABLE.line(new Row(scene, Pairs.of(1, plan.repeat() + 1, first, second)));
   }
 
-  private static String row(String name, Way plain, Way changed) {
-    List<Double> times = new ArrayList<>();
-    List<Double> memory = new ArrayList<>();
-    boolean isSame = true;
-    for (int i = 0; i < plain.renders.size(); i++) {
-      TimedRender a = plain.renders.get(i);
-      TimedRender b = changed.renders.get(i);
-      times.add(b.cpuSeconds() / a.cpuSeconds());
-      memory.add((double) b.allocatedBytes() / a.allocatedBytes());
-      isSame &= RasterHash.of(a.result().image()).equals(RasterHash.of(b.result().image()));
-    }
-    String errors = "| 1 | " + text(times, -1);
-    if (!isSame) {
-      List<Double> errorRatios = errorRatios(plain, changed);
-      List<Double> products = new ArrayList<>();
-      for (int i = 0; i < errorRatios.size(); i++) {
-        products.add(errorRatios.get(i) * Math.sqrt(times.get(2 * i) * times.get(2 * i + 1)));
-      }
-      errors = "| " + text(errorRatios, 1) + " | " + text(products, -1);
-    }
-    RenderSettings settings = plain.settings;
-    return String.format(
-        Locale.ROOT,
-        "| %s | %dx%d | %d | %s | %s %s | %s |",
-        name,
-        settings.width(),
-        settings.height(),
-        settings.samples(),
-        text(times, 1),
-        text(memory, 1),
-        errors,
-        isSame ? "same" : "different");
+  private static RenderSettings seeded(RenderSettings settings, int pair) {
+    return settings.toBuilder().seed(settings.seed() + pair).build();
   }
 
-  private static List<Double> errorRatios(Way plain, Way changed) {
-    int even = plain.renders.size() / 2 * 2;
-    List<Double> a = PictureNoise.of(plain.pictures().subList(0, even)).relativeMses();
-    List<Double> b = PictureNoise.of(changed.pictures().subList(0, even)).relativeMses();
-    List<Double> ratios = new ArrayList<>();
-    for (int i = 0; i < a.size(); i++) {
-      ratios.add(b.get(i) / a.get(i));
-    }
-    return ratios;
-  }
-
-  /** Returns the median of values or their reciprocals: {@code 0.980 (0.970 to 1.010)}. */
-  private static String text(List<Double> values, int power) {
-    Interval interval = Interval.ofMedian(values.stream().map(v -> power < 0 ? 1 / v : v).toList());
+  /** Returns the median of values: {@code 0.980 (0.970 to 1.010)}. */
+  private static String median(List<Double> values) {
+    Interval interval = Interval.ofMedian(values);
     return String.format(
         Locale.ROOT, "%.3f (%.3f to %.3f)", interval.value(), interval.low(), interval.high());
   }

@@ -1,24 +1,32 @@
 package io.github.lumbre.lab.perf;
 
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.lab.metrics.RatioInterval;
-import io.github.lumbre.lab.metrics.RatioInterval.Verdict;
+import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.perf.PerfTimes.Series;
-import io.github.lumbre.lab.perf.PerfTimes.Work;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Compares two measurements of the same work. */
 public final class PerfComparison {
+  private static final Table<Row> TABLE =
+      Table.<Row>empty()
+          .text("scene", row -> row.first.work().scene())
+          .text("size", row -> row.first.work().size())
+          .number("samples", row -> row.first.work().samples())
+          .number("threads", row -> row.first.work().threads())
+          .number("time B/A", row -> ratio(row.time))
+          .text("95 %", row -> range(row.time))
+          .number("CPU time B/A", row -> row.cpuTime.map(PerfComparison::ratio).orElse("-"))
+          .text("95 %", row -> row.cpuTime.map(PerfComparison::range).orElse("-"))
+          .text("B is", row -> row.verdict().text)
+          .text("pictures", Row::pictures);
+
   private final PerfTimes first;
   private final PerfTimes second;
   private final Clock clock;
@@ -33,35 +41,53 @@ public final class PerfComparison {
     WALL
   }
 
+  /** The result of a comparison of times. */
+  enum Verdict {
+    FASTER("faster"),
+    SLOWER("slower"),
+    NO_DIFFERENCE("no difference");
+
+    private final String text;
+
+    Verdict(String text) {
+      this.text = text;
+    }
+
+    /** Returns the verdict that the interval of a ratio supports. */
+    static Verdict of(Interval ratio) {
+      if (ratio.high() < 1) {
+        return FASTER;
+      }
+      return ratio.low() > 1 ? SLOWER : NO_DIFFERENCE;
+    }
+  }
+
   /**
    * Work that both measured.
    *
    * @param cpuTime ratio of CPU times; empty if a render was too short for the CPU clock
    */
   private record Row(
-      Series first, Series second, RatioInterval time, Optional<RatioInterval> cpuTime) {
-    public static Row of(Series a, Series b) {
+      Series first, Series second, Interval time, Optional<Interval> cpuTime, Clock clock) {
+    static Row of(Series a, Series b, Clock clock) {
       boolean isCounted =
           Stream.of(a, b).flatMap(s -> s.cpuSeconds().stream()).allMatch(seconds -> seconds > 0);
-      return new Row(
-          a,
-          b,
-          RatioInterval.of(a.seconds(), b.seconds()),
-          isCounted
-              ? Optional.of(RatioInterval.of(a.cpuSeconds(), b.cpuSeconds()))
-              : Optional.empty());
+      Interval time = Interval.ofUnpairedRatio(a.seconds(), b.seconds());
+      Interval cpu = isCounted ? Interval.ofUnpairedRatio(a.cpuSeconds(), b.cpuSeconds()) : time;
+      return new Row(a, b, time, Optional.of(cpu).filter(ratio -> isCounted), clock);
     }
 
-    Verdict verdict(Clock clock) {
-      return (clock == Clock.CPU ? cpuTime.orElse(time) : time).verdict();
+    Verdict verdict() {
+      return Verdict.of(clock == Clock.CPU ? cpuTime.orElse(time) : time);
     }
 
     boolean isSamePicture() {
       return first.imageHash().equals(second.imageHash());
     }
 
-    public boolean isWorse(Clock clock) {
-      return verdict(clock) == Verdict.SLOWER || !isSamePicture();
+    String pictures() {
+      boolean sameScene = first.sceneHash().equals(second.sceneHash());
+      return isSamePicture() ? "same" : sameScene ? "differ" : "differ, as do the scenes";
     }
   }
 
@@ -80,13 +106,10 @@ public final class PerfComparison {
    */
   public static PerfComparison of(PerfTimes first, PerfTimes second, Clock clock)
       throws TaskException {
-    Map<Work, Series> others = byWork(second);
     List<Row> rows = new ArrayList<>();
     try {
-      for (Series series : first.series()) {
-        if (others.containsKey(series.work())) {
-          rows.add(Row.of(series, others.get(series.work())));
-        }
+      for (Series a : first.series()) {
+        second.series(a.work()).ifPresent(b -> rows.add(Row.of(a, b, clock)));
       }
     } catch (IllegalArgumentException e) {
       throw new TaskException(Kind.USAGE, e.getMessage(), e);
@@ -99,91 +122,43 @@ public final class PerfComparison {
     return new PerfComparison(first, second, clock, rows);
   }
 
-  private static Map<Work, Series> byWork(PerfTimes times) {
-    Map<Work, Series> byWork = new LinkedHashMap<>();
-    times.series().forEach(series -> byWork.put(series.work(), series));
-    return byWork;
-  }
-
   /** Returns whether any work is slower in the second measurement or any picture differs. */
   public boolean isWorse() {
-    return rows.stream().anyMatch(row -> row.isWorse(clock));
+    return rows.stream().anyMatch(row -> row.verdict() == Verdict.SLOWER || !row.isSamePicture());
   }
 
   /** Returns the comparison as Markdown. */
   public List<String> lines() {
-    Stream<String> head =
-        Stream.of(
+    List<String> head =
+        TABLE.head(
             "A: Lumbre " + first.caption() + ".",
             "B: Lumbre " + second.caption() + ".",
             "Ratios of geometric means with 95 % confidence intervals (Welch's t test of"
                 + " logarithms). About 1 of 20 rows without a difference will seem to have one."
                 + (clock == Clock.CPU
                     ? " Column \"B is\": by CPU time."
-                    : " Column \"B is\": by wall-clock time."),
-            "",
-            Markdown.row(
-                List.of(
-                    "scene",
-                    "size",
-                    "samples",
-                    "threads",
-                    "time B/A",
-                    "95 %",
-                    "CPU time B/A",
-                    "95 %",
-                    "B is",
-                    "pictures")),
-            "|---|---|--:|--:|--:|---|--:|---|---|---|");
-    Stream<String> notes = Stream.concat(unmatched("A", first), unmatched("B", second));
-    return Stream.of(head, rows.stream().map(this::line), notes)
+                    : " Column \"B is\": by wall-clock time."));
+    return Stream.of(
+            head.stream(),
+            rows.stream().map(TABLE::line),
+            unmatched("A", first, second),
+            unmatched("B", second, first))
         .flatMap(Function.identity())
         .toList();
   }
 
-  private String line(Row row) {
-    Work work = row.first.work();
-    List<String> cells = new ArrayList<>();
-    cells.addAll(List.of(work.scene(), work.size()));
-    cells.addAll(List.of(String.valueOf(work.samples()), String.valueOf(work.threads())));
-    cells.addAll(cells(row.time));
-    cells.addAll(row.cpuTime.map(PerfComparison::cells).orElse(List.of("-", "-")));
-    cells.add(row.verdict(clock).toString());
-    cells.add(pictures(row));
-    return Markdown.row(cells);
+  private static String ratio(Interval interval) {
+    return String.format(Locale.ROOT, "%.3f", interval.value());
   }
 
-  private static List<String> cells(RatioInterval interval) {
-    return List.of(
-        String.format(Locale.ROOT, "%.3f", interval.ratio()),
-        String.format(Locale.ROOT, "%.3f to %.3f", interval.low(), interval.high()));
+  private static String range(Interval interval) {
+    return String.format(Locale.ROOT, "%.3f to %.3f", interval.low(), interval.high());
   }
 
-  private static String pictures(Row row) {
-    if (row.isSamePicture()) {
-      return "same";
-    }
-    boolean sameScene = row.first.sceneHash().equals(row.second.sceneHash());
-    return sameScene ? "differ" : "differ, as do the scenes";
-  }
-
-  private Stream<String> unmatched(String name, PerfTimes times) {
-    Map<Work, Series> known =
-        rows.stream().collect(Collectors.toMap(r -> r.first.work(), r -> r.first));
+  private static Stream<String> unmatched(String name, PerfTimes times, PerfTimes others) {
     return times.series().stream()
         .map(Series::work)
-        .filter(work -> !known.containsKey(work))
-        .map(
-            work ->
-                "Only in "
-                    + name
-                    + ": "
-                    + String.join(
-                        ", ",
-                        work.scene(),
-                        work.size(),
-                        work.mode(),
-                        work.samples() + " samples",
-                        work.threads() + " threads"));
+        .filter(work -> others.series(work).isEmpty())
+        .map(work -> "Only in " + name + ": " + work.text());
   }
 }

@@ -11,9 +11,11 @@ import io.github.lumbre.lab.TextFile;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 
 /**
- * The times of a measurement, read from a file that {@link PerfJson} wrote.
+ * The times of a measurement, read from a file that {@link PerfTables} wrote.
  *
  * @param caption version, processor and JVM of the measurement
  * @param series one series for each scene and number of threads
@@ -24,7 +26,12 @@ public record PerfTimes(String caption, List<Series> series) {
   }
 
   /** The timed work; times of different work cannot be compared. */
-  record Work(String scene, String size, String mode, int samples, int threads) {}
+  record Work(String scene, String size, String mode, int samples, int threads) {
+    String text() {
+      return String.format(
+          Locale.ROOT, "%s, %s, %s, %d samples, %d threads", scene, size, mode, samples, threads);
+    }
+  }
 
   /**
    * The repetitions of one piece of work.
@@ -38,6 +45,11 @@ public record PerfTimes(String caption, List<Series> series) {
       String imageHash,
       List<Double> seconds,
       List<Double> cpuSeconds) {}
+
+  /** Returns the last series of a piece of work. */
+  Optional<Series> series(Work work) {
+    return series.stream().filter(s -> s.work.equals(work)).reduce((earlier, later) -> later);
+  }
 
   /**
    * Reads a file.
@@ -57,9 +69,9 @@ public record PerfTimes(String caption, List<Series> series) {
 
   private static PerfTimes of(JsonObject root) {
     String format = text(root, "format");
-    if (!format.equals(PerfJson.FORMAT)) {
+    if (!format.equals(PerfTables.FORMAT)) {
       throw new IllegalArgumentException(
-          "format: expected " + PerfJson.FORMAT + ", found " + format);
+          "format: expected " + PerfTables.FORMAT + ", found " + format);
     }
     JsonObject machine = object(root.get("machine"), "machine");
     String caption =
@@ -91,35 +103,31 @@ public record PerfTimes(String caption, List<Series> series) {
   }
 
   private static JsonObject object(JsonElement element, String name) {
-    if (element == null || !element.isJsonObject()) {
-      throw new IllegalArgumentException(name + ": expected an object");
-    }
+    require(element != null && element.isJsonObject(), name, "an object");
     return element.getAsJsonObject();
   }
 
   private static Iterable<JsonElement> array(JsonObject parent, String name) {
-    JsonElement element = parent.get(name);
-    if (element == null || !element.isJsonArray()) {
-      throw new IllegalArgumentException(name + ": expected an array");
-    }
-    return element.getAsJsonArray();
+    require(parent.has(name) && parent.get(name).isJsonArray(), name, "an array");
+    return parent.getAsJsonArray(name);
   }
 
   private static String text(JsonObject parent, String name) {
-    JsonElement element = parent.get(name);
-    if (!(element instanceof JsonPrimitive value) || !value.isString()) {
-      throw new IllegalArgumentException(name + ": expected a string");
-    }
-    return value.getAsString();
+    boolean isText = parent.get(name) instanceof JsonPrimitive value && value.isString();
+    require(isText, name, "a string");
+    return parent.get(name).getAsString();
   }
 
   private static double number(JsonObject parent, String name, double low) {
-    JsonElement element = parent.get(name);
-    boolean isNumber = element instanceof JsonPrimitive value && value.isNumber();
-    double number = isNumber ? element.getAsDouble() : Double.NaN;
-    if (!(low <= number && number <= Double.MAX_VALUE)) {
-      throw new IllegalArgumentException(name + ": expected a number of at least " + low);
-    }
+    boolean isNumber = parent.get(name) instanceof JsonPrimitive value && value.isNumber();
+    double number = isNumber ? parent.get(name).getAsDouble() : Double.NaN;
+    require(low <= number && number <= Double.MAX_VALUE, name, "a number of at least " + low);
     return number;
+  }
+
+  private static void require(boolean condition, String name, String expected) {
+    if (!condition) {
+      throw new IllegalArgumentException(name + ": expected " + expected);
+    }
   }
 }

@@ -86,7 +86,7 @@ public final class TableHashes {
     Key key = Key.of(result);
     String what =
         "row " + key.row + ": " + key.scene + ", " + key.size + ", " + key.samples + " samples: ";
-    String found = result.imageHash();
+    String found = result.renders().imageHash();
     if (!hashes.containsKey(key)) {
       return Optional.of(what + "no hash is stored, found " + found);
     }
@@ -100,7 +100,7 @@ public final class TableHashes {
   public void put(BenchmarkResult result) {
     Key key = Key.of(result);
     hashes.keySet().removeIf(key::contradicts);
-    hashes.put(key, result.imageHash());
+    hashes.put(key, result.renders().imageHash());
   }
 
   /**

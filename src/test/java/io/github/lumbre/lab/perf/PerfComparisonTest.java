@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.Outcome;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.lab.metrics.Interval;
+import io.github.lumbre.lab.perf.PerfComparison.Verdict;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,9 +22,7 @@ class PerfComparisonTest {
   @TempDir private Path directory;
 
   private Path file(String name, PerfResult... results) throws IOException {
-    return Files.writeString(
-        directory.resolve(name),
-        PerfJson.text(PerfFixture.MACHINE, PerfFixture.PLAN, List.of(results)));
+    return Files.writeString(directory.resolve(name), PerfFixture.TABLES.json(List.of(results)));
   }
 
   private static Outcome compare(Path first, Path second, String... flags) {
@@ -137,5 +137,17 @@ class PerfComparisonTest {
           b, Files.readString(a).replace("\"seconds\": 1.01,", "\"seconds\": " + wrong + ","));
       compare(a, b).assertFailed(ExitCodes.USAGE, "b.json", "seconds: expected a number");
     }
+  }
+
+  @Test
+  void onlyWhatIsSureIsCalledADifference() {
+    assertThat(verdict(.8, .99)).isEqualTo(Verdict.FASTER);
+    assertThat(verdict(1.01, 1.2)).isEqualTo(Verdict.SLOWER);
+    assertThat(verdict(.99, 1.2)).isEqualTo(Verdict.NO_DIFFERENCE);
+    assertThat(verdict(1, 1)).isEqualTo(Verdict.NO_DIFFERENCE);
+  }
+
+  private static Verdict verdict(double low, double high) {
+    return Verdict.of(new Interval(Math.sqrt(low * high), low, high));
   }
 }

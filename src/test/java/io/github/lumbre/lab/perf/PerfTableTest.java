@@ -16,18 +16,18 @@ class PerfTableTest {
 
   @Test
   void resultsFollowFromMedians() {
-    assertThat(RESULT.seconds()).isEqualTo(2.5);
-    assertThat(RESULT.cpuSeconds()).isEqualTo(5);
-    assertThat(RESULT.bytesPerRay()).isEqualTo(64);
+    assertThat(RESULT.renders().seconds()).isEqualTo(2.5);
+    assertThat(RESULT.renders().cpuSeconds()).isEqualTo(5);
+    assertThat(RESULT.renders().bytesPerRay()).isEqualTo(64);
     assertThat(RESULT.errorSeconds()).isCloseTo(.1, within(1e-12));
     assertThat(RESULT.secondsToTarget()).isCloseTo(10, within(1e-12));
   }
 
   @Test
   void rowsHaveACellForEachColumn() {
-    PerfMarkdown table = new PerfMarkdown(PerfFixture.MACHINE, PerfFixture.PLAN);
+    PerfTables table = PerfFixture.TABLES;
     List<String> head = table.head();
-    String line = table.row(RESULT);
+    String line = table.line(RESULT);
     assertThat(line)
         .isEqualTo(
             "| tiny | 8x4 | 10 | 2 | 2.500 s | 5.000 s | 128 | 400 | 200 | 64 | 2.00 s"
@@ -44,7 +44,7 @@ class PerfTableTest {
 
   @Test
   void fileForProgramsHoldsEveryRepetition() {
-    String text = PerfJson.text(PerfFixture.MACHINE, PerfFixture.PLAN, List.of(RESULT));
+    String text = PerfFixture.TABLES.json(List.of(RESULT));
     JsonObject root = JsonParser.parseString(text).getAsJsonObject();
     assertThat(root.get("format").getAsString()).isEqualTo("lumbre-bench-1");
     assertThat(root.getAsJsonObject("machine").keySet())

@@ -1,7 +1,10 @@
 package io.github.lumbre.lab.report;
 
-import io.github.lumbre.lab.perf.Hardware;
+import io.github.lumbre.lab.Cost;
+import io.github.lumbre.lab.Machine;
+import io.github.lumbre.lab.perf.Measurement;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.math.BigDecimal;
 import java.util.List;
@@ -9,7 +12,9 @@ import java.util.OptionalInt;
 
 /** Realistic rows, plans and results for tests. */
 public final class BenchmarkFixture {
-  public static final Hardware HARDWARE = new Hardware("Fast|er", 4, "VM 17", "Linux 6 amd64");
+  public static final Machine MACHINE =
+      new Machine(
+          "Fast|er", 4, "VM 17", List.of("-Xmx1g"), 1 << 30, List.of("GC"), "Linux 6 amd64", .25);
   public static final String HASH = "0123456789abcdef".repeat(4);
 
   private BenchmarkFixture() {}
@@ -31,6 +36,10 @@ public final class BenchmarkFixture {
   /** Returns a result with 12.5 s, 320 samples and 1000 rays. */
   static BenchmarkResult result(ReportRow row, int samples) {
     RenderStatistics statistics = new RenderStatistics(320, 600, 400, 0, List.of(), 0, 0, 0, 0);
-    return new BenchmarkResult(row, samples, 2, .25, 12.5, statistics, "feed", HASH);
+    RenderSettings settings = row.over(RenderSettings.DEFAULT);
+    settings = settings.toBuilder().samples(samples).threads(2).build();
+    Cost cost = new Cost(12.5, 25, 0);
+    return new BenchmarkResult(
+        row, new Measurement("hearts", "feed", settings, .25, List.of(cost), statistics, HASH));
   }
 }

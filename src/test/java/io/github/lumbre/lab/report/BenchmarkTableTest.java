@@ -10,24 +10,24 @@ import org.junit.jupiter.api.Test;
 
 /** Tests the two output formats of a benchmark. */
 class BenchmarkTableTest {
-  private static BenchmarkMarkdown markdown(String share) {
-    return new BenchmarkMarkdown(BenchmarkFixture.HARDWARE, BenchmarkFixture.plan(share));
+  private static BenchmarkTables tables(String share) {
+    return new BenchmarkTables(BenchmarkFixture.MACHINE, BenchmarkFixture.plan(share));
   }
 
   @Test
   void captionTellsMachineShareWarmUpAndRepetitions() {
-    assertThat(String.join("\n", markdown("0.0150").head()))
+    assertThat(String.join("\n", tables("0.0150").head()))
         .contains("Lumbre " + Release.number() + " on Fast|er, 4 logical cores; VM 17; Linux")
         .contains("1.5 % of its samples", "extrapolated", "1 render of 1 sample per pixel")
         .contains("median of 3 renders");
-    assertThat(String.join("\n", markdown("1").head()))
+    assertThat(String.join("\n", tables("1").head()))
         .contains("all of its samples")
         .doesNotContain("extrapolated");
   }
 
   @Test
   void shareOfARowIsMarkedAsExtrapolated() {
-    String line = markdown("0.01").row(BenchmarkFixture.result(BenchmarkFixture.row(1000), 10));
+    String line = tables("0.01").line(BenchmarkFixture.result(BenchmarkFixture.row(1000), 10));
     assertThat(line)
         .startsWith("| 5 | Hearts | 8x4 | 10 of 1000 | 2 | 32 | 5 | Fast\\|er | 12s 500ms | ")
         .contains(" 20m 50s 0ms extrapolated | i7, 8 threads | 1h | 26 | 80 |")
@@ -36,7 +36,7 @@ class BenchmarkTableTest {
 
   @Test
   void wholeRowIsNotExtrapolated() {
-    String line = markdown("1").row(BenchmarkFixture.result(BenchmarkFixture.row(10), 10));
+    String line = tables("1").line(BenchmarkFixture.result(BenchmarkFixture.row(10), 10));
     assertThat(line)
         .contains("| 8x4 | 10 | 2 |", "| 12s 500ms | 12s 500ms | i7")
         .doesNotContain("extrapolated");
@@ -44,8 +44,8 @@ class BenchmarkTableTest {
 
   @Test
   void everyLineHasACellForEachColumn() {
-    List<String> head = markdown("1").head();
-    String line = markdown("1").row(BenchmarkFixture.result(BenchmarkFixture.row(10), 10));
+    List<String> head = tables("1").head();
+    String line = tables("1").line(BenchmarkFixture.result(BenchmarkFixture.row(10), 10));
     assertThat(cells(head.get(head.size() - 2))).isEqualTo(15);
     assertThat(cells(head.get(head.size() - 1))).isEqualTo(15);
     assertThat(cells(line)).isEqualTo(15);
@@ -59,19 +59,19 @@ class BenchmarkTableTest {
   void oddRowsAreMarkedAndExplained() {
     BenchmarkResult odd = BenchmarkFixture.result(BenchmarkFixture.rayRow("a slip."), 1);
     BenchmarkResult plain = BenchmarkFixture.result(BenchmarkFixture.row(10), 10);
-    assertThat(markdown("0.01").row(odd))
+    assertThat(tables("0.01").line(odd))
         .contains("| 1 of 4 (ray tracing) |", "| N/A |", "| 16s (note) |");
-    assertThat(markdown("0.01").foot(List.of(plain, odd)))
+    assertThat(tables("0.01").foot(List.of(plain, odd)))
         .containsExactly("", "- Note on row 9: a slip.");
-    assertThat(markdown("0.01").foot(List.of(plain))).isEmpty();
+    assertThat(tables("0.01").foot(List.of(plain))).isEmpty();
   }
 
   @Test
   void fileForProgramsHasAValueForEachName() {
-    BenchmarkCsv csv = new BenchmarkCsv(BenchmarkFixture.HARDWARE, BenchmarkFixture.plan("0.01"));
+    BenchmarkTables tables = tables("0.01");
     ReportRow odd = BenchmarkFixture.rayRow("a slip, \"of\" sorts");
     String text =
-        csv.text(
+        tables.csv(
             List.of(
                 BenchmarkFixture.result(BenchmarkFixture.row(1000), 10),
                 BenchmarkFixture.result(odd, 1)));

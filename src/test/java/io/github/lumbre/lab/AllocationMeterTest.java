@@ -1,4 +1,4 @@
-package io.github.lumbre.lab.perf;
+package io.github.lumbre.lab;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

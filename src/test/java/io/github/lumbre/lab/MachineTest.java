@@ -1,15 +1,16 @@
-package io.github.lumbre.lab.perf;
+package io.github.lumbre.lab;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the description of the machine. */
-class HardwareTest {
+class MachineTest {
   @TempDir private Path directory;
 
   @Test
@@ -17,21 +18,24 @@ class HardwareTest {
     Path list = directory.resolve("cpuinfo");
     Files.writeString(
         list, "processor\t: 0\nmodel\t\t: 58\nmodel name\t: Core i7: fast\nmodel name\t: Other\n");
-    assertThat(Hardware.cpu(list, "amd64")).isEqualTo("Core i7: fast");
+    assertThat(Machine.cpu(list, "amd64")).isEqualTo("Core i7: fast");
   }
 
   @Test
   void cpuIsTheArchitectureWhereNoModelIsTold() throws IOException {
     Path list = directory.resolve("cpuinfo");
-    assertThat(Hardware.cpu(list, "aarch64")).isEqualTo("aarch64");
+    assertThat(Machine.cpu(list, "aarch64")).isEqualTo("aarch64");
     Files.writeString(list, "processor\t: 0\nCPU architecture: 8\n");
-    assertThat(Hardware.cpu(list, "aarch64")).isEqualTo("aarch64");
+    assertThat(Machine.cpu(list, "aarch64")).isEqualTo("aarch64");
   }
 
   @Test
   void lineTellsProcessorCoresMachineAndSystem() {
-    assertThat(new Hardware("Fast", 4, "VM 17", "Linux 6 amd64").line())
-        .isEqualTo("Fast, 4 logical cores; VM 17; Linux 6 amd64");
-    assertThat(new Hardware("Slow", 1, "VM", "OS").line()).startsWith("Slow, 1 logical core;");
+    assertThat(machine("Fast", 4).line()).isEqualTo("Fast, 4 logical cores; VM 17; Linux 6 amd64");
+    assertThat(machine("Slow", 1).line()).startsWith("Slow, 1 logical core;");
+  }
+
+  private static Machine machine(String cpu, int cores) {
+    return new Machine(cpu, cores, "VM 17", List.of("-Xmx1g"), 1, List.of(), "Linux 6 amd64", 0);
   }
 }

@@ -1,4 +1,4 @@
-package io.github.lumbre.lab.perf;
+package io.github.lumbre.lab;
 
 import com.sun.management.ThreadMXBean;
 import io.github.lumbre.render.Bucket;
