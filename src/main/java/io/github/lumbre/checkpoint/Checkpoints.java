@@ -1,19 +1,17 @@
 package io.github.lumbre.checkpoint;
 
 import io.github.lumbre.render.Film;
-import io.github.lumbre.render.Progress;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Saves the film of a running render at regular intervals. When a save is due, the current pass
- * over the film is canceled, so that long passes do not delay the save; the next pass completes it.
- * Rendering pauses while the film is copied, and continues while another thread saves the copy.
- * Saves never overlap: if one takes longer than the interval, the next starts when it has ended.
+ * Saves the film of a running render at regular intervals. Rendering pauses while the film is
+ * copied, and continues while another thread saves the copy. Saves never overlap: if one takes
+ * longer than the interval, the next starts when it has ended.
  *
- * <p>The result of {@link #pausing} may be used by all threads of the render. All methods are for
- * the thread that starts its passes.
+ * <p>All threads of the render may call {@link #isDue}. The other methods are for the thread that
+ * starts its passes.
  */
 public final class Checkpoints {
   private final long intervalNanos;
@@ -34,15 +32,8 @@ public final class Checkpoints {
     next = System.nanoTime() + intervalNanos;
   }
 
-  /**
-   * Returns a listener that cancels a pass when a save is due or when the given listener cancels
-   * it.
-   */
-  public Progress pausing(Progress listener) {
-    return listener.cancelledAlsoIf(this::isDue);
-  }
-
-  private boolean isDue() {
+  /** Returns whether a save is due, for which the current pass should pause. */
+  public boolean isDue() {
     return System.nanoTime() - next >= 0 && !running.map(BackgroundSave::isRunning).orElse(false);
   }
 

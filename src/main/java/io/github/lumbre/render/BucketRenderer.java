@@ -107,16 +107,7 @@ public final class BucketRenderer {
     Film film = renderer.newFilm();
     RenderSettings.Crop window = settings.window();
     progress.started((long) window.width() * window.height() * settings.samples());
-    RenderStatistics statistics = RenderStatistics.ZERO;
-    boolean complete = true;
-    Schedule schedule = renderer.schedule();
-    for (Optional<SampleTarget> target = schedule.next(film);
-        complete && target.isPresent();
-        target = schedule.next(film)) {
-      PassResult pass = renderer.addSamples(film, target.get(), progress);
-      statistics = statistics.plus(pass.statistics());
-      complete = pass.complete();
-    }
-    return new RenderResult(film.develop(), complete, statistics);
+    PassResult passes = new PassLoop(renderer, film).run(progress);
+    return new RenderResult(film.develop(), passes.complete(), passes.statistics());
   }
 }

@@ -2,17 +2,26 @@ package io.github.lumbre.stopping;
 
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Passes;
+import io.github.lumbre.render.StopRule;
 import io.github.lumbre.scene.RenderSettings;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
 
 /**
- * Checks between passes whether a film has reached the target error. Mutable, for one render.
+ * Ends a render at the target error of a {@link Budget}, or at a time, and estimates the noise of
+ * its picture. The samples of the budget are those of the render's schedule. Mutable, for one
+ * render.
  *
  * <p>The checks take place after 32, 48, 64, 96, ... samples per pixel, and in frames with enough
  * pixels also after 4, 8 and 16 (see {@link StoppingSchedule}). They depend only on the scene and
  * its settings: with the same seed, a render stops at the same number of samples on every machine.
+ *
+ * <p>Frames of fewer than 64 pixels have no error bound. Without a limit on samples and time, their
+ * renders end after {@value #MOST_WITHOUT_BOUND} samples per pixel.
  */
-public final class BudgetWatch {
+public final class BudgetWatch implements StopRule {
   /**
    * The number of samples per pixel that ends a render to a target error in a frame of fewer than
    * 64 pixels, which has no error bound, if the budget does not limit the samples.
@@ -20,6 +29,7 @@ public final class BudgetWatch {
   public static final int MOST_WITHOUT_BOUND = 4096;
 
   private final Budget budget;
+  private final Supplier<OptionalDouble> secondsLeft;
 
   /** The number of checks so far, without the early ones. */
   private int looks;
@@ -27,35 +37,59 @@ public final class BudgetWatch {
   private int lastDue;
   private long samplesAtLook;
   private Optional<Forecast> forecast = Optional.empty();
+  private boolean isMet;
 
+  /** Creates the watch of a render without a time limit. */
   public BudgetWatch(Budget budget) {
-    this.budget = budget;
+    this(budget, OptionalDouble::empty);
+  }
+
+  /**
+   * @param secondsLeft supplies the time that is left, in seconds; empty without a time limit.
+   *     Several threads call it
+   */
+  public BudgetWatch(Budget budget, Supplier<OptionalDouble> secondsLeft) {
+    this.budget = Objects.requireNonNull(budget, "budget");
+    this.secondsLeft = Objects.requireNonNull(secondsLeft, "secondsLeft");
   }
 
   /**
    * Resumes where an earlier render of the film ended: counts the checks of that render, and checks
    * the error if the film's last pass is complete.
-   *
-   * @return whether the film has reached the target error
    */
-  public boolean isReachedAgainBy(Film film) {
+  public void resume(Film film) {
     int fewest = film.fewestSamples();
     for (int end = Passes.next(0, fewest); end < fewest; end = Passes.next(end, fewest)) {
       int due = StoppingSchedule.due(end);
       looks += due == lastDue || StoppingSchedule.isEarly(end) ? 0 : 1;
       lastDue = due;
     }
-    return fewest == film.mostSamples() && isReachedBy(film);
+    isMet = fewest == film.mostSamples() && isReachedBy(film) || isHopeless(film);
   }
 
   /**
-   * Checks the error if a check is due. Returns whether the film has reached the target error;
-   * false if no check is due.
+   * Checks the error of a film if a check is due.
    *
    * @param film a film after a complete pass. Where a cancelled pass ends depends on the speed of
    *     the machine, and the picture must not depend on that
    */
-  public boolean isReachedBy(Film film) {
+  @Override
+  public void passed(Film film) {
+    isMet |= isReachedBy(film) || isHopeless(film);
+  }
+
+  @Override
+  public boolean isMet() {
+    return isMet;
+  }
+
+  @Override
+  public OptionalDouble secondsLeft() {
+    return secondsLeft.get();
+  }
+
+  /** Returns whether a check is due and finds that the film has reached the target error. */
+  private boolean isReachedBy(Film film) {
     double samples = film.meanSamples();
     int due = StoppingSchedule.due(samples);
     if (budget.targetError().isEmpty() || due == lastDue) {
@@ -102,13 +136,10 @@ public final class BudgetWatch {
     return budget.targetError().isPresent() && pixels(film) < NoiseEstimator.FEWEST_PIXELS;
   }
 
-  /**
-   * Returns whether the render should give up: the frame is too small for an error bound, the
-   * budget does not limit the samples, and the film has {@value #MOST_WITHOUT_BOUND} samples per
-   * pixel.
-   */
-  public boolean isHopeless(Film film) {
+  /** Returns whether the render should give up, because only an unknown error could end it. */
+  private boolean isHopeless(Film film) {
     return isWithoutBound(film)
+        && secondsLeft().isEmpty()
         && budget.samples() == RenderSettings.MAX_SAMPLES
         && film.meanSamples() >= MOST_WITHOUT_BOUND;
   }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.render.Film;
-import io.github.lumbre.render.Progress;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -40,10 +39,6 @@ class CheckpointsTest {
     atOnce.decrementAndGet();
   }
 
-  private static boolean isPausing(Checkpoints checkpoints) {
-    return checkpoints.pausing(Progress.NONE).isCancelled();
-  }
-
   @Test
   void filmGrowsWhileWhatItWasIsSaved() {
     Checkpoints checkpoints = always(true);
@@ -60,12 +55,12 @@ class CheckpointsTest {
   @Test
   void renderingIsNotPausedForASaveThatWouldHaveToWait() throws InterruptedException {
     Checkpoints checkpoints = always(true);
-    assertThat(isPausing(checkpoints)).isTrue();
+    assertThat(checkpoints.isDue()).isTrue();
     checkpoints.saveIfDue(film(1), this::save);
-    assertThat(isPausing(checkpoints)).isFalse();
+    assertThat(checkpoints.isDue()).isFalse();
     checkpoints.saveIfDue(film(2), this::save);
     disk.release();
-    while (!isPausing(checkpoints)) {
+    while (!checkpoints.isDue()) {
       Thread.sleep(1);
     }
     checkpoints.saveIfDue(film(3), this::save);
@@ -92,7 +87,7 @@ class CheckpointsTest {
   void intervalIsKept() {
     Checkpoints checkpoints = new Checkpoints(Duration.ofHours(1), true);
     checkpoints.saveIfDue(film(1), this::save);
-    assertThat(isPausing(checkpoints)).isFalse();
+    assertThat(checkpoints.isDue()).isFalse();
     assertThat(savers).isEmpty();
   }
 
@@ -131,7 +126,7 @@ class CheckpointsTest {
     Checkpoints checkpoints = new Checkpoints(interval, false);
     disk.release(3);
     for (int i = 0; i < 3; i++) {
-      while (!isPausing(checkpoints)) {
+      while (!checkpoints.isDue()) {
         Thread.sleep(1);
       }
       assertThat(System.nanoTime() - start).isGreaterThanOrEqualTo(interval.toNanos());
@@ -163,7 +158,7 @@ class CheckpointsTest {
     disk.release(5);
     for (int samples = 1; samples <= 4; samples++) {
       checkpoints.saveIfDue(film(samples), this::save);
-      while (!isPausing(checkpoints)) {
+      while (!checkpoints.isDue()) {
         Thread.sleep(1);
       }
     }
@@ -171,19 +166,6 @@ class CheckpointsTest {
     for (int samples = 1; samples <= 5; samples++) {
       assertThat(saved.get(samples - 1)).isEqualTo(FilmFixture.pixels(film(samples)));
     }
-  }
-
-  @Test
-  void listenersThatCancelAreHeard() {
-    Progress cancels =
-        new Progress() {
-          @Override
-          public boolean isCancelled() {
-            return true;
-          }
-        };
-    Checkpoints checkpoints = new Checkpoints(Duration.ofHours(1), true);
-    assertThat(checkpoints.pausing(cancels).isCancelled()).isTrue();
   }
 
   private static void awaitWaiting(Thread thread) {
@@ -231,7 +213,7 @@ class CheckpointsTest {
         film -> {
           throw new IllegalArgumentException("planted");
         });
-    while (!isPausing(checkpoints)) {
+    while (!checkpoints.isDue()) {
       Thread.sleep(1);
     }
     assertThatThrownBy(() -> checkpoints.saveIfDue(film(2), this::save))

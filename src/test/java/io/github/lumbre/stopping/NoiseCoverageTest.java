@@ -2,13 +2,15 @@ package io.github.lumbre.stopping;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassListener;
+import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.testing.Effort;
@@ -73,13 +75,15 @@ class NoiseCoverageTest {
       FilmRenderer renderer = new FilmRenderer(own, file.scene());
       Film film = renderer.newFilm();
       Budget budget = new Budget(1 << 14, OptionalDouble.of(target), CONFIDENCE);
-      BudgetResult result = new BudgetRenderer(renderer, budget).render(film, Progress.NONE);
-      NoiseEstimate noise = result.noise().orElseThrow();
+      BudgetWatch watch = new BudgetWatch(budget);
+      new PassLoop(renderer, film, renderer.schedule(budget.samples()))
+          .run(watch, PassListener.NONE, Progress.NONE);
+      NoiseEstimate noise = watch.estimate(film).orElseThrow();
       double error = PictureError.of(film.develop(), reference).relativeMse();
       failures += error > noise.upperRelativeMse() ? 1 : 0;
       ratios += Math.sqrt(noise.relativeMse() / error) / seeds;
       samples += film.meanSamples() / seeds;
-      assertThat(result.reachedTarget()).isTrue();
+      assertThat(watch.isMet()).isTrue();
     }
     String told =
         String.format(

@@ -9,7 +9,8 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.MemoryEstimate;
-import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.PassListener;
+import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
@@ -24,7 +25,7 @@ import java.util.Optional;
  * Saves the film of a running render to an optional checkpoint file, or to a fallback directory if
  * that file cannot be written. Mutable, for the rendering thread; another thread saves the films.
  */
-public final class FilmKeeper implements AutoCloseable {
+public final class FilmKeeper implements PassListener, AutoCloseable {
   private final Optional<CheckpointFile> file;
   private final Fallback fallback;
   private final Messages messages;
@@ -33,6 +34,7 @@ public final class FilmKeeper implements AutoCloseable {
   private Map<String, String> identity = Map.of();
   private Map<String, String> notes = Map.of();
   private RecordedLayers layers = RecordedLayers.NONE;
+  private RenderStatistics faults = RenderStatistics.ZERO;
   private RenderStatistics statistics = RenderStatistics.ZERO;
   private Optional<Path> instead = Optional.empty();
   private Optional<String> failure = Optional.empty();
@@ -60,15 +62,16 @@ public final class FilmKeeper implements AutoCloseable {
    *
    * @param newIdentity scene and settings of the film
    * @param newLayers what the film records besides the picture
-   * @param faults faults of the film's existing samples
+   * @param existing faults of the film's existing samples
    */
   public void begin(
       Map<String, String> newIdentity,
       RecordedLayers newLayers,
       Map<String, String> newNotes,
-      RenderStatistics faults,
+      RenderStatistics existing,
       RenderSettings settings) {
-    statistics = faults;
+    faults = existing;
+    statistics = existing;
     identity = newIdentity;
     notes = newNotes;
     layers = newLayers;
@@ -86,19 +89,16 @@ public final class FilmKeeper implements AutoCloseable {
     identity = more;
   }
 
-  /** Returns a listener that pauses a pass when the film is due to be saved. */
-  public Progress pausing(Progress progress) {
-    return checkpoints.map(c -> c.pausing(progress)).orElse(progress);
+  @Override
+  public boolean isDue() {
+    return checkpoints.map(Checkpoints::isDue).orElse(false);
   }
 
-  /**
-   * Saves a film if it is due; called after each pass.
-   *
-   * @param newStatistics statistics of all samples of the film
-   */
-  public void saveIfDue(Film film, RenderStatistics newStatistics) {
-    statistics = newStatistics;
-    checkpoints.ifPresent(c -> c.saveIfDue(film, content -> save(content, newStatistics)));
+  @Override
+  public void passed(Film film, PassResult soFar) {
+    RenderStatistics all = faults.plus(soFar.statistics());
+    statistics = all;
+    checkpoints.ifPresent(c -> c.saveIfDue(film, content -> save(content, all)));
   }
 
   /** Saves the film at the end of the render. */

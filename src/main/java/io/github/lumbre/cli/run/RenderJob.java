@@ -24,13 +24,11 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.GuideReport;
-import io.github.lumbre.render.PassRenderer;
+import io.github.lumbre.render.PassListener;
+import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PassResult;
-import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
-import io.github.lumbre.render.SampleTarget;
-import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
@@ -102,7 +100,7 @@ public record RenderJob(
 
   /** Renders the remaining samples of a film and returns the exit code. */
   public int run(FilmFile begun) throws TaskException {
-    budget.lookAgain(begun.film());
+    budget.watch().resume(begun.film());
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
     return run(renderer, begun.film(), Optional.of(begun.header()));
   }
@@ -116,13 +114,16 @@ public record RenderJob(
       throws TaskException {
     RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
     long start = System.nanoTime();
-    PassRenderer passes = engine.over(scene, file, renderer, budget.secondsLeft().isPresent());
-    Schedule schedule = passes.schedule();
+    boolean isTimed = budget.secondsLeft().isPresent();
+    PassLoop loop = new PassLoop(engine.over(scene, file, renderer, isTimed), film);
+    PassResult passes;
     RenderStatistics statistics;
     LightReport light;
     try (monitor) {
       plan(renderer, header);
-      statistics = addSamples(passes, schedule, film, faults);
+      begin(film);
+      passes = loop.run(budget.watch(), new Listener(), monitor);
+      statistics = faults.plus(passes.statistics());
       light = light(film, statistics);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -138,9 +139,9 @@ public record RenderJob(
     long invalidCoordinates = statistics.invalidCoordinates();
     warnOfInvalidCoordinates(invalidCoordinates);
     NoiseReport noise = budget.report(film);
-    boolean complete = budget.isUsedUp() || schedule.next(film).isEmpty();
     renderer.guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
-    finish(film, new RenderResult(film.develop(), complete, statistics), noise, light, seconds);
+    RenderResult result = new RenderResult(film.develop(), passes.complete(), statistics);
+    finish(film, result, noise, light, seconds);
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
     }
@@ -179,52 +180,33 @@ public record RenderJob(
     keeper.identify(name, hash);
   }
 
-  /**
-   * Renders until a limit or a signal ends it.
-   *
-   * @param faults faults of the film's existing samples
-   * @return statistics of the new samples, with the faults of all samples
-   */
-  private RenderStatistics addSamples(
-      PassRenderer renderer, Schedule schedule, Film film, RenderStatistics faults)
-      throws InterruptedException {
+  private void begin(Film film) {
     monitor.limited(budget);
     long all = (long) film.window().width() * film.window().height() * file.settings().samples();
     monitor.started(budget.isOpen() ? 0 : Math.max(0, all - film.totalSamples()));
     warn(budget.doubt(film));
-    RenderStatistics statistics = faults;
-    long start = System.nanoTime();
-    boolean isForecast = false;
-    while (!monitor.isCancelled() && (isFirstPass(film) || !budget.isUsedUp())) {
-      Optional<SampleTarget> target = schedule.next(film);
-      if (target.isEmpty()) {
-        break;
-      }
-      OptionalDouble whole = renderer.seconds(film, target.get());
-      if (!isFirstPass(film) && whole.isPresent() && budget.endsWithin(whole.getAsDouble())) {
-        break;
-      }
-      // Complete the first pass even after --time, so that every pixel has a sample.
-      Progress progress = isFirstPass(film) || whole.isPresent() ? monitor : budget.within(monitor);
-      PassResult pass =
-          renderer.addSamples(
-              film, target.get(), whole.isPresent() ? progress : keeper.pausing(progress));
-      statistics = statistics.plus(pass.statistics());
-      keeper.saveIfDue(film, statistics);
-      monitor.estimable(() -> budget.noise(film));
-      if (pass.complete()) {
-        budget.look(film);
-      }
-      if (!isForecast && !budget.isUsedUp() && budget.forecast().isPresent()) {
-        isForecast = true;
-        tell(budget.forecast().get(), (System.nanoTime() - start) * 1e-9, film);
-      }
-    }
-    return statistics;
   }
 
-  private static boolean isFirstPass(Film film) {
-    return film.fewestSamples() == 0;
+  /** Saves the film when it is due, and shows its noise and the forecast of the first check. */
+  private final class Listener implements PassListener {
+    private final long start = System.nanoTime();
+    private boolean isForecast;
+
+    @Override
+    public boolean isDue() {
+      return keeper.isDue();
+    }
+
+    @Override
+    public void passed(Film film, PassResult soFar) {
+      keeper.passed(film, soFar);
+      monitor.estimable(() -> budget.noise(film));
+      Optional<Forecast> forecast = budget.watch().forecast();
+      if (!isForecast && !budget.isOver() && forecast.isPresent()) {
+        isForecast = true;
+        tell(forecast.get(), (System.nanoTime() - start) * 1e-9, film);
+      }
+    }
   }
 
   private void warn(Optional<String> text) {

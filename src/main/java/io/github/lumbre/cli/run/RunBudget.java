@@ -2,11 +2,9 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.cli.output.NoiseReport;
 import io.github.lumbre.render.Film;
-import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Budget;
 import io.github.lumbre.stopping.BudgetWatch;
-import io.github.lumbre.stopping.Forecast;
 import io.github.lumbre.stopping.NoiseEstimate;
 import java.time.Duration;
 import java.util.Optional;
@@ -29,9 +27,6 @@ public final class RunBudget {
   private final Budget budget;
   private final BudgetWatch watch;
   private final Deadline time;
-  private boolean reachedTarget;
-  private boolean hopeless;
-  private boolean isTooShort;
 
   /**
    * @param time deadline after which no more samples are taken
@@ -39,7 +34,7 @@ public final class RunBudget {
   public RunBudget(Budget budget, Deadline time) {
     this.budget = budget;
     this.time = time;
-    watch = new BudgetWatch(budget);
+    watch = new BudgetWatch(budget, time::secondsLeft);
   }
 
   /**
@@ -76,25 +71,9 @@ public final class RunBudget {
     return budget.samples() == RenderSettings.MAX_SAMPLES;
   }
 
-  /** Returns the forecast of samples for the target error; empty while it is unknown. */
-  Optional<Forecast> forecast() {
-    return watch.forecast();
-  }
-
-  /** Checks the error of a film that an earlier run has started. */
-  void lookAgain(Film film) {
-    reachedTarget |= watch.isReachedAgainBy(film);
-    hopeless = !hasTime() && watch.isHopeless(film);
-  }
-
-  /** Checks the error of a film after a complete pass. */
-  void look(Film film) {
-    reachedTarget |= watch.isReachedBy(film);
-    hopeless = !hasTime() && watch.isHopeless(film);
-  }
-
-  private boolean hasTime() {
-    return time.secondsLeft().isPresent();
+  /** Returns the rule that ends the run at its time or target error. */
+  BudgetWatch watch() {
+    return watch;
   }
 
   /**
@@ -106,40 +85,21 @@ public final class RunBudget {
       return Optional.empty();
     }
     String end =
-        isOpen() && !hasTime()
+        isOpen() && secondsLeft().isEmpty()
             ? "the render ends after " + BudgetWatch.MOST_WITHOUT_BOUND + " samples per pixel"
             : "--samples or --time ends the render";
     return Optional.of(
         "warning: --target-error: frames of fewer than 64 pixels have no noise bound; " + end);
   }
 
-  /**
-   * Returns whether the time or the target error ends the run, or the frame has no noise bound and
-   * enough samples.
-   */
-  boolean isUsedUp() {
-    return reachedTarget || hopeless || isTooShort || time.hasPassed();
-  }
-
-  /**
-   * Returns whether the deadline comes before a pass of a duration would be complete; if so, the
-   * run is used up.
-   *
-   * @param seconds duration of the pass
-   */
-  boolean endsWithin(double seconds) {
-    isTooShort |= time.secondsLeft().orElse(Double.POSITIVE_INFINITY) < seconds;
-    return isTooShort;
-  }
-
-  /** Returns a listener that also ends passes when the deadline has passed. */
-  Progress within(Progress progress) {
-    return progress.cancelledAlsoIf(time::hasPassed);
-  }
-
   /** Returns whether the deadline has passed. */
   boolean isOutOfTime() {
     return time.hasPassed();
+  }
+
+  /** Returns whether the time or the target error ends the run. */
+  boolean isOver() {
+    return watch.isMet() || isOutOfTime();
   }
 
   /** Returns the seconds until the deadline; empty if there is none. */
@@ -155,7 +115,7 @@ public final class RunBudget {
   /** Returns the noise report for the finished run. */
   NoiseReport report(Film film) {
     Optional<NoiseEstimate> noise = watch.estimate(film);
-    reachedTarget |= noise.filter(budget::isReachedBy).isPresent();
+    boolean reachedTarget = noise.filter(budget::isReachedBy).isPresent();
     String end = reachedTarget ? "error" : time.hasPassed() ? "time" : "samples";
     return new NoiseReport(film, noise, budget.targetError(), reachedTarget, end);
   }

@@ -23,8 +23,8 @@ public record ViewLimits(OptionalDouble targetError, double confidence, Optional
     return new Budget(settings.samples(), targetError, confidence);
   }
 
-  /** Returns whether a time of rendering is used up. */
-  boolean isOver(double seconds) {
-    return time.filter(limit -> seconds >= limit.toNanos() * 1e-9).isPresent();
+  /** Returns the seconds that are left of the rendering time; empty without a time limit. */
+  OptionalDouble secondsLeft(double seconds) {
+    return time.stream().mapToDouble(limit -> limit.toNanos() * 1e-9 - seconds).findAny();
   }
 }

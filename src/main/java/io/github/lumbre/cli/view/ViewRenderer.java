@@ -4,13 +4,12 @@ import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.preview.Preview;
 import io.github.lumbre.preview.PreviewListener;
-import io.github.lumbre.preview.PreviewRenderer;
+import io.github.lumbre.preview.Previews;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassListener;
+import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PassResult;
-import io.github.lumbre.render.Progress;
-import io.github.lumbre.render.SampleTarget;
-import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -39,13 +38,34 @@ public final class ViewRenderer implements Runnable {
    */
   private record Full(
       long generation,
-      PreviewRenderer renderer,
+      Previews previews,
       Film film,
-      Schedule schedule,
+      PassLoop loop,
       RenderClock clock,
       Sink sink,
       BudgetWatch watch,
-      long goal) {}
+      long goal)
+      implements PassListener {
+    @Override
+    public boolean isDue() {
+      return previews.isDue();
+    }
+
+    @Override
+    public void passed(Film film, PassResult soFar) {
+      previews.passed(film, soFar);
+      long pixels = (long) film.window().width() * film.window().height();
+      watch
+          .forecast()
+          .ifPresent(f -> clock.expect(Math.min(goal, Math.round(pixels * f.likely()))));
+    }
+
+    void showLast() {
+      sink.isLast = true;
+      previews.showLast(film);
+      sink.isLast = false;
+    }
+  }
 
   /**
    * @param limits what ends a full render besides its samples
@@ -108,13 +128,6 @@ public final class ViewRenderer implements Runnable {
       hasShown = true;
       session.show(job.generation(), preview, false, isLast);
     }
-
-    void showLast(PreviewRenderer renderer, Film film) {
-      isLast = true;
-      renderer.touch(film);
-      renderer.finish();
-      isLast = false;
-    }
   }
 
   @Override
@@ -141,7 +154,7 @@ public final class ViewRenderer implements Runnable {
   private void refresh() {
     boolean isUrgent = session.viewers().isUrgent();
     if (full.isPresent() && isUrgent && full.get().generation() == drafted) {
-      full.get().sink().showLast(full.get().renderer(), full.get().film());
+      full.get().showLast();
     }
   }
 
@@ -153,17 +166,12 @@ public final class ViewRenderer implements Runnable {
     session.timedBy(job.generation(), now.clock());
     now.clock().start();
     try {
-      boolean isUsedUp = isUsedUp(now);
-      Optional<SampleTarget> target = now.schedule().next(now.film());
-      while (target.isPresent() && !isUsedUp && !session.mustPause(job)) {
-        isUsedUp = addPass(now, target.get());
-        target = now.schedule().next(now.film());
-      }
+      boolean isComplete = now.loop().run(now.watch(), now, now.clock()).complete();
       now.clock().stop();
       if (!session.isStale(job)) {
-        now.sink().showLast(now.renderer(), now.film());
+        now.showLast();
       }
-      if (target.isEmpty() || isUsedUp) {
+      if (isComplete) {
         session.finish(job.generation());
       }
     } finally {
@@ -171,36 +179,10 @@ public final class ViewRenderer implements Runnable {
     }
   }
 
-  /** Adds a pass, or as much of it as there is time for. Returns whether the render is over. */
-  private boolean addPass(Full now, SampleTarget target) throws InterruptedException {
-    // Every pixel gets a sample, however long that takes.
-    boolean isFirst = now.film().fewestSamples() == 0;
-    Progress progress =
-        isFirst ? now.clock() : now.clock().cancelledAlsoIf(() -> isOver(now.clock()));
-    PassResult pass = now.renderer().addSamples(now.film(), target, progress);
-    boolean isReached = pass.complete() && now.watch().isReachedBy(now.film());
-    long pixels = (long) now.film().window().width() * now.film().window().height();
-    now.watch()
-        .forecast()
-        .ifPresent(f -> now.clock().expect(Math.min(now.goal(), Math.round(pixels * f.likely()))));
-    return isReached || isUsedUp(now);
-  }
-
-  private boolean isOver(RenderClock clock) {
-    return limits.isOver(clock.seconds());
-  }
-
-  private boolean isUsedUp(Full now) {
-    boolean isHopeless = limits.time().isEmpty() && now.watch().isHopeless(now.film());
-    return isHopeless || now.film().fewestSamples() > 0 && isOver(now.clock());
-  }
-
   private Full begin(ViewSession.Job job) {
     SceneFile file = job.file();
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
     Sink sink = new Sink(job);
-    PreviewRenderer previewed =
-        new PreviewRenderer(renderer, RecordedLayers.of(file.settings(), file.scene()), sink);
     RenderClock clock = new RenderClock(() -> session.mustPause(job));
     limits.time().ifPresent(time -> clock.limit(time.toNanos() * 1e-9));
     sink.clock = clock;
@@ -209,14 +191,15 @@ public final class ViewRenderer implements Runnable {
     boolean isOpen = samples == RenderSettings.MAX_SAMPLES;
     long goal = isOpen ? Long.MAX_VALUE : (long) window.width() * window.height() * samples;
     clock.expect(goal);
+    Film film = renderer.newFilm();
     return new Full(
         job.generation(),
-        previewed,
-        renderer.newFilm(),
-        previewed.schedule(),
+        new Previews(RecordedLayers.of(file.settings(), file.scene()), sink),
+        film,
+        new PassLoop(renderer, film),
         clock,
         sink,
-        new BudgetWatch(limits.budget(file.settings())),
+        new BudgetWatch(limits.budget(file.settings()), () -> limits.secondsLeft(clock.seconds())),
         goal);
   }
 }

@@ -1,15 +1,12 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
-import io.github.lumbre.render.PassResult;
+import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
-import io.github.lumbre.render.SampleTarget;
-import io.github.lumbre.render.Schedule;
-import java.util.Optional;
 import java.util.function.DoubleSupplier;
 
 /**
@@ -85,14 +82,6 @@ final class TradeClimb {
   /** Adds samples to a film, in growing passes, until each pixel has a given number. */
   static RenderStatistics climb(FilmRenderer renderer, Film film, int goal)
       throws InterruptedException {
-    RenderStatistics statistics = RenderStatistics.ZERO;
-    Schedule schedule = renderer.schedule(goal);
-    for (Optional<SampleTarget> target = schedule.next(film);
-        target.isPresent();
-        target = schedule.next(film)) {
-      PassResult pass = renderer.addSamples(film, target.get(), Progress.NONE);
-      statistics = statistics.plus(pass.statistics());
-    }
-    return statistics;
+    return new PassLoop(renderer, film, renderer.schedule(goal)).run(Progress.NONE).statistics();
   }
 }

@@ -18,12 +18,13 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassListener;
+import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.stopping.BudgetRenderer;
-import io.github.lumbre.stopping.BudgetResult;
+import io.github.lumbre.stopping.BudgetWatch;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -379,9 +380,9 @@ class ViewServerTest {
     SceneFile file = new Source().read(Set.of());
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
     Film film = renderer.newFilm();
-    BudgetResult result =
-        new BudgetRenderer(renderer, limits.budget(file.settings())).render(film, Progress.NONE);
-    assertThat(result.reachedTarget()).isTrue();
+    BudgetWatch watch = new BudgetWatch(limits.budget(file.settings()));
+    new PassLoop(renderer, film).run(watch, PassListener.NONE, Progress.NONE);
+    assertThat(watch.isMet()).isTrue();
     JsonObject render = state.getAsJsonObject("render");
     assertThat(render.get("samples").getAsDouble()).isEqualTo(film.meanSamples());
     assertThat(render.get("goal").getAsInt()).isEqualTo(-1);

@@ -8,12 +8,14 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PassRenderer;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
+import io.github.lumbre.render.StopRule;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
@@ -27,7 +29,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /** Previews show a render as it is, and change nothing. */
-class PreviewRendererTest {
+class PreviewsTest {
   private static SceneFile file;
   private static RenderSettings settings;
 
@@ -82,22 +84,17 @@ class PreviewRendererTest {
     return film;
   }
 
-  private static PreviewRenderer over(FilmRenderer renderer, PreviewListener listener) {
-    return new PreviewRenderer(renderer, RecordedLayers.of(settings, file.scene()), listener);
+  private static Previews previews(PreviewListener listener) {
+    return new Previews(RecordedLayers.of(settings, file.scene()), listener);
   }
 
-  private static RenderStatistics render(PreviewRenderer renderer, Film film, Progress progress)
+  private static RenderStatistics render(
+      PassRenderer renderer, Film film, PreviewListener listener, Progress progress)
       throws InterruptedException {
-    RenderStatistics statistics = RenderStatistics.ZERO;
-    Schedule schedule = renderer.schedule();
-    for (Optional<SampleTarget> target = schedule.next(film);
-        target.isPresent() && !progress.isCancelled();
-        target = schedule.next(film)) {
-      PassResult pass = renderer.addSamples(film, target.get(), progress);
-      statistics = statistics.plus(pass.statistics());
-    }
-    renderer.finish();
-    return statistics;
+    Previews previews = previews(listener);
+    PassResult passes = new PassLoop(renderer, film).run(StopRule.NONE, previews, progress);
+    previews.showLast(film);
+    return passes.statistics();
   }
 
   @Test
@@ -105,7 +102,7 @@ class PreviewRendererTest {
     Keeper keeper = new Keeper();
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
     Film film = renderer.newFilm();
-    RenderStatistics statistics = render(over(renderer, keeper), film, Progress.NONE);
+    RenderStatistics statistics = render(renderer, film, keeper, Progress.NONE);
     assertThat(film.develop().rgb()).isEqualTo(plain().develop().rgb());
     assertThat(statistics.samples()).isEqualTo(48L * 36 * 128).isEqualTo(film.totalSamples());
     assertThat(keeper.shown).hasSizeGreaterThan(1);
@@ -124,8 +121,10 @@ class PreviewRendererTest {
     Keeper keeper = new Keeper();
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
     Film film = renderer.newFilm();
+    SampleTarget all = (x, y) -> settings.samples();
+    Schedule once = f -> Optional.of(all).filter(t -> f.fewestSamples() < settings.samples());
     PassResult pass =
-        over(renderer, keeper).addSamples(film, (x, y) -> settings.samples(), Progress.NONE);
+        new PassLoop(renderer, film, once).run(StopRule.NONE, previews(keeper), Progress.NONE);
     assertThat(pass.complete()).isTrue();
     assertThat(pass.statistics().samples()).isEqualTo(48L * 36 * 128);
     assertThat(film.develop().rgb()).isEqualTo(plain().develop().rgb());
@@ -151,7 +150,7 @@ class PreviewRendererTest {
     Keeper keeper = new Keeper();
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
     Film film = renderer.newFilm();
-    render(over(renderer, keeper), film, progress);
+    render(renderer, film, keeper, progress);
     assertThat(film.totalSamples()).isBetween(5000L, 48L * 36 * 100);
     Preview last = keeper.shown.get(keeper.shown.size() - 1);
     assertThat(last.totalSamples()).isEqualTo(film.totalSamples());
@@ -163,24 +162,21 @@ class PreviewRendererTest {
     keeper.isWatching = false;
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
     AtomicLong passes = new AtomicLong();
-    PreviewRenderer previewed =
-        new PreviewRenderer(
-            new PassRenderer() {
-              @Override
-              public Schedule schedule() {
-                return renderer.schedule();
-              }
+    PassRenderer counting =
+        new PassRenderer() {
+          @Override
+          public Schedule schedule() {
+            return renderer.schedule();
+          }
 
-              @Override
-              public PassResult addSamples(Film film, SampleTarget target, Progress progress)
-                  throws InterruptedException {
-                passes.incrementAndGet();
-                return renderer.addSamples(film, target, progress);
-              }
-            },
-            RecordedLayers.of(settings, file.scene()),
-            keeper);
-    render(previewed, renderer.newFilm(), Progress.NONE);
+          @Override
+          public PassResult addSamples(Film film, SampleTarget target, Progress progress)
+              throws InterruptedException {
+            passes.incrementAndGet();
+            return renderer.addSamples(film, target, progress);
+          }
+        };
+    render(counting, renderer.newFilm(), keeper, Progress.NONE);
     assertThat(keeper.shown).isEmpty();
     assertThat(passes).hasValue(8); // 1, 2, 4, ... 64, 128: none is divided
   }
@@ -189,7 +185,7 @@ class PreviewRendererTest {
   void noiseIsEstimatedAtEndsOfPasses() throws Exception {
     Keeper keeper = new Keeper();
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
-    render(over(renderer, keeper), renderer.newFilm(), Progress.NONE);
+    render(renderer, renderer.newFilm(), keeper, Progress.NONE);
     assertThat(keeper.shown)
         .filteredOn(preview -> preview.noise().isPresent())
         .isNotEmpty()
@@ -202,7 +198,7 @@ class PreviewRendererTest {
     keeper.elsewhere = 3600;
     keeper.wantsNoise = false;
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
-    render(over(renderer, keeper), renderer.newFilm(), Progress.NONE);
+    render(renderer, renderer.newFilm(), keeper, Progress.NONE);
     assertThat(keeper.shown).hasSizeLessThanOrEqualTo(3); // two to learn the cost, and the last
   }
 }
