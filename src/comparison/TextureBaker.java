@@ -4,11 +4,11 @@ import com.google.gson.JsonParser;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.sampling.Hash;
-import io.github.lumbre.texture.CloudTexture;
-import io.github.lumbre.texture.MarbleTexture;
-import io.github.lumbre.texture.TexelTexture;
-import io.github.lumbre.texture.VoronoiTexture;
-import io.github.lumbre.texture.WoodTexture;
+import io.github.lumbre.texture.internal.CloudTexture;
+import io.github.lumbre.texture.internal.MarbleTexture;
+import io.github.lumbre.texture.internal.TexelTexture;
+import io.github.lumbre.texture.internal.VoronoiTexture;
+import io.github.lumbre.texture.internal.WoodTexture;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -40,17 +40,12 @@ final class TextureBaker {
     int width = texture.get("width").getAsInt();
     int height = texture.get("height").getAsInt();
     return switch (texture.get("textureType").getAsString()) {
-      case "Wood" ->
-          new WoodTexture(seed, width, height, texture.get("rings").getAsDouble());
+      case "Wood" -> new WoodTexture(seed, width, height, texture.get("rings").getAsDouble());
       case "Marble" -> new MarbleTexture(seed, width, height);
       case "Cloud" -> new CloudTexture(seed, width, height, 128);
       case "Voronoi" ->
           new VoronoiTexture(
-              seed,
-              width,
-              height,
-              texture.get("samples").getAsInt(),
-              texture.has("blackAndWhite"));
+              seed, width, height, texture.get("samples").getAsInt(), texture.has("blackAndWhite"));
       default -> throw new IllegalArgumentException("no such texture: " + texture);
     };
   }

@@ -25,7 +25,7 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.SettingType;
-import io.github.lumbre.texture.ImageTexture.Filter;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
@@ -134,7 +134,7 @@ final class TradeRun {
   private void addFilters(TradeSweep sweep, SceneParser parser)
       throws SceneFormatException, TaskException, InterruptedException {
     for (Filter filter : Filter.values()) {
-      SceneParser filtering = parser.filtering(filter);
+      SceneParser filtering = parser.interpolatingTextures(filter == Filter.BILINEAR);
       SceneFile read = options.load(filtering, quiet);
       if (!Arrays.equals(look(read), look(file))) {
         sweep.addFilter(SettingType.nameOf(filter), counted(read, filtering));

@@ -11,7 +11,7 @@ import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.texture.InvalidCoordinates;
+import io.github.lumbre.texture.internal.InvalidCoordinates;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Objects;

@@ -3,10 +3,10 @@ package io.github.lumbre.light;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.texture.Constant;
 import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
+import io.github.lumbre.texture.internal.Constant;
 import java.util.Objects;
 
 /**

@@ -8,8 +8,8 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Distribution2d;
 import io.github.lumbre.sampling.Warp;
-import io.github.lumbre.texture.GridMaxima;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.internal.GridMaxima;
 import java.util.Objects;
 import java.util.Optional;
 

@@ -7,7 +7,7 @@ import io.github.lumbre.light.Emission;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelSurface.Emitter;
-import io.github.lumbre.texture.Constant;
+import io.github.lumbre.texture.internal.Constant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;

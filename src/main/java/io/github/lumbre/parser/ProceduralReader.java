@@ -1,11 +1,11 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.sampling.Hash;
-import io.github.lumbre.texture.CloudTexture;
-import io.github.lumbre.texture.MarbleTexture;
-import io.github.lumbre.texture.TexelTexture;
-import io.github.lumbre.texture.VoronoiTexture;
-import io.github.lumbre.texture.WoodTexture;
+import io.github.lumbre.texture.internal.CloudTexture;
+import io.github.lumbre.texture.internal.MarbleTexture;
+import io.github.lumbre.texture.internal.TexelTexture;
+import io.github.lumbre.texture.internal.VoronoiTexture;
+import io.github.lumbre.texture.internal.WoodTexture;
 
 /** Reads procedural textures. */
 final class ProceduralReader {

@@ -11,7 +11,7 @@ import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.texture.ImageTexture;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
@@ -129,9 +129,13 @@ public final class SceneParser {
     return new SceneParser(lenient, mode, change, newLimits, textures, kernel);
   }
 
-  /** Returns a parser that overrides the filter of all textures. */
-  public SceneParser filtering(ImageTexture.Filter filter) {
-    TextureChange changed = textures.filtering(Objects.requireNonNull(filter, "filter"));
+  /**
+   * Returns a parser that overrides the filter of all textures.
+   *
+   * @param interpolated whether a texture is interpolated bilinearly between its texels
+   */
+  public SceneParser interpolatingTextures(boolean interpolated) {
+    TextureChange changed = textures.filtering(interpolated ? Filter.BILINEAR : Filter.NEAREST);
     return new SceneParser(lenient, mode, change, limits, changed, kernel);
   }
 

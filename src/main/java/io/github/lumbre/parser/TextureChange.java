@@ -1,7 +1,7 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.texture.ImageTexture.Filter;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 

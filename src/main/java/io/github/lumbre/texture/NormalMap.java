@@ -1,7 +1,9 @@
 package io.github.lumbre.texture;
 
+import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.texture.internal.ImageTexture;
 import java.util.Objects;
 
 /**
@@ -39,14 +41,10 @@ public final class NormalMap {
     this(normals, UvMapping.IDENTITY, strength);
   }
 
-  /**
-   * Returns the unchanged map of a picture that stores normals.
-   *
-   * @param picture of any role; its tint is ignored
-   */
-  public static NormalMap of(ImageTexture picture) {
+  /** Returns the unchanged map of a picture that stores normals. */
+  public static NormalMap of(Pixels picture) {
     return new NormalMap(
-        new ImageTexture(picture.pixels(), ImageTexture.Role.NORMAL, picture.filter()), 1);
+        new ImageTexture(picture, ImageTexture.Role.NORMAL, ImageTexture.Filter.BILINEAR), 1);
   }
 
   /** Returns the texture of normals, without the mapping. */

@@ -1,5 +1,7 @@
 package io.github.lumbre.texture;
 
+import io.github.lumbre.texture.internal.ConstantScalar;
+
 /**
  * A number that varies over a surface, such as a roughness, an exponent or an index of refraction.
  */

@@ -1,5 +1,10 @@
 package io.github.lumbre.texture;
 
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.texture.internal.Constant;
+import io.github.lumbre.texture.internal.ImageTexture;
+
 /**
  * A value that varies over a surface, usually a color.
  *
@@ -26,5 +31,13 @@ public interface Texture<T> {
   /** Returns a texture with the same value everywhere. */
   static <T> Texture<T> constant(T value) {
     return new Constant<>(value);
+  }
+
+  /**
+   * Returns a picture in sRGB as a texture that repeats, interpolated between its texels. u = 0 is
+   * its left edge and v = 0 its lower edge.
+   */
+  static Texture<Rgb> image(Pixels picture) {
+    return new ImageTexture(picture, ImageTexture.Role.COLOR, ImageTexture.Filter.BILINEAR);
   }
 }

@@ -26,13 +26,13 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.texture.ImageTexture;
-import io.github.lumbre.texture.ImageTexture.Filter;
-import io.github.lumbre.texture.ImageTexture.Role;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.UvMapping;
+import io.github.lumbre.texture.internal.ImageTexture;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
+import io.github.lumbre.texture.internal.ImageTexture.Role;
 import org.junit.jupiter.api.Test;
 
 /**

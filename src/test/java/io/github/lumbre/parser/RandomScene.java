@@ -39,23 +39,23 @@ import io.github.lumbre.model.ModelFile;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
-import io.github.lumbre.texture.BilinearTexture;
-import io.github.lumbre.texture.CloudTexture;
-import io.github.lumbre.texture.ImageTexture;
-import io.github.lumbre.texture.ImageTexture.Filter;
-import io.github.lumbre.texture.ImageTexture.Role;
-import io.github.lumbre.texture.LinearTexture;
-import io.github.lumbre.texture.MarbleTexture;
 import io.github.lumbre.texture.NormalMap;
-import io.github.lumbre.texture.RedChannel;
 import io.github.lumbre.texture.ScalarTexture;
-import io.github.lumbre.texture.StudioSky;
-import io.github.lumbre.texture.TexelTexture;
 import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TintedTexture;
 import io.github.lumbre.texture.UvMapping;
-import io.github.lumbre.texture.VoronoiTexture;
-import io.github.lumbre.texture.WoodTexture;
+import io.github.lumbre.texture.internal.BilinearTexture;
+import io.github.lumbre.texture.internal.CloudTexture;
+import io.github.lumbre.texture.internal.ImageTexture;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
+import io.github.lumbre.texture.internal.ImageTexture.Role;
+import io.github.lumbre.texture.internal.LinearTexture;
+import io.github.lumbre.texture.internal.MarbleTexture;
+import io.github.lumbre.texture.internal.RedChannel;
+import io.github.lumbre.texture.internal.StudioSky;
+import io.github.lumbre.texture.internal.TexelTexture;
+import io.github.lumbre.texture.internal.TintedTexture;
+import io.github.lumbre.texture.internal.VoronoiTexture;
+import io.github.lumbre.texture.internal.WoodTexture;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -215,7 +215,7 @@ final class RandomScene {
 
   private NormalMap normalMap() {
     return random.nextBoolean()
-        ? NormalMap.of(new ImageTexture(pixels, Role.COLOR, Filter.BILINEAR))
+        ? NormalMap.of(pixels)
         : new NormalMap(
             new ImageTexture(pixels, Role.NORMAL, Filter.NEAREST),
             mapping(),

@@ -11,8 +11,9 @@ import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.texture.ImageTexture.Filter;
-import io.github.lumbre.texture.ImageTexture.Role;
+import io.github.lumbre.texture.internal.ImageTexture;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
+import io.github.lumbre.texture.internal.ImageTexture.Role;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 

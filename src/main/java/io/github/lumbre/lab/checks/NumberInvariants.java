@@ -16,8 +16,8 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.SobolSampler;
-import io.github.lumbre.texture.ImageTexture;
 import io.github.lumbre.texture.TexturePoint;
+import io.github.lumbre.texture.internal.ImageTexture;
 import java.util.List;
 import java.util.Optional;
 

@@ -1,0 +1,60 @@
+package io.github.lumbre.texture.internal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.lumbre.image.Rgb;
+import org.junit.jupiter.api.Test;
+
+/** Tests that the studio is bright, finite and smooth. */
+class StudioSkyTest {
+  private static double light(double u, double v) {
+    return StudioSky.INSTANCE.at(u, v).g();
+  }
+
+  @Test
+  void lightIsGreyAndFinite() {
+    for (int i = 0; i <= 64; i++) {
+      for (int j = 0; j <= 32; j++) {
+        Rgb light = StudioSky.INSTANCE.at(i / 64.0, j / 32.0);
+        assertThat(light).isEqualTo(Rgb.grey(light.g()));
+        assertThat(light.g()).isBetween(.2, 7.5);
+      }
+    }
+  }
+
+  @Test
+  void neighborsInTheTableDifferLittle() {
+    for (int i = 0; i < StudioSky.COLUMNS; i++) {
+      for (int j = 0; j < StudioSky.ROWS; j++) {
+        double u = (double) i / StudioSky.COLUMNS;
+        double v = (double) j / StudioSky.ROWS;
+        assertThat(light(u + 1.0 / StudioSky.COLUMNS, v)).isCloseTo(light(u, v), within(.45));
+        assertThat(light(u, v + 1.0 / StudioSky.ROWS)).isCloseTo(light(u, v), within(.45));
+      }
+    }
+  }
+
+  @Test
+  void seamAndPolesAreClosed() {
+    for (int j = 0; j <= 32; j++) {
+      assertThat(light(0, j / 32.0)).isCloseTo(light(1, j / 32.0), within(1e-12));
+      assertThat(light(j / 32.0, 1)).isCloseTo(light(.5, 1), within(1e-12));
+      assertThat(light(j / 32.0, 0)).isCloseTo(light(.5, 0), within(1e-12));
+    }
+  }
+
+  /** The key light stands to the left in front of the object: behind the camera's left shoulder. */
+  @Test
+  void keyLightIsTheBrightest() {
+    double azimuth = Math.atan2(-.55, -.58) / (2 * Math.PI);
+    double elevation = Math.asin(.6 / Math.sqrt(.55 * .55 + .6 * .6 + .58 * .58)) / Math.PI;
+    double key = light(.5 + azimuth, .5 + elevation);
+    assertThat(key).isGreaterThan(4);
+    for (int i = 0; i < 64; i++) {
+      for (int j = 0; j < 32; j++) {
+        assertThat(light(i / 64.0, j / 32.0)).isLessThanOrEqualTo(key + .05);
+      }
+    }
+  }
+}
