@@ -10,6 +10,7 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.cli.run.FilmExposure;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.LayerInput;
@@ -126,10 +127,13 @@ final class DenoiseCommand implements Callable<Integer> {
     if (LayerInput.isFilm(file)) {
       FilmFile film = FilmInput.read(file, errors);
       FilmNotes notes = new FilmNotes(file, film.header());
+      Exposure exposure =
+          ImageFormat.of(output).filter(ImageFormat::isForScreen).isPresent()
+              ? FilmExposure.of(notes.exposure(), file, film, errors)
+              : notes.exposure();
       return new Input(
           NoisyPicture.of(film.film()),
-          new ImageWriter.Options(
-              notes.exposure(), notes.toneCurve(), notes.bits(), 90, notes.metadata()));
+          new ImageWriter.Options(exposure, notes.toneCurve(), notes.bits(), 90, notes.metadata()));
     }
     LayeredImage image = LayerInput.read(file, errors);
     try {

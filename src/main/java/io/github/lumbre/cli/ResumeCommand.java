@@ -278,11 +278,7 @@ final class ResumeCommand implements Callable<Integer> {
                     work.override(settings);
                   }),
               budgets.time());
-      Optional<SceneText> text = notes.sceneText(path);
-      SceneFile file =
-          text.isPresent()
-              ? parser.parse(text.get().json(), text.get().path())
-              : parser.parse(path);
+      SceneFile file = notes.read(parser, path);
       requireSameFiles(notes, header, file, path);
       requireSame(header, file, path);
       run.errors().warnings(file.warnings());

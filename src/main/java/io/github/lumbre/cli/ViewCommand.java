@@ -12,6 +12,7 @@ import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.run.FilmExposure;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.Interruption;
@@ -172,10 +173,13 @@ final class ViewCommand implements Callable<Integer> {
     if (LayerInput.isFilm(path)) {
       FilmFile film = FilmInput.read(path, errors);
       FilmNotes notes = new FilmNotes(path, film.header());
-      return View.of(developed(film), notes.exposure(), notes.toneCurve(), how);
+      boolean isAutomatic = notes.exposure().stops().isEmpty();
+      Exposure automatic =
+          isAutomatic ? FilmExposure.of(Exposure.AUTO, path, film, errors) : Exposure.AUTO;
+      return View.of(developed(film), notes.exposure(), automatic, notes.toneCurve(), how);
     }
     if (isPicture(path)) {
-      return View.of(picture(path, errors), Exposure.NONE, ToneCurve.SRGB, how);
+      return View.of(picture(path, errors), Exposure.NONE, Exposure.AUTO, ToneCurve.SRGB, how);
     }
     return View.of(source(errors), how);
   }

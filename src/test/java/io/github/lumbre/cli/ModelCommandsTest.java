@@ -198,6 +198,42 @@ class ModelCommandsTest {
     assertSame("a.pfm", "b.pfm");
   }
 
+  /** A film knows its model, whose pixels decide; without the model, the whole picture does. */
+  @Test
+  void automaticExposureOfAFilmIsThatOfTheRender() throws IOException {
+    String flags = " --background black --denoise --checkpoint T/a.film" + SMALL;
+    runs("render T/sample.glb -o T/fixed.png --checkpoint T/b.film --background black" + SMALL);
+    runs("render T/sample.glb -o T/a.png --exposure auto" + flags);
+    runs("develop T/a.film -o T/developed.png");
+    runs("develop T/b.film -o T/later.png --exposure auto");
+    runs("denoise T/a.film -o T/denoised.png");
+    assertSamePixels("developed.png", "a.png");
+    assertSamePixels("later.png", "a.png");
+    assertSamePixels("denoised.png", "a.denoised.png");
+    assertThat(pixels("fixed.png")).isNotEqualTo(pixels("a.png"));
+
+    Files.writeString(directory.resolve("sample.glb"), "now something else");
+    Outcome changed = run("develop T/a.film -o T/whole.png");
+    assertThat(changed.exitCode()).isEqualTo(ExitCodes.OK);
+    assertThat(changed.err())
+        .contains("warning: ", "sample.glb: ", "exposure is that of the whole picture");
+    assertThat(pixels("whole.png")).isNotEqualTo(pixels("a.png"));
+    Files.delete(directory.resolve("sample.glb"));
+    assertThat(run("denoise T/a.film -o T/b.png").err())
+        .contains("found none", "without the film's model, ");
+    assertThat(run("develop T/a.film -o T/a.exr").err()).doesNotContain("warning");
+    assertThat(run("develop T/a.film -o T/c.png --exposure 2").err()).doesNotContain("warning");
+  }
+
+  private int[] pixels(String name) throws IOException {
+    BufferedImage image = picture(name);
+    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
+  private void assertSamePixels(String one, String other) throws IOException {
+    assertThat(pixels(one)).as(one).isEqualTo(pixels(other));
+  }
+
   /** The sky is beside the folder of the model, and both are moved. */
   @Test
   void aModelMayMoveWithItsSky() throws IOException {

@@ -218,6 +218,10 @@ class ViewBrowserTest {
                 .formatted(curve.label(), exposure));
         Exposure stops =
             exposure.equals("auto") ? Exposure.AUTO : Exposure.of(Double.parseDouble(exposure));
+        if (exposure.equals("auto")) {
+          double doublings = Math.log(stops.factor(image)) / Math.log(2);
+          await("document.getElementById('stops').textContent === '%.1f'".formatted(doublings));
+        }
         byte[] png = image.toPng(new ImageWriter.Options(stops, curve, 8, Map.of()));
         BufferedImage expected = ImageIO.read(new ByteArrayInputStream(png));
         byte[] found = canvas();

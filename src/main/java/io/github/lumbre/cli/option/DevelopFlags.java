@@ -11,6 +11,7 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.cli.run.FilmExposure;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Exposure;
@@ -87,8 +88,8 @@ public final class DevelopFlags {
         DenoisedPicture denoised = DenoisedPicture.reserve(denoising, output, Fallback.TEMPORARY)) {
       requireLayers(picture);
       FilmFile film = source.film();
-      ImageWriter.Options options = develop(name, film, picture);
       Messages messages = new Messages(spec.commandLine().getErr());
+      ImageWriter.Options options = develop(name, film, picture, messages);
       if (denoise) {
         denoised.write(
             NoisyPicture.of(film.film()),
@@ -138,10 +139,11 @@ public final class DevelopFlags {
     return wanted;
   }
 
-  private ImageWriter.Options develop(Path name, FilmFile film, PictureOutput picture)
-      throws TaskException {
+  private ImageWriter.Options develop(
+      Path name, FilmFile film, PictureOutput picture, Messages messages) throws TaskException {
     FilmNotes notes = new FilmNotes(name, film.header());
-    Exposure stops = settings.valueOr(Setting.EXPOSURE, notes.exposure());
+    Exposure wanted = settings.valueOr(Setting.EXPOSURE, notes.exposure());
+    Exposure stops = picture.isForScreen() ? FilmExposure.of(wanted, name, film, messages) : wanted;
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = bits.isPresent() ? bits.get() : notes.bits();
     Map<String, String> metadata = notes.metadata();

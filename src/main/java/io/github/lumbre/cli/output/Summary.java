@@ -1,6 +1,5 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.render.MemoryEstimate;
@@ -25,9 +24,6 @@ public final class Summary {
 
   /** The luminance after exposure above which a surface is burnt out: twice as bright as white. */
   private static final double BURNT = 2;
-
-  /** The luminance after exposure of middle gray. */
-  private static final double MIDDLE = .18;
 
   /** The number of digits of a mean number of samples. */
   private static final int DIGITS = 3;
@@ -163,27 +159,6 @@ public final class Summary {
     }
   }
 
-  /**
-   * Returns the exposure of a model's picture. An automatic one scales the median luminance of the
-   * pixels that objects other than infinite planes cover to 18 % gray, if there are other pixels,
-   * too. Scenes have an automatic exposure of their own: that of their format.
-   */
-  public Exposure exposureOfObjects(Scene scene) {
-    if (settings.exposure().stops().isPresent()) {
-      return settings.exposure();
-    }
-    OptionalDouble median = new Visible(scene, settings).medianOfSome(result.image());
-    return median.isPresent() && median.getAsDouble() > 0
-        ? Exposure.of(stops(median.getAsDouble()))
-        : settings.exposure();
-  }
-
-  /** Returns the stops that make a luminance middle gray. */
-  private static double stops(double luminance) {
-    double limited = Math.max(1e-30, Math.min(luminance, Float.MAX_VALUE));
-    return StrictMath.log(MIDDLE / limited) / StrictMath.log(2);
-  }
-
   private void printIfBurnt(OptionalDouble median, Messages messages) {
     double shown =
         median.isPresent() ? median.getAsDouble() * settings.exposure().factor(result.image()) : 0;
@@ -194,7 +169,7 @@ public final class Summary {
               "hint: half of what is in view is burnt out, %s times as bright as white;"
                   + " try --exposure %.1f",
               String.format(Locale.ROOT, shown < 10 ? "%.1f" : "%.0f", shown),
-              stops(median.getAsDouble())));
+              Visible.stops(median.getAsDouble())));
     }
   }
 

@@ -2,10 +2,12 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.Plane;
+import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
+import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.sampling.IndependentSampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
@@ -16,7 +18,10 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /** What the camera sees of a scene's objects, by rays through the centers and corners of pixels. */
-final class Visible {
+public final class Visible {
+  /** The luminance after exposure of middle gray. */
+  private static final double MIDDLE = .18;
+
   /** The largest number of pixels whose luminance is read. */
   private static final int MAX_READ = 1 << 15;
 
@@ -27,11 +32,40 @@ final class Visible {
   private final RenderSettings settings;
   private final IndependentSampler sampler = new IndependentSampler(0);
   private final NearestHit hit = new NearestHit();
+  private double scale = 1;
   private boolean isAll;
 
   Visible(Scene scene, RenderSettings settings) {
     this.scene = scene;
     this.settings = settings;
+  }
+
+  /**
+   * Returns the exposure of a picture. An automatic one of a model that is rendered by itself
+   * scales the median luminance of the pixels that objects other than infinite planes cover to 18 %
+   * gray, if there are other pixels, too. Scene files have an automatic exposure of their own: that
+   * of their format.
+   *
+   * @param image of the settings' window, in any size
+   */
+  public static Exposure exposure(Exposure wanted, SceneFile file, Image image) {
+    return wanted.stops().isPresent() || file.text().isEmpty()
+        ? wanted
+        : new Visible(file.scene(), file.settings()).exposure(image);
+  }
+
+  /** Returns the automatic exposure of a model's picture. */
+  Exposure exposure(Image image) {
+    OptionalDouble median = medianOfSome(image);
+    return median.isPresent() && median.getAsDouble() > 0
+        ? Exposure.of(stops(median.getAsDouble()))
+        : Exposure.AUTO;
+  }
+
+  /** Returns the stops that make a luminance middle gray. */
+  static double stops(double luminance) {
+    double limited = Math.max(1e-30, Math.min(luminance, Float.MAX_VALUE));
+    return StrictMath.log(MIDDLE / limited) / StrictMath.log(2);
   }
 
   /** Returns whether the scene has objects, and no ray hits one. */
@@ -56,7 +90,7 @@ final class Visible {
    * half of the light pass cover nothing. Without such pixels, those count whose centers show a
    * surface.
    *
-   * @param image of the settings' window
+   * @param image of the settings' window, in any size
    */
   OptionalDouble medianLuminance(Image image) {
     return middle(luminances(image));
@@ -66,7 +100,7 @@ final class Visible {
    * Returns the same if there are pixels whose centers show no such surface; empty otherwise. If
    * the median is 0, black pixels are left out.
    */
-  OptionalDouble medianOfSome(Image image) {
+  private OptionalDouble medianOfSome(Image image) {
     double[] all = luminances(image);
     if (isAll) {
       return OptionalDouble.empty();
@@ -87,6 +121,7 @@ final class Visible {
     DoubleStream.Builder solid = DoubleStream.builder();
     DoubleStream.Builder whole = DoubleStream.builder();
     isAll = true;
+    scale = (double) settings.window().width() / image.width();
     for (int y = step / 2; y < image.height(); y += step) {
       for (int x = step / 2; x < image.width(); x += step) {
         double luminance = image.pixel(x, y).luminance();
@@ -144,7 +179,9 @@ final class Visible {
   private boolean isHit(double x, double y) {
     RenderSettings.Crop window = settings.window();
     Point2 film =
-        new Point2((window.x() + x) / settings.width(), (window.y() + y) / settings.height());
+        new Point2(
+            (window.x() + x * scale) / settings.width(),
+            (window.y() + y * scale) / settings.height());
     Optional<Ray> ray = scene.camera().rayFor(film, sampler);
     return ray.isPresent() && scene.intersect(ray.get(), hit);
   }

@@ -10,6 +10,7 @@ import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.scene.RenderSettings;
@@ -17,6 +18,7 @@ import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.stopping.Budget;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -105,6 +107,19 @@ public final class FilmNotes {
     }
     return Optional.of(
         new SceneText(json.getBytes(StandardCharsets.UTF_8), folder.resolve(scene.getFileName())));
+  }
+
+  /**
+   * Reads the film's scene.
+   *
+   * @param scene path of the scene file or of the model
+   */
+  public SceneFile read(SceneParser parser, Path scene)
+      throws TaskException, SceneFormatException, IOException {
+    Optional<SceneText> text = sceneText(scene);
+    return text.isPresent()
+        ? parser.parse(text.get().json(), text.get().path())
+        : parser.parse(scene);
   }
 
   private static Path path(String text) {

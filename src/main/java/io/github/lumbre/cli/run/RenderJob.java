@@ -14,6 +14,7 @@ import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
+import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
@@ -296,7 +297,7 @@ public record RenderJob(
     }
     ImageWriter.Options options =
         new ImageWriter.Options(
-            isModel() ? summary.exposureOfObjects(file.scene()) : settings.exposure(),
+            Visible.exposure(settings.exposure(), file, result.image()),
             settings.toneCurve(),
             how.bits(),
             how.jpegQuality(),
@@ -320,11 +321,6 @@ public record RenderJob(
     if (keeper.failure().isPresent()) {
       throw new TaskException(Kind.OUTPUT, keeper.failure().get());
     }
-  }
-
-  /** Returns whether the scene is a model that is rendered by itself. */
-  private boolean isModel() {
-    return file.text().isPresent();
   }
 
   private void denoise(Film film, DenoisedPicture denoised, ImageWriter.Options options)

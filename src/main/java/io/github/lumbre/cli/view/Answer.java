@@ -13,6 +13,11 @@ record Answer(int status, String type, Map<String, String> headers, byte[] body)
     return new Answer(200, "application/octet-stream", Map.of(), body);
   }
 
+  /** Returns this answer with one header. */
+  Answer with(String header, String value) {
+    return new Answer(status, type, Map.of(header, value), body);
+  }
+
   /** Returns a file that the browser saves. */
   static Answer file(String name, String type, byte[] body) {
     String safe = name.replaceAll("[^A-Za-z0-9._-]", "_");

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
@@ -23,8 +24,9 @@ import java.util.stream.Collectors;
  * OpenEXR with layers.
  *
  * @param viewed the path of the file that is viewed
+ * @param automatic the automatic exposure of a picture that is not rendered here
  */
-record PictureFiles(Path viewed) {
+record PictureFiles(Path viewed, Exposure automatic) {
   private static final long MOST_STOPS = 64;
 
   /** Returns the file of a frame. */
@@ -34,7 +36,7 @@ record PictureFiles(Path viewed) {
         scene.map(file -> metadata(frame, file, session)).orElseGet(LinkedHashMap::new);
     metadata.putAll(frame.metadata());
     ImageWriter.Options options =
-        new ImageWriter.Options(exposure(query), curve(query), 8, metadata);
+        new ImageWriter.Options(exposure(frame, scene, query), curve(query), 8, metadata);
     String file = String.valueOf(viewed.getFileName());
     String stem = file.contains(".") ? file.substring(0, file.lastIndexOf('.')) : file;
     if (query.text("format").equals(Optional.of("exr"))) {
@@ -61,9 +63,16 @@ record PictureFiles(Path viewed) {
     return metadata;
   }
 
-  private static Exposure exposure(Query query) {
+  /** Returns the automatic exposure of a frame. */
+  Exposure automatic(Frame frame, Optional<SceneFile> scene) {
+    return scene
+        .map(file -> Visible.exposure(Exposure.AUTO, file, frame.image()))
+        .orElse(automatic);
+  }
+
+  private Exposure exposure(Frame frame, Optional<SceneFile> scene, Query query) {
     return query.text("exposure").equals(Optional.of("auto"))
-        ? Exposure.AUTO
+        ? automatic(frame, scene)
         : Exposure.of(query.decimal("exposure", -MOST_STOPS, MOST_STOPS, 0));
   }
 

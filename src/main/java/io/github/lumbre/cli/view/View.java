@@ -73,26 +73,33 @@ public final class View implements AutoCloseable {
    */
   public static View of(SceneSource source, Options options) throws TaskException {
     StateJson.Look look = new StateJson.Look(Exposure.NONE, ToneCurve.SRGB, false);
-    return start(Optional.of(source), look, new ViewSession(options.name()), options);
+    return start(
+        Optional.of(source), look, new ViewSession(options.name()), options, Exposure.AUTO);
   }
 
   /**
    * Starts the page of a picture.
    *
    * @param exposure with which it is shown at first
+   * @param automatic the one that automatic exposure is
    * @param curve with which it is shown at first
    * @throws TaskException if the port is in use
    */
-  public static View of(Picture picture, Exposure exposure, ToneCurve curve, Options options)
+  public static View of(
+      Picture picture, Exposure exposure, Exposure automatic, ToneCurve curve, Options options)
       throws TaskException {
     ViewSession session = new ViewSession(options.name());
     session.show(picture.frame());
     StateJson.Look look = new StateJson.Look(exposure, curve, picture.isDisplayReferred());
-    return start(Optional.empty(), look, session, options);
+    return start(Optional.empty(), look, session, options, automatic);
   }
 
   private static View start(
-      Optional<SceneSource> source, StateJson.Look look, ViewSession session, Options options)
+      Optional<SceneSource> source,
+      StateJson.Look look,
+      ViewSession session,
+      Options options,
+      Exposure automatic)
       throws TaskException {
     ViewRoutes routes =
         new ViewRoutes(
@@ -102,7 +109,7 @@ public final class View implements AutoCloseable {
             options.other().map(Picture::frame),
             new StateJson.Other(
                 options.otherName(), options.other().map(Picture::isDisplayReferred).orElse(false)),
-            new PictureFiles(options.path()));
+            new PictureFiles(options.path(), automatic));
     return new View(session, ViewServer.start(options.port(), routes), source);
   }
 

@@ -133,6 +133,10 @@ final class ViewRoutes {
     Answer answer =
         bytes(frame.get(), name, isExact)
             .orElseGet(() -> needed.isEmpty() ? missing() : Answer.nothingYet());
+    if (query.number("auto", 0, 1, 0) == 1) {
+      double factor = files.automatic(frame.get(), scene).factor(frame.get().image());
+      answer = answer.with("Automatic-Exposure", String.valueOf(factor));
+    }
     session.viewers().spend(System.nanoTime() - start);
     return answer;
   }

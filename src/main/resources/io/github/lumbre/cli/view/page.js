@@ -8,7 +8,7 @@
     .map(o => o.textContent);
 
   let state = null, since = 0, cost = 0;
-  let picture = null, light = null, other = null, kept = null;
+  let picture = null, other = null, kept = null;
   let cursor = null, factor = 1, touched = false, failures = 0;
 
   // ---- Requests
@@ -23,7 +23,8 @@
   const fetchPicture = async (path) => {
     const answer = await fetch(path);
     // 204: the render does not have this layer yet.
-    return answer.status === 200 ? Tone.read(await answer.arrayBuffer()) : null;
+    if (answer.status !== 200) return null;
+    return {...Tone.read(await answer.arrayBuffer()), automatic: +answer.headers.get('Automatic-Exposure')};
   };
 
   const poll = async () => {
@@ -51,17 +52,16 @@
     const frame = state.frame;
     if (!frame) return;
     const layer = frame.isDraft ? '' : $('layer').value;
-    const exact = frame.isFinal ? 1 : 0;
+    const exact = frame.isFinal ? 1 : 0, auto = $('auto').checked ? 1 : 0;
     const key = frame.version + '/' + layer + '/' + exact;
-    if (picture && picture.key === key) return;
-    const found = await fetchPicture(`image?layer=${encodeURIComponent(layer)}&exact=${exact}&v=${frame.version}`);
+    if (picture && picture.key === key && (!auto || picture.automatic)) return;
+    const found = await fetchPicture(`image?layer=${encodeURIComponent(layer)}&exact=${exact}&auto=${auto}&v=${frame.version}`);
     if (!found) return;
     const start = performance.now();
     found.key = key;
     found.layer = layer;
     found.isDraft = frame.isDraft;
     picture = found;
-    if (!layer) light = found;
     $('empty').hidden = true;
     paint();
     canvas.dataset.final = frame.isFinal;
@@ -69,8 +69,6 @@
   };
 
   // ---- Painting
-
-  const exposureFactor = p => $('auto').checked ? Tone.automatic(p) : 2 ** +$('exposure').value;
 
   const limits = p => {
     if (SIGNED.test(p.layer)) return [[-1, -1, -1], [1, 1, 1]];
@@ -136,8 +134,7 @@
 
   const paint = () => {
     if (!picture) return;
-    const base = LIGHT.test(picture.layer || '') ? picture : light || picture;
-    factor = exposureFactor(base);
+    factor = $('auto').checked ? picture.automatic || factor : 2 ** +$('exposure').value;
     if ($('auto').checked) $('stops').textContent = Math.log2(factor).toFixed(1);
     const b = rival(), mode = b ? $('mode').value : '';
     const isLight = LIGHT.test(picture.layer || '');
@@ -438,7 +435,7 @@
 
   // ---- Controls
 
-  const touch = () => { touched = true; paint(); };
+  const touch = () => { touched = true; paint(); if (state) refresh(); };
   $('exposure').oninput = () => { $('auto').checked = false; $('stops').textContent = (+$('exposure').value).toFixed(1); touch(); };
   $('auto').onchange = () => { $('stops').textContent = (+$('exposure').value).toFixed(1); touch(); };
   $('tone').onchange = touch;

@@ -104,16 +104,6 @@ const Tone = (() => {
     return {width, height, channels, values, version, isExact: size === 4};
   };
 
-  // The factor that makes the geometric mean of the luminances 18 % gray.
-  const automatic = p => {
-    let sum = 0, count = 0;
-    for (let i = 0; i + 2 < p.values.length; i += p.channels) {
-      const y = luminance(p.values[i], p.values[i + 1], p.values[i + 2]);
-      if (y > 0) { sum += Math.log(Math.max(Math.min(y, 3.4028234663852886e38), 1e-6)); count++; }
-    }
-    return count === 0 ? 1 : .18 / Math.exp(sum / count);
-  };
-
   // Fills the pixels of a canvas with light.
   const develop = (p, factor, curve, out) => {
     const write = curves[curve], n = p.channels, v = p.values;
@@ -165,5 +155,5 @@ const Tone = (() => {
   const items = (p, pixel) => [0, 2].map(k => 4 * pixel + k).filter(i => p.values[i + 1] > 0)
     .map(i => [ids(p)[i].toString(16).padStart(8, '0'), p.values[i + 1]]);
 
-  return {read, matte, items, develop, scale, automatic, decode, luminance, curves};
+  return {read, matte, items, develop, scale, decode, luminance, curves};
 })();

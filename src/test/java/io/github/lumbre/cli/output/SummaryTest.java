@@ -112,13 +112,10 @@ class SummaryTest {
     }
     Image image = new Image(4, 2, rgb, new float[0]);
     RenderSettings settings = SETTINGS.toBuilder().exposure(Exposure.AUTO).build();
-    RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
-    double factor = new Summary(settings, result, 2).exposureOfObjects(scene(2.5)).factor(image);
+    double factor = new Visible(scene(2.5), settings).exposure(image).factor(image);
     assertThat(factor * luminance).isCloseTo(.18, within(1e-6));
-    assertThat(new Summary(settings, result, 2).exposureOfObjects(scene(-2.5)))
-        .isEqualTo(Exposure.AUTO);
-    assertThat(new Summary(settings, result, 2).exposureOfObjects(scene(.5)))
-        .isEqualTo(Exposure.AUTO);
+    assertThat(new Visible(scene(-2.5), settings).exposure(image)).isEqualTo(Exposure.AUTO);
+    assertThat(new Visible(scene(.5), settings).exposure(image)).isEqualTo(Exposure.AUTO);
   }
 
   /** Of pixels that the sphere covers in part, four times as many, the exposure knows nothing. */
@@ -169,8 +166,7 @@ class SummaryTest {
   private static double automaticFactor(float[] rgb, Scene scene) {
     Image image = new Image(8, 4, rgb, new float[0]);
     RenderSettings settings = SETTINGS.toBuilder().size(8, 4).exposure(Exposure.AUTO).build();
-    RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
-    return new Summary(settings, result, 2).exposureOfObjects(scene).factor(image);
+    return new Visible(scene, settings).exposure(image).factor(image);
   }
 
   @ParameterizedTest

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.TinyScene;
+import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
@@ -26,6 +27,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.stopping.BudgetWatch;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -76,15 +78,19 @@ class ViewServerTest {
   private final AtomicBoolean isEnd = new AtomicBoolean();
   private final ByteArrayOutputStream logged = new ByteArrayOutputStream();
   private int samples = 64;
+  private boolean isModel;
 
   /** Reads the scene of the test. */
   private final class Source implements SceneSource {
     @Override
     public SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
       try {
-        return new SceneParser()
-            .overriding(s -> s.toBuilder().samples(samples).set(Setting.LAYERS, layers).build())
-            .parse(scene);
+        SceneParser parser =
+            new SceneParser()
+                .overriding(
+                    s -> s.toBuilder().samples(samples).set(Setting.LAYERS, layers).build());
+        // A scene around a model is not read from a file.
+        return isModel ? parser.parse(text(), scene) : parser.parse(scene);
       } catch (IOException e) {
         throw new TaskException(TaskException.Kind.SCENE, e.getMessage(), e);
       }
@@ -401,6 +407,31 @@ class ViewServerTest {
     await(ViewServerTest::isFinished);
   }
 
+  /** Models have the automatic exposure of a render: that of the pixels that objects cover. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void automaticExposureIsThatOfARender(boolean isOfModel) throws Exception {
+    isModel = isOfModel;
+    start();
+    await(ViewServerTest::isFinished);
+    SceneFile file = new Source().read(Set.of());
+    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    double whole = Exposure.AUTO.factor(image);
+    Exposure expected = Visible.exposure(Exposure.AUTO, file, image);
+    assertThat(Math.abs(expected.factor(image) / whole - 1) > .05).isEqualTo(isModel);
+    Map<String, String> headers = get("image?exact=1&auto=1").headers();
+    assertThat(headers).containsEntry("Automatic-Exposure", String.valueOf(expected.factor(image)));
+    assertThat(get("image?exact=1").headers()).doesNotContainKey("Automatic-Exposure");
+    byte[] saved = get("save?format=png&exposure=auto&tone=srgb").body();
+    byte[] png = image.toPng(new ImageWriter.Options(expected, ToneCurve.SRGB, 8, Map.of()));
+    assertThat(pixels(saved)).isEqualTo(pixels(png));
+  }
+
+  private static int[] pixels(byte[] png) throws IOException {
+    BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
+    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
   @Test
   void pixelHasPathsInThePicture() throws Exception {
     start();
@@ -559,7 +590,7 @@ class ViewServerTest {
     Image image = new Image(2, 1, new float[] {1, 2, 3, .1f, .2f, .3f}, new float[0]);
     View.Picture picture = new View.Picture(image, List.of(), Map.of(), false);
     View.Options options = new View.Options(scene, 0, Optional.of(picture), "other.exr");
-    view = View.of(picture, Exposure.of(1), ToneCurve.AGX, options);
+    view = View.of(picture, Exposure.of(1), Exposure.AUTO, ToneCurve.AGX, options);
     view.open(ViewLimits.NONE);
     JsonObject state = state(0);
     assertThat(state.get("status").getAsString()).isEqualTo("still");
