@@ -27,7 +27,9 @@ final class BuildImage {
   private static final String VECTORS = "jdk.incubator.vector";
   private static final List<String> VERSION_OPTIONS =
       List.of(
-          "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Dlumbre.kernel.deferred=true",
+          "-XX:+UseSerialGC",
+          "-XX:TieredStopAtLevel=1",
+          "-Dlumbre.kernel.deferred=true",
           "-Djava.awt.headless=true");
 
   /** Windows, sound and the archive for heaps of 32 GB and more, without which Java starts too. */
@@ -123,7 +125,8 @@ final class BuildImage {
   private void copyProgram(Path jar) throws IOException {
     Path copy = app.resolve("lumbre.jar");
     Files.copy(jar, copy);
-    // The archives hold this time. Archivers and file systems keep whole seconds, some only even ones.
+    // The archives hold this time. Archivers and file systems keep whole seconds, some only even
+    // ones.
     Files.setLastModifiedTime(copy, FileTime.fromMillis(1_700_000_000_000L));
     String options = Files.readString(Path.of("src/main/jvm/options"));
     Files.writeString(
@@ -156,10 +159,18 @@ final class BuildImage {
 
   private void archiveRender() throws IOException, InterruptedException {
     Path picture = Files.createTempFile("lumbre", ".png");
-    String scene = share.resolve("lumbre/scenes/cornell-box.json").toString();
     String[] render = {
-      "render", scene, "--size", "16x12", "--samples", "1", "--output", picture.toString(),
-      "--overwrite", "--progress", "none"
+      "render",
+      "scenes/lantern.json",
+      "--size",
+      "16x12",
+      "--samples",
+      "1",
+      "--output",
+      picture.toString(),
+      "--overwrite",
+      "--progress",
+      "none"
     };
     String options = "@" + app.resolve("options");
     Path classes = Files.createTempFile("lumbre", ".classes");

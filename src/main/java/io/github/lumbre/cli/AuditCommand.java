@@ -56,14 +56,14 @@ final class AuditCommand implements Callable<Integer> {
   private static final Gson GSON =
       new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create();
 
-  @Mixin SceneOptions options;
+  @Mixin private final SceneOptions options = new SceneOptions();
 
-  @Mixin RenderFlags flags;
+  @Mixin private final RenderFlags flags = new RenderFlags();
 
   @Option(names = "--json", description = "Print the findings as JSON.")
-  boolean json;
+  private boolean json;
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

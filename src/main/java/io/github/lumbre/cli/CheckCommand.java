@@ -50,19 +50,19 @@ import picocli.CommandLine.Spec;
 final class CheckCommand implements Callable<Integer> {
   private static final int MOST_NAMES = 20;
 
-  @Mixin SceneOptions options;
+  @Mixin private final SceneOptions options = new SceneOptions();
 
   @Option(names = "--json", description = "Print the contents as one line of JSON.")
-  boolean json;
+  private boolean json;
 
   @Option(
       names = "--plan",
       description =
           "Also print which rendering steps this scene does not need and skips, and what"
               + " --guide auto would choose.")
-  boolean plan;
+  private boolean plan;
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

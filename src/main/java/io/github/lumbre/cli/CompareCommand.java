@@ -78,13 +78,13 @@ final class CompareCommand implements Callable<Integer> {
       List.copyOf(new PictureError(0, 0, 0, 0, 0, 0, 0).byName().keySet());
 
   @Parameters(index = "0", paramLabel = "PICTURE", description = "Picture to compare.")
-  Path picture;
+  private Path picture;
 
   @Parameters(
       index = "1",
       paramLabel = "REFERENCE",
       description = "Reference picture of the same size.")
-  Path reference;
+  private Path reference;
 
   @Option(
       names = "--tolerance",
@@ -94,14 +94,14 @@ final class CompareCommand implements Callable<Integer> {
         "Exit with code 1 if a metric is above its limit",
         "(ssim: below; bias: in absolute value)."
       })
-  Map<String, Double> tolerance = new LinkedHashMap<>();
+  private Map<String, Double> tolerance = new LinkedHashMap<>();
 
   @Option(
       names = "--layer",
       paramLabel = "NAME",
       description =
           "Compare this layer of two OpenEXR or checkpoint files, such as depth or lights.key.")
-  Optional<String> layer = Optional.empty();
+  private Optional<String> layer = Optional.empty();
 
   @Option(
       names = "--error-map",
@@ -109,17 +109,17 @@ final class CompareCommand implements Callable<Integer> {
       description =
           "Write a picture of each pixel's relative error: black up to 0.001, purple 0.01, orange"
               + " 0.1, pale yellow from 1.")
-  Optional<Path> errorMap = Optional.empty();
+  private Optional<Path> errorMap = Optional.empty();
 
   @Option(names = "--json", description = "Print the metrics as a JSON object.")
-  boolean json;
+  private boolean json;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

@@ -15,7 +15,7 @@ import picocli.CommandLine.Spec;
     versionProvider = Version.class,
     footer = {"", "Example:", "  source <(lumbre completion)"})
 final class CompletionCommand implements Callable<Integer> {
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() {

@@ -62,30 +62,30 @@ import picocli.CommandLine.Spec;
     })
 final class DenoiseCommand implements Callable<Integer> {
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
-  Path file;
+  private Path file;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
       description = "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light.")
-  Path output;
+  private Path output;
 
-  @Mixin DenoiserFlags denoiser;
+  @Mixin private final DenoiserFlags denoiser = new DenoiserFlags();
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       defaultValue = "0",
       description = "Threads; 0 means one for each processor (${DEFAULT-VALUE}).")
-  int threads;
+  private int threads;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   /** A picture to denoise, and how to write it. */
   private record Input(NoisyPicture noisy, ImageWriter.Options options) {}

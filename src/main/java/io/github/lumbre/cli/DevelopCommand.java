@@ -42,20 +42,20 @@ final class DevelopCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "FILM",
       description = "Checkpoint file from 'lumbre render --checkpoint'.")
-  Path film;
+  private Path film;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
       description = "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light.")
-  Path output;
+  private Path output;
 
-  @Mixin DevelopFlags flags;
+  @Mixin private final DevelopFlags flags = new DevelopFlags();
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

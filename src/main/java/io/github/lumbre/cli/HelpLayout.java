@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -122,13 +123,12 @@ final class HelpLayout {
   }
 
   private static String commands(Help help) {
-    Map<String, Help> all = help.subcommands();
     StringBuilder text = new StringBuilder();
     COMMANDS.forEach(
         (heading, names) -> {
           text.append(String.format("%n%s:%n", heading));
           for (String name : names) {
-            String line = all.get(name).commandSpec().usageMessage().header()[0];
+            String line = Lumbre.COMMANDS.get(name).getAnnotation(Command.class).header()[0];
             text.append(String.format("  %-12s%s%n", name, line));
           }
         });

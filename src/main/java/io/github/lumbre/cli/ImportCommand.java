@@ -54,7 +54,7 @@ import picocli.CommandLine.Spec;
     })
 final class ImportCommand implements Callable<Integer> {
   @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
-  Path model;
+  private Path model;
 
   @Option(
       names = {"-o", "--output"},
@@ -62,13 +62,13 @@ final class ImportCommand implements Callable<Integer> {
       description =
           "Scene file to write, in the folder of the model and the sky's picture or above it (the"
               + " model's name with .json, beside the model).")
-  Optional<Path> output;
+  private Optional<Path> output;
 
-  @Mixin ModelFlags flags = new ModelFlags();
+  @Mixin private final ModelFlags flags = new ModelFlags();
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

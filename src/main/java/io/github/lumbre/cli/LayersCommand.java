@@ -66,29 +66,29 @@ final class LayersCommand implements Callable<Integer> {
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
 
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
-  Path file;
+  private Path file;
 
   @Option(
       names = "--layer",
       paramLabel = "NAME",
       description = "Only this layer, such as depth or CryptoObject. May be repeated.")
-  List<String> names = new ArrayList<>();
+  private List<String> names = new ArrayList<>();
 
   @Option(
       names = "--png",
       paramLabel = "FOLDER",
       description = "Write each layer as PNG files in this folder.")
-  Optional<Path> folder = Optional.empty();
+  private Optional<Path> folder = Optional.empty();
 
   @Option(names = "--json", description = "Print the layers as a JSON object.")
-  boolean json;
+  private boolean json;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

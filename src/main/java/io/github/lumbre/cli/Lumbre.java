@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.BudgetFlags;
-import io.github.lumbre.cli.option.CommandModel;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
@@ -15,16 +14,15 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
-import java.lang.management.ManagementFactory;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
@@ -40,6 +38,7 @@ import picocli.CommandLine.Spec;
     name = "lumbre",
     header = "Lumbre, a CPU path tracer: renders scenes and 3D models to pictures.",
     mixinStandardHelpOptions = true,
+    addMethodSubcommands = false,
     versionProvider = Version.class,
     synopsisSubcommandLabel = "COMMAND",
     footer = {
@@ -66,7 +65,7 @@ public final class Lumbre implements Runnable {
   static final String EXCLUDED_CONVERTERS = "java\\.(sql|time)\\..*";
 
   /** The commands by name, in the order of the messages that list them. */
-  private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
+  static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
   static {
     COMMANDS.put("render", RenderCommand.class);
@@ -90,24 +89,17 @@ public final class Lumbre implements Runnable {
     COMMANDS.put("help", HelpCommand.class);
   }
 
-  /** The command whose annotations picocli reads: its own. */
-  private static final Set<Class<?>> REFLECTED = Set.of(HelpCommand.class);
-
-  /** The commands that describe all commands. */
-  private static final Set<String> DESCRIBING = Set.of("completion", "help");
-
   /** Current commands by their names before 0.2; these names will be removed in 0.3. */
   private static final Map<String, String> RENAMED = Map.of("bench", "perf");
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   /** Runs the command that the arguments name and exits. */
   public static void main(String[] args) {
     redirectErrors();
     if (!Version.isAskedForBy(args)) {
       Interruption.install();
-      long start = ManagementFactory.getRuntimeMXBean().getStartTime();
-      System.setProperty(BudgetFlags.START, String.valueOf(start));
+      System.setProperty(BudgetFlags.OWN_PROCESS, "true");
       System.setProperty("picocli.converters.excludes", EXCLUDED_CONVERTERS);
     }
     Charset charset = charset(Charset.defaultCharset());
@@ -146,47 +138,44 @@ public final class Lumbre implements Runnable {
     }
   }
 
-  /** Returns the classes whose models the build generates: the program and most commands. */
-  static List<Class<?>> modeledClasses() {
-    return Stream.concat(Stream.of(Lumbre.class), COMMANDS.values().stream())
-        .filter(type -> !REFLECTED.contains(type))
-        .toList();
-  }
-
   /** Returns the program with all of its commands. */
   static CommandLine commandLine() {
     return commandLine(Engine.LOCAL, COMMANDS.keySet());
   }
 
-  /** Returns the names of the commands that arguments need: creating all takes a while. */
-  private static Set<String> needed(String[] args) {
-    boolean isOne =
-        args.length != 0 && COMMANDS.containsKey(args[0]) && !DESCRIBING.contains(args[0]);
-    return isOne ? Set.of(args[0]) : COMMANDS.keySet();
+  /** Returns the commands that arguments mention: to read the annotations of all takes a while. */
+  private static Set<String> mentioned(String[] args) {
+    Set<String> mentioned = new LinkedHashSet<>(COMMANDS.keySet());
+    if (!List.of(args).contains("completion")) {
+      mentioned.retainAll(List.of(args));
+    }
+    mentioned.add("help");
+    return mentioned;
   }
 
   private static CommandLine commandLine(Engine engine, Set<String> names) {
-    CommandLine.IFactory factory =
-        new CommandLine.IFactory() {
-          private final CommandLine.IFactory others = CommandLine.defaultFactory();
+    CommandLine.IFactory factory = factory(engine);
+    CommandLine program = new CommandLine(new Lumbre(), factory);
+    names.forEach(
+        name -> program.addSubcommand(name, new CommandLine(COMMANDS.get(name), factory)));
+    HelpLayout.applyToProgram(program);
+    return program;
+  }
 
-          @Override
-          public <K> K create(Class<K> type) throws Exception {
-            if (type == RenderCommand.class) {
-              return type.cast(new RenderCommand(engine));
-            }
-            return type == ResumeCommand.class
-                ? type.cast(new ResumeCommand(engine))
-                : others.create(type);
-          }
-        };
-    CommandLine command = new CommandLine(CommandModel.of(Lumbre.class, factory), factory);
-    for (String name : names) {
-      CommandSpec model = CommandModel.of(COMMANDS.get(name), factory);
-      command.addSubcommand(name, new CommandLine(model, factory));
-    }
-    HelpLayout.applyToProgram(command);
-    return command;
+  private static CommandLine.IFactory factory(Engine engine) {
+    return new CommandLine.IFactory() {
+      private final CommandLine.IFactory others = CommandLine.defaultFactory();
+
+      @Override
+      public <K> K create(Class<K> type) throws Exception {
+        if (type == RenderCommand.class) {
+          return type.cast(new RenderCommand(engine));
+        }
+        return type == ResumeCommand.class
+            ? type.cast(new ResumeCommand(engine))
+            : others.create(type);
+      }
+    };
   }
 
   /** Returns the arguments with an earlier command name replaced by the current one. */
@@ -218,8 +207,8 @@ public final class Lumbre implements Runnable {
     }
     Messages messages = new Messages(err);
     String[] current = renamed(args, messages);
-    CommandLine command = commandLine(engine, needed(current));
-    Failures failures = new Failures();
+    CommandLine command = commandLine(engine, mentioned(current));
+    Failures failures = new Failures(COMMANDS.keySet());
     command.setOut(out).setErr(err);
     FlagConverters.registerNumbers(command);
     command.setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF));

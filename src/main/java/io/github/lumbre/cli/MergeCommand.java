@@ -71,7 +71,7 @@ final class MergeCommand implements Callable<Integer> {
       paramLabel = "FILM",
       arity = "1..*",
       description = "Checkpoint file from 'lumbre render --checkpoint'.")
-  List<Path> films;
+  private List<Path> films;
 
   @Option(
       names = {"-o", "--output"},
@@ -80,13 +80,13 @@ final class MergeCommand implements Callable<Integer> {
       description =
           "Picture to write (.png, .jpg, .exr or .pfm); with any other extension, a checkpoint"
               + " file.")
-  Path output;
+  private Path output;
 
-  @Mixin DevelopFlags flags;
+  @Mixin private final DevelopFlags flags = new DevelopFlags();
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {

@@ -61,29 +61,29 @@ final class PixelCommand implements Callable<Integer> {
   /** The number of brightest samples that are printed. */
   private static final int SHOWN = 8;
 
-  @Mixin SceneOptions options;
+  @Mixin private final SceneOptions options = new SceneOptions();
 
   @Parameters(
       index = "1",
       paramLabel = "x,y",
       converter = FlagConverters.OfPixel.class,
       description = "Pixel of the full frame; 0,0 is the top left.")
-  PixelPlace pixel;
+  private PixelPlace pixel;
 
   @Option(
       names = "--sample",
       paramLabel = "N",
       description = "Print the path of sample N; the first sample is 0.")
-  Optional<Integer> sample;
+  private Optional<Integer> sample;
 
-  @Mixin RenderFlags flags;
+  @Mixin private final RenderFlags flags = new RenderFlags();
 
-  @Mixin KernelFlag kernel;
+  @Mixin private final KernelFlag kernel = new KernelFlag();
 
   @Option(names = "--json", description = "Print the result as JSON, with all digits.")
-  boolean json;
+  private boolean json;
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -71,6 +71,7 @@ import picocli.CommandLine.Spec;
         "Flags override the scene's settings. The picture is bit-identical on every machine and"
             + " with any number of threads.",
     mixinStandardHelpOptions = true,
+    addMethodSubcommands = false,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
     sortOptions = false,
@@ -102,7 +103,7 @@ import picocli.CommandLine.Spec;
 final class RenderCommand implements Callable<Integer> {
   private final Engine engine;
 
-  @Mixin SceneOptions options;
+  @Mixin private final SceneOptions options = new SceneOptions();
 
   @Option(
       names = {"-o", "--output"},
@@ -112,51 +113,51 @@ final class RenderCommand implements Callable<Integer> {
             + " standard output.",
         "Default: the scene's name with .png, in the working directory."
       })
-  Optional<Path> output;
+  private Optional<Path> output;
 
   @Option(
       names = "--format",
       paramLabel = "NAME",
       converter = FlagConverters.OfImageFormat.class,
       description = "Format of the picture with -o -: png, exr, pfm or jpg (png).")
-  Optional<ImageFormat> format;
+  private Optional<ImageFormat> format;
 
-  @Mixin RenderFlags flags;
+  @Mixin private final RenderFlags flags = new RenderFlags();
 
-  @Mixin BudgetFlags budgets;
+  @Mixin private final BudgetFlags budgets = new BudgetFlags();
 
-  @Mixin QualityFlags quality;
+  @Mixin private final QualityFlags quality = new QualityFlags();
 
-  @Mixin KernelFlag kernel;
+  @Mixin private final KernelFlag kernel = new KernelFlag();
 
   @Option(
       names = "--bits",
       paramLabel = "8|16",
       defaultValue = "8",
       description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
-  int bits;
+  private int bits;
 
   @Option(
       names = "--jpeg-quality",
       paramLabel = "N",
       defaultValue = "90",
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
-  int jpegQuality;
+  private int jpegQuality;
 
   @Option(
       names = "--denoise",
       description =
           "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
-  boolean denoise;
+  private boolean denoise;
 
-  @Mixin DenoiserFlags denoiser;
+  @Mixin private final DenoiserFlags denoiser = new DenoiserFlags();
 
-  @Mixin RunFlags run;
+  @Mixin private final RunFlags run = new RunFlags();
 
   @Option(
       names = "--dry-run",
       description = "Print how much memory the render would need, and render nothing.")
-  boolean dryRun;
+  private boolean dryRun;
 
   @Option(
       names = "--checkpoint",
@@ -164,9 +165,9 @@ final class RenderCommand implements Callable<Integer> {
       description =
           "Save the samples to this new checkpoint file, for 'lumbre resume', 'lumbre merge' and"
               + " 'lumbre develop'.")
-  Optional<Path> checkpoint;
+  private Optional<Path> checkpoint;
 
-  @Mixin CheckpointFlags checkpoints;
+  @Mixin private final CheckpointFlags checkpoints = new CheckpointFlags();
 
   @Option(
       names = "--turntable",
@@ -174,11 +175,11 @@ final class RenderCommand implements Callable<Integer> {
       description =
           "Write N pictures of a model from around it, numbered from 000: OUT with -000 before its"
               + " ending.")
-  Optional<Integer> turntable;
+  private Optional<Integer> turntable;
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   /** Creates the command that renders in this process. */
   RenderCommand() {
@@ -191,7 +192,7 @@ final class RenderCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    Instant start = BudgetFlags.start();
+    Instant start = budgets.start();
     Duration startup = Duration.between(start, Instant.now());
     Deadline deadline = run.deadline();
     List<Path> targets = targets();

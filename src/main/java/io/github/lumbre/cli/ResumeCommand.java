@@ -97,7 +97,7 @@ final class ResumeCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "FILM",
       description = "Checkpoint file from 'lumbre render --checkpoint'.")
-  Path film;
+  private Path film;
 
   @Option(
       names = {"-s", "--samples"},
@@ -105,36 +105,36 @@ final class ResumeCommand implements Callable<Integer> {
       description =
           "Samples per pixel, including those already rendered (as before; if these are complete,"
               + " no limit with --time or --target-error).")
-  Optional<Integer> samples;
+  private Optional<Integer> samples;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = "Picture to write (as before; a merged film needs one).")
-  Optional<Path> output;
+  private Optional<Path> output;
 
   @Option(
       names = "--scene",
       paramLabel = "SCENE",
       description = "Scene file, if it has moved (as before).")
-  Optional<Path> scene;
+  private Optional<Path> scene;
 
-  @Mixin SettingFlags work = new SettingFlags("", Group.EXECUTION);
+  @Mixin private final SettingFlags work = new SettingFlags("", Group.EXECUTION);
 
-  @Mixin BudgetFlags budgets;
+  @Mixin private final BudgetFlags budgets = new BudgetFlags();
 
-  @Mixin KernelFlag kernel;
+  @Mixin private final KernelFlag kernel = new KernelFlag();
 
-  @Mixin RunFlags run;
+  @Mixin private final RunFlags run = new RunFlags();
 
-  @Mixin CheckpointFlags checkpoints;
+  @Mixin private final CheckpointFlags checkpoints = new CheckpointFlags();
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException, SceneFormatException {
@@ -145,7 +145,7 @@ final class ResumeCommand implements Callable<Integer> {
   private int run(JsonSummary report) throws TaskException, SceneFormatException {
     validate();
     Deadline deadline = run.deadline();
-    Instant start = BudgetFlags.start();
+    Instant start = budgets.start();
     Duration startup = Duration.between(start, Instant.now());
     try (FilmKeeper keeper = checkpoints.keeper(film, run.errors())) {
       CheckpointFile.Loaded loaded = FilmInput.load(film, run.errors());

@@ -44,12 +44,12 @@ final class SelfTestCommand implements Callable<Integer> {
   private static final Tries TRIES = new Tries(4, 0);
 
   @Option(names = "--markdown", description = "Print the page docs/stability.md.")
-  boolean markdown;
+  private boolean markdown;
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() {

@@ -95,33 +95,33 @@ final class ViewCommand implements Callable<Integer> {
   /** Enough of a picture file to recognize its format. */
   private static final int MAGIC_BYTES = 64;
 
-  @Mixin SceneOptions options;
+  @Mixin private final SceneOptions options = new SceneOptions();
 
   @Option(
       names = "--port",
       paramLabel = "N",
       defaultValue = "0",
       description = "Port of the page on 127.0.0.1 (0: any that is free).")
-  int port;
+  private int port;
 
   @Option(names = "--no-open", description = "Print the address, and open no browser.")
-  boolean noOpen;
+  private boolean noOpen;
 
   @Option(
       names = "--compare",
       paramLabel = "PICTURE",
       description = "Picture to show side by side or as a difference.")
-  Optional<Path> compare;
+  private Optional<Path> compare;
 
-  @Mixin RenderFlags flags;
+  @Mixin private final RenderFlags flags = new RenderFlags();
 
-  @Mixin BudgetFlags budgets;
+  @Mixin private final BudgetFlags budgets = new BudgetFlags();
 
-  @Mixin QualityFlags quality;
+  @Mixin private final QualityFlags quality = new QualityFlags();
 
-  @Mixin KernelFlag kernel;
+  @Mixin private final KernelFlag kernel = new KernelFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -83,42 +83,42 @@ final class ViewsCommand implements Callable<Integer> {
   private static final int GAPS_PER_WIDTH = 64;
 
   @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
-  Path model;
+  private Path model;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "DIR",
       required = true,
       description = "Folder of the pictures; it is created if it does not exist.")
-  Path folder;
+  private Path folder;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       description = "Samples per pixel (100).")
-  Optional<Integer> samples;
+  private Optional<Integer> samples;
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       converter = FlagConverters.OfSize.class,
       description = "Size of each picture in pixels (1024x768).")
-  Optional<Size> size;
+  private Optional<Size> size;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       description = "Number of threads; 0: one per processor (0).")
-  Optional<Integer> threads;
+  private Optional<Integer> threads;
 
-  @Mixin ModelFlags flags = new ModelFlags();
+  @Mixin private final ModelFlags flags = new ModelFlags();
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

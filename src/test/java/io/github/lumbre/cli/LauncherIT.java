@@ -314,8 +314,10 @@ class LauncherIT {
   void classesAreReadFromAnArchiveOfThisJavaAndThisJar() throws IOException, InterruptedException {
     // JDK 17 archives no classes from a path with spaces.
     home = Files.move(home, directory.resolve("home"));
-    Path scene = Path.of("scenes/cornell-box.json");
-    Files.copy(scene, Files.createDirectories(home.resolve("scenes")).resolve(scene.getFileName()));
+    Files.createDirectories(home.resolve("scenes/models"));
+    for (String file : List.of("scenes/lantern.json", "scenes/models/lantern.glb")) {
+      Files.copy(Path.of(file), home.resolve(file));
+    }
     launch();
     assertThat(archive()).isNotEmptyFile();
     Map<String, String> options = Map.of("LUMBRE_JAVA_OPTS", "-Xlog:class+load");

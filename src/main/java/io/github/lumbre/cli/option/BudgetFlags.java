@@ -4,6 +4,7 @@ import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Budget;
+import java.lang.management.ManagementFactory;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
@@ -15,11 +16,11 @@ import picocli.CommandLine.Spec;
 
 /** The flags that end a render by time or noise; the first limit that is reached ends it. */
 public final class BudgetFlags {
-  /** The system property with the program's start time, in milliseconds since 1970. */
-  public static final String START = "lumbre.start";
+  /** The system property that is true if the process runs one command, and nothing else. */
+  public static final String OWN_PROCESS = "lumbre.process";
 
   @Spec(Spec.Target.MIXEE)
-  CommandSpec spec;
+  private CommandSpec spec;
 
   @Option(
       names = "--time",
@@ -29,7 +30,7 @@ public final class BudgetFlags {
           "Take as many samples as fit into this time, loading and saving included (in 'view':"
               + " rendering alone), but at least 1 per pixel: 90s, 5m, 2h. Frames share the time."
               + " Without --samples, the number of samples is unlimited.")
-  Optional<Duration> time = Optional.empty();
+  private Optional<Duration> time = Optional.empty();
 
   @Option(
       names = "--target-error",
@@ -39,14 +40,14 @@ public final class BudgetFlags {
           "Sample until the noise, as relative RMSE, is at most this value, such as 2%%; otherwise"
               + " exit with code 1. Frames of fewer than 64 pixels never reach a target: without"
               + " --samples and --time they end after 4096 samples per pixel.")
-  Optional<Double> targetError = Optional.empty();
+  private Optional<Double> targetError = Optional.empty();
 
   @Option(
       names = "--confidence",
       paramLabel = "PERCENT",
       converter = FlagConverters.OfShare.class,
       description = "Confidence level of the noise bound (95%%).")
-  Optional<Double> sureness = Optional.empty();
+  private Optional<Double> sureness = Optional.empty();
 
   /**
    * Checks the ranges of the values.
@@ -63,10 +64,14 @@ public final class BudgetFlags {
         });
   }
 
-  /** Returns the start of this command's time: the program's start, where it is known. */
-  public static Instant start() {
-    Long millis = Long.getLong(START);
-    return millis == null ? Instant.now() : Instant.ofEpochMilli(millis);
+  /**
+   * Returns the start of this command's time: with a time limit in a process of its own, the start
+   * of the JVM. To find this start takes the JVM 20 ms.
+   */
+  public Instant start() {
+    return time.isPresent() && Boolean.getBoolean(OWN_PROCESS)
+        ? Instant.ofEpochMilli(ManagementFactory.getRuntimeMXBean().getStartTime())
+        : Instant.now();
   }
 
   /** Returns the time limit of the whole command; empty if there is none. */

@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
 /** The flags that protect a render against loss. */
 public final class CheckpointFlags {
   @Spec(Spec.Target.MIXEE)
-  CommandSpec spec;
+  private CommandSpec spec;
 
   @Option(
       names = "--checkpoint-interval",
@@ -27,7 +27,7 @@ public final class CheckpointFlags {
       defaultValue = "60s",
       converter = FlagConverters.OfDuration.class,
       description = "Time between two saves of the checkpoint file (${DEFAULT-VALUE}).")
-  Duration interval;
+  private Duration interval;
 
   @Option(
       names = "--fallback-dir",
@@ -36,7 +36,7 @@ public final class CheckpointFlags {
         "Write the picture and the checkpoint file here if their own folder cannot be written.",
         "Default: the directory for temporary files."
       })
-  Optional<Path> fallback;
+  private Optional<Path> fallback;
 
   /**
    * Checks the values before anything is read. Without the flag, the directory for temporary files

@@ -25,7 +25,7 @@ public final class DenoiserFlags {
       description =
           "Denoiser: builtin, with the same bits on every machine, or oidn (builtin, or oidn with"
               + " --oidn).")
-  Optional<Engine> engine;
+  private Optional<Engine> engine;
 
   @Option(
       names = "--oidn",
@@ -33,14 +33,14 @@ public final class DenoiserFlags {
       description =
           "The program oidnDenoise of Open Image Denoise, or its folder (LUMBRE_OIDN, or sought on"
               + " the PATH).")
-  Optional<Path> oidn;
+  private Optional<Path> oidn;
 
   @Option(
       names = "--denoise-timeout",
       paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
       description = "Time after which oidnDenoise is ended: 90s, 5m, 2h (10m).")
-  Optional<Duration> limit;
+  private Optional<Duration> limit;
 
   /**
    * Returns the chosen denoiser.

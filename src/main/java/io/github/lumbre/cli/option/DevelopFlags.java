@@ -35,33 +35,33 @@ import picocli.CommandLine.Spec;
 /** The flags that set how a film becomes a picture. */
 public final class DevelopFlags {
   @Spec(Spec.Target.MIXEE)
-  CommandSpec spec;
+  private CommandSpec spec;
 
-  @Mixin SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
+  @Mixin private final SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
 
   @Option(
       names = "--bits",
       paramLabel = "8|16",
       description = "Bits per channel of a PNG (as rendered).")
-  Optional<Integer> bits;
+  private Optional<Integer> bits;
 
   @Option(
       names = "--jpeg-quality",
       paramLabel = "N",
       defaultValue = "90",
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
-  int jpegQuality;
+  private int jpegQuality;
 
   @Option(
       names = "--denoise",
       description =
           "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
-  boolean denoise;
+  private boolean denoise;
 
-  @Mixin DenoiserFlags denoiser;
+  @Mixin private final DenoiserFlags denoiser = new DenoiserFlags();
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
   /** A source of a film. */
   public interface Source {

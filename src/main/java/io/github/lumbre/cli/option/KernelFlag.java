@@ -18,7 +18,7 @@ public final class KernelFlag {
   private static final Duration FIRST_FOR_VECTORS = Duration.ofSeconds(20);
 
   @Spec(Spec.Target.MIXEE)
-  CommandSpec spec;
+  private CommandSpec spec;
 
   @Option(
       names = "--kernel",
@@ -27,7 +27,7 @@ public final class KernelFlag {
       description =
           "Ray traversal kernel: vector, scalar or auto (auto: scalar first; a long render changes"
               + " to vector where this is faster). The picture is bit-identical.")
-  Optional<Kernel> kernel;
+  private Optional<Kernel> kernel;
 
   /**
    * Returns a parser whose scenes use the selected kernel.
@@ -68,7 +68,8 @@ public final class KernelFlag {
     Kernel chosen = kernel.orElse(Kernel.AUTO);
     if (chosen == Kernel.VECTOR && Kernel.vectorObstacle().isPresent()) {
       throw new ParameterException(
-          spec.commandLine(), "--kernel: vector is not available: " + Kernel.vectorObstacle().get());
+          spec.commandLine(),
+          "--kernel: vector is not available: " + Kernel.vectorObstacle().get());
     }
     return chosen;
   }

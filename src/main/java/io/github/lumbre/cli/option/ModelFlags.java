@@ -34,13 +34,13 @@ public final class ModelFlags {
           "--unit");
 
   @Spec(Spec.Target.MIXEE)
-  CommandSpec spec;
+  private CommandSpec spec;
 
   @Option(
       names = "--camera",
       paramLabel = "NAME",
       description = "Camera of the file to use (the first, if it has one).")
-  Optional<String> camera;
+  private Optional<String> camera;
 
   @Option(
       names = "--view",
@@ -48,13 +48,13 @@ public final class ModelFlags {
       description =
           "Look from front, back, left, right, top, bottom or iso, or from an azimuth and"
               + " an elevation in degrees (30,20 without a camera in the file).")
-  Optional<String> view;
+  private Optional<String> view;
 
   @Option(
       names = "--fov",
       paramLabel = "DEGREES",
       description = "Vertical angle of view with --view (35).")
-  Optional<Double> fov;
+  private Optional<Double> fov;
 
   @Option(
       names = "--sky",
@@ -62,56 +62,56 @@ public final class ModelFlags {
       description =
           "Light from studio, white, or a latitude-longitude picture: .hdr, .exr, .pfm,"
               + " .png or .jpg (studio).")
-  Optional<String> sky;
+  private Optional<String> sky;
 
   @Option(
       names = "--sky-intensity",
       paramLabel = "FACTOR",
       description = "Factor of the sky's radiance (1).")
-  Optional<Double> skyIntensity;
+  private Optional<Double> skyIntensity;
 
   @Option(
       names = "--sky-rotation",
       paramLabel = "DEGREES",
       description = "Rotation of the sky about the vertical axis (0).")
-  Optional<Double> skyRotation;
+  private Optional<Double> skyRotation;
 
   @Option(
       names = "--ground",
       description =
           "Put the model on an infinite gray floor. If the background is transparent, only its"
               + " shadow is seen.")
-  boolean ground;
+  private boolean ground;
 
   @Option(
       names = "--background",
       paramLabel = "COLOR",
       description = "Show sky, transparent, or a color such as #ffffff behind it (sky).")
-  Optional<String> background;
+  private Optional<String> background;
 
   @Option(
       names = "--pose",
       paramLabel = "NAME@SECONDS",
       description = "Pose of an animation at a time (the rest pose).")
-  Optional<String> pose;
+  private Optional<String> pose;
 
   @Option(
       names = "--variant",
       paramLabel = "NAME",
       description = "Material variant to use (the default materials).")
-  Optional<String> variant;
+  private Optional<String> variant;
 
   @Option(
       names = "--up",
       paramLabel = "y|z",
       description = "Axis that points up in STL, PLY and OBJ files (y).")
-  Optional<String> up;
+  private Optional<String> up;
 
   @Option(
       names = "--unit",
       paramLabel = "LENGTH",
       description = "Length of the unit of STL, PLY and OBJ files (1).")
-  Optional<Double> unit;
+  private Optional<Double> unit;
 
   /**
    * Returns the scene around the model.

@@ -8,7 +8,7 @@ public final class OverwriteFlag {
   @Option(
       names = "--overwrite",
       description = "Replace an existing output file even if it is of a different kind.")
-  boolean overwrite;
+  private boolean overwrite;
 
   public boolean isGiven() {
     return overwrite;

@@ -14,7 +14,7 @@ public final class QualityFlags {
       description =
           "Set --target-error and --depth together: draft (20%%, 3), preview (10%%, 5), final (3%%,"
               + " 16), reference (1%%, 1000). These flags override the preset.")
-  Optional<Quality> quality = Optional.empty();
+  private Optional<Quality> quality = Optional.empty();
 
   @Option(
       names = "--adaptive",
@@ -22,7 +22,7 @@ public final class QualityFlags {
           "Give more samples to pixels where they reduce the noise most, after the first 32 of"
               + " every pixel. --samples is then the mean; up to 32, the flag has no effect. Not"
               + " with --checkpoint.")
-  boolean adaptive;
+  private boolean adaptive;
 
   /** Returns whether noisy pixels get more samples. */
   public boolean isAdaptive() {

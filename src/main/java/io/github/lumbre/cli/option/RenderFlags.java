@@ -21,20 +21,20 @@ import picocli.CommandLine.Spec;
 /** The flags that override a scene's render settings. */
 public final class RenderFlags {
   @Spec(Spec.Target.MIXEE)
-  CommandSpec spec;
+  private CommandSpec spec;
 
   @Option(
       names = "--mode",
       paramLabel = "MODE",
       converter = FlagConverters.OfMode.class,
       description = "Render mode: ray (Whitted) or path (path tracing). Default: scene or path.")
-  Optional<Mode> mode;
+  private Optional<Mode> mode;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       description = "Samples per pixel (scene or 100).")
-  Optional<Integer> samples;
+  private Optional<Integer> samples;
 
   @Option(
       names = "--samples-from",
@@ -42,13 +42,13 @@ public final class RenderFlags {
       description =
           "Index of each pixel's first sample (0). 'lumbre merge' joins checkpoint files with"
               + " consecutive samples.")
-  Optional<Integer> samplesFrom;
+  private Optional<Integer> samplesFrom;
 
   @Option(
       names = "--samples-to",
       paramLabel = "M",
       description = "End index of each pixel's samples, exclusive; instead of --samples.")
-  Optional<Integer> samplesTo;
+  private Optional<Integer> samplesTo;
 
   @Option(
       names = "--share",
@@ -56,7 +56,7 @@ public final class RenderFlags {
       description =
           "Render share I (from 0) of N of the samples, for 'lumbre merge'; auto: the share of this"
               + " process in a job array. Needs --checkpoint.")
-  Optional<String> share;
+  private Optional<String> share;
 
   /** Whether the layers for denoising are recorded besides those that are asked for. */
   private boolean isForDenoising;
@@ -71,7 +71,7 @@ public final class RenderFlags {
         "Path mode: maximum number of scattering vertices of a path (scene or 5; models: 12).",
         "Ray mode: maximum number of mirror hits, and of glass hits, of a path (scene or 2)."
       })
-  Optional<Integer> depth;
+  private Optional<Integer> depth;
 
   @Mixin
   SettingFlags settings =
@@ -84,20 +84,20 @@ public final class RenderFlags {
       description =
           "Size of the full frame in pixels (scene or 1920x1080; models: 1024 for the longer"
               + " side, with the aspect ratio of the camera, or 1024x768).")
-  Optional<Size> size;
+  private Optional<Size> size;
 
   @Option(
       names = "--crop",
       paramLabel = "x,y,w,h",
       converter = FlagConverters.OfCrop.class,
       description = "Render only this window of the full frame, with the same pixel values.")
-  Optional<Crop> crop;
+  private Optional<Crop> crop;
 
   @Option(
       names = "--max-pixels",
       paramLabel = "N",
       description = "Reject frames with more pixels (268435456, which is 2^28).")
-  Optional<Integer> maxPixels;
+  private Optional<Integer> maxPixels;
 
   /**
    * Checks the ranges of the values before anything is read.

@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
 /** The flags for a run's timeout and its reports. */
 public final class RunFlags {
   @Spec(Spec.Target.MIXEE)
-  CommandSpec spec;
+  private CommandSpec spec;
 
   @Option(
       names = "--timeout",
@@ -33,7 +33,7 @@ public final class RunFlags {
             + " and",
         "marked as partial; exit code 5 if a picture was not begun."
       })
-  Optional<Duration> timeout;
+  private Optional<Duration> timeout;
 
   @Option(
       names = "--progress",
@@ -42,18 +42,18 @@ public final class RunFlags {
       description =
           "Show progress on standard error: bar, none or json (one JSON object per second and"
               + " line). Default: bar on a terminal, else none.")
-  Optional<ProgressStyle> progress;
+  private Optional<ProgressStyle> progress;
 
   @Option(names = "--json", description = "Print a summary as one line of JSON.")
-  boolean json;
+  private boolean json;
 
   @Option(names = "--quiet", description = "Print no progress bar and no summary.")
-  boolean quiet;
+  private boolean quiet;
 
   @Option(
       names = "--stats",
       description = "Print ray counts, throughput, threads and memory at the end.")
-  boolean stats;
+  private boolean stats;
 
   /** Returns the deadline that the timeout sets, counted from now. */
   public Deadline deadline() {

@@ -40,26 +40,26 @@ public final class SceneOptions {
       description =
           "JSON scene, or model: .gltf, .glb, .obj, .ply or .stl; - for standard input, where a"
               + " model is one file, such as GLB.")
-  Path scene;
+  private Path scene;
 
-  @ArgGroup Strictness strictness = new Strictness();
+  @ArgGroup private Strictness strictness = new Strictness();
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
+  private boolean debug;
 
   /** The treatment of warnings; at most one of the two flags. */
   static final class Strictness {
     @Option(
         names = "--strict",
         description = "Treat warnings and rejected samples (negative, NaN or infinite) as errors.")
-    boolean strict;
+    private boolean strict;
 
     @Option(
         names = "--lenient",
         description =
             "Treat references to missing assets, missing pictures of a glTF model in a JSON scene,"
                 + " and colors of a picture that are not finite, as warnings instead of errors.")
-    boolean lenient;
+    private boolean lenient;
   }
 
   public Path scene() {

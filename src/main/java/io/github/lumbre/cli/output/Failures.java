@@ -25,6 +25,15 @@ import picocli.CommandLine.UnmatchedArgumentException;
  * --debug}.
  */
 public final class Failures implements IExecutionExceptionHandler, IParameterExceptionHandler {
+  private final Set<String> commands;
+
+  /**
+   * @param commands names of all commands
+   */
+  public Failures(Set<String> commands) {
+    this.commands = commands;
+  }
+
   @Override
   public int handleParseException(ParameterException e, String[] args) {
     CommandLine command = e.getCommandLine();
@@ -33,7 +42,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
     return ExitCodes.USAGE;
   }
 
-  private static String message(ParameterException e) {
+  private String message(ParameterException e) {
     Optional<String> unmatched = unmatched(e).stream().findFirst();
     CommandSpec command = e.getCommandLine().getCommandSpec();
     if (unmatched.isPresent() && unmatched.get().startsWith("-")) {
@@ -41,8 +50,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
     }
     if (unmatched.isPresent() && command.parent() == null) {
       String found = unmatched.get();
-      Set<String> known = command.subcommands().keySet();
-      return "unknown command " + found + Spelling.suggestion(found, known);
+      return "unknown command " + found + Spelling.suggestion(found, commands);
     }
     // Some messages of picocli begin with "Error: " or end with a period.
     return e.getMessage().replaceFirst("^Error: ", "").replaceFirst("[.]$", "");
