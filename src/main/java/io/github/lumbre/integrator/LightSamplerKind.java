@@ -1,7 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.light.Light;
-import io.github.lumbre.light.LightSampler;
+import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.scene.Scene;
 
 /**

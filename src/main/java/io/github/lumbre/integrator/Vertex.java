@@ -2,8 +2,8 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.guiding.Guide;
-import io.github.lumbre.light.LightChoice;
 import io.github.lumbre.light.LightSample;
+import io.github.lumbre.light.internal.LightChoice;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;

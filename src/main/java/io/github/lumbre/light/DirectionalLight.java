@@ -1,6 +1,7 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.internal.Directions;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;

@@ -264,7 +264,7 @@ public final class EnvironmentLight implements Light {
   }
 
   /** Returns whether the radiance is the same in all directions. */
-  boolean isEven() {
+  public boolean isEven() {
     return distribution.isEmpty();
   }
 

@@ -23,26 +23,26 @@ public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, do
   private static final double MARGIN = 1e-9;
 
   /** Returns bounds of emitters in a box that emit in all directions. */
-  static LightBounds allAround(Bounds3 box, double intensity) {
+  public static LightBounds allAround(Bounds3 box, double intensity) {
     return new LightBounds(box, Vec3.Z, Math.PI, .5 * Math.PI, intensity);
   }
 
   /** Returns bounds of emitters in a box whose light stays within a cone. */
-  static LightBounds towards(Bounds3 box, Vec3 axis, double spread, double fall, double intensity) {
+  public static LightBounds towards(Bounds3 box, Vec3 axis, double spread, double fall, double intensity) {
     return new LightBounds(box, axis, spread + MARGIN, fall + MARGIN, intensity);
   }
 
   /** Returns whether all emitters face the direction of the axis and emit nothing backwards. */
-  boolean isFlat() {
+  public boolean isFlat() {
     return spread <= 2 * MARGIN && fall <= .5 * Math.PI + 2 * MARGIN;
   }
 
-  LightBounds withIntensity(double value) {
+  public LightBounds withIntensity(double value) {
     return new LightBounds(box, axis, spread, fall, value);
   }
 
   /** Returns bounds of the emitters of both operands. */
-  LightBounds union(LightBounds o) {
+  public LightBounds union(LightBounds o) {
     LightBounds wide = spread >= o.spread ? this : o;
     LightBounds narrow = spread >= o.spread ? o : this;
     Bounds3 bothBoxes = box.union(o.box);
@@ -70,7 +70,7 @@ public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, do
    * Returns the cost of treating the emitters as one: the product of intensity, solid angle and
    * squared radius of the box.
    */
-  double cost() {
+  public double cost() {
     double radius = box.radius();
     double reach = Math.min(spread + fall, Math.PI);
     double sinSpread = Elementary.sinTurns(spread / Elementary.TWO_PI);

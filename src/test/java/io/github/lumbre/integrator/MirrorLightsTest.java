@@ -23,7 +23,7 @@ import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.Light;
-import io.github.lumbre.light.LightSampler;
+import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Ray;

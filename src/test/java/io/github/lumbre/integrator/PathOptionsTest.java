@@ -9,8 +9,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.light.LightChoice;
-import io.github.lumbre.light.LightSampler;
+import io.github.lumbre.light.internal.LightChoice;
+import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;

@@ -8,7 +8,7 @@ import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.Shape;
-import io.github.lumbre.light.LightSampler;
+import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;

@@ -1,5 +1,6 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
+import io.github.lumbre.light.LightBounds;
 import java.util.Arrays;
 
 /**

@@ -1,10 +1,18 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.light.PointLight;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;

@@ -1,5 +1,6 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
+import io.github.lumbre.light.LightBounds;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;

@@ -1,5 +1,7 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Light;
 import io.github.lumbre.sampling.Distribution1d;
 import java.util.ArrayList;
 import java.util.Arrays;

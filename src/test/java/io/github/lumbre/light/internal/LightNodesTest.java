@@ -1,8 +1,9 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.light.LightBounds;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -6,6 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.AreaLight;
+import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Emission;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;

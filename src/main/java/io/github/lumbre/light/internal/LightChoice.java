@@ -1,4 +1,4 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
 import io.github.lumbre.math.Vec3;
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
 /**
  * A light sampler for emitters whose irradiance decreases with distance, so that their importance

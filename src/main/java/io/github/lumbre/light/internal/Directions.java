@@ -1,4 +1,4 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
@@ -16,7 +16,7 @@ public final class Directions {
    *
    * @throws IllegalArgumentException if it is zero or not finite
    */
-  static Vec3 unit(String name, Vec3 direction) {
+  public static Vec3 unit(String name, Vec3 direction) {
     if (!(direction.maxAbs() > 0) || !direction.isFinite()) {
       throw new IllegalArgumentException(
           name + ": expected a finite vector other than 0, found " + direction);
