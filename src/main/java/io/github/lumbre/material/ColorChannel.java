@@ -7,14 +7,9 @@ import java.util.Objects;
 
 /** A color that varies over a surface, and may depend on any vertex attribute. Immutable. */
 @FunctionalInterface
-public interface ColorChannel {
+public non-sealed interface ColorChannel extends Channel {
   /** Returns the linear color at a point of a surface; each component is at least 0. */
   Rgb at(SurfacePoint point);
-
-  /** Returns whether the color is known to be the same everywhere. */
-  default boolean isConstant() {
-    return false;
-  }
 
   /** Returns a channel with the same color everywhere. */
   static ColorChannel of(Rgb color) {

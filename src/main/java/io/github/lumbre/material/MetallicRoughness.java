@@ -5,9 +5,9 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.TexturePoint;
-import java.util.Objects;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -29,26 +29,53 @@ public final class MetallicRoughness implements Material {
 
   private static final TexturePoint ORIGIN = new TexturePoint(0, 0);
 
-  private final Builder values;
+  private final Map<MaterialParameter, Channel> stated;
+  private final ColorChannel baseColor;
+  private final ScalarChannel opacity;
+  private final ScalarChannel metallic;
+  private final ScalarChannel roughness;
+  private final ScalarChannel specular;
+  private final ColorChannel specularColor;
+  private final ScalarChannel transmission;
+  private final ScalarChannel clearcoat;
+  private final ScalarChannel clearcoatRoughness;
+  private final Optional<NormalChannel> coatNormals;
+  private final ColorChannel sheenColor;
+  private final ScalarChannel sheenRoughness;
+  private final double ior;
+  private final Rgb absorption;
+  private final boolean isThin;
+  private final boolean isThinlyTransmissive;
+  private final boolean isTransparent;
+  private final boolean isDoubleSided;
   private final boolean isUniform;
   private final boolean isOpaque;
 
-  private MetallicRoughness(Builder builder) {
-    values = new Builder(builder);
-    isUniform =
-        values.baseColor.isConstant()
-            && values.metallic.isConstant()
-            && values.roughness.isConstant()
-            && values.specular.isConstant()
-            && values.specularColor.isConstant()
-            && values.transmission.isConstant()
-            && values.clearcoat.isConstant()
-            && values.clearcoatRoughness.isConstant()
-            && values.sheenColor.isConstant()
-            && values.sheenRoughness.isConstant()
-            && values.opacity.isConstant()
-            && values.coatNormals.isEmpty();
-    isOpaque = !values.isTransparent && values.isDoubleSided && !values.isThinlyTransmissive();
+  private MetallicRoughness(Builder values) {
+    stated = Map.copyOf(values.stated);
+    baseColor = values.color(MaterialParameter.BASE_COLOR);
+    opacity = values.number(MaterialParameter.OPACITY);
+    metallic = values.number(MaterialParameter.METALLIC);
+    roughness = values.number(MaterialParameter.ROUGHNESS);
+    specular = values.number(MaterialParameter.SPECULAR);
+    specularColor = values.color(MaterialParameter.SPECULAR_COLOR);
+    transmission = values.number(MaterialParameter.TRANSMISSION);
+    clearcoat = values.number(MaterialParameter.CLEARCOAT);
+    clearcoatRoughness = values.number(MaterialParameter.CLEARCOAT_ROUGHNESS);
+    coatNormals = stated(MaterialParameter.CLEARCOAT_NORMAL).map(NormalChannel.class::cast);
+    sheenColor = values.color(MaterialParameter.SHEEN_COLOR);
+    sheenRoughness = values.number(MaterialParameter.SHEEN_ROUGHNESS);
+    ior = values.number(MaterialParameter.IOR).at(ORIGIN);
+    absorption =
+        absorption(
+            values.color(MaterialParameter.ATTENUATION_COLOR).at(ORIGIN),
+            values.number(MaterialParameter.ATTENUATION_DISTANCE).at(ORIGIN));
+    isThin = !stated.containsKey(MaterialParameter.ATTENUATION_DISTANCE);
+    isThinlyTransmissive = isThin && stated.containsKey(MaterialParameter.TRANSMISSION);
+    isTransparent = stated.containsKey(MaterialParameter.OPACITY);
+    isDoubleSided = !values.isSingleSided || !isThin;
+    isUniform = stated.values().stream().allMatch(Channel::isConstant);
+    isOpaque = !isTransparent && isDoubleSided && !isThinlyTransmissive;
   }
 
   /**
@@ -59,7 +86,7 @@ public final class MetallicRoughness implements Material {
    * @param distance &gt; 0; infinite for a clear medium
    * @return per unit of the distance
    */
-  public static Rgb absorption(Rgb color, double distance) {
+  private static Rgb absorption(Rgb color, double distance) {
     return new Rgb(
         absorption(color.r(), distance),
         absorption(color.g(), distance),
@@ -70,65 +97,14 @@ public final class MetallicRoughness implements Material {
     return color >= 1 ? 0 : -Elementary.log(Math.max(color, 1e-9)) / distance;
   }
 
-  /** Receives the properties of a material; see {@link #describe}. */
-  public interface Description {
-    /** Receives a color by its name in the scene format. */
-    void color(String name, ColorChannel value);
-
-    /** Receives a number by its name in the scene format. */
-    void scalar(String name, ScalarChannel value);
-
-    /** Receives a constant by its name in the scene format. */
-    void number(String name, double value);
-
-    /** Is called if back faces are invisible. */
-    void singleSided();
-
-    /** Is called if a map perturbs the normals of the clear coat. */
-    void clearcoatNormals();
-
-    /**
-     * Receives the medium inside.
-     *
-     * @param color of white light after the distance; empty if only the absorption is known
-     */
-    void volume(Optional<Attenuation> color);
+  /** Returns the value of a parameter; empty if it has its default. */
+  public Optional<Channel> stated(MaterialParameter parameter) {
+    return Optional.ofNullable(stated.get(parameter));
   }
 
-  /**
-   * The color of white light after some distance in a medium.
-   *
-   * @param distance in world units, &gt; 0
-   */
-  public record Attenuation(Rgb color, double distance) {}
-
-  /** Passes all properties of this material on. */
-  public void describe(Description to) {
-    to.color("baseColor", values.baseColor);
-    to.scalar("metallic", values.metallic);
-    to.scalar("roughness", values.roughness);
-    to.scalar("specular", values.specular);
-    to.color("specularColor", values.specularColor);
-    to.scalar("clearcoat", values.clearcoat);
-    to.scalar("clearcoatRoughness", values.clearcoatRoughness);
-    to.color("sheenColor", values.sheenColor);
-    to.scalar("sheenRoughness", values.sheenRoughness);
-    to.number("ior", values.ior);
-    if (values.isTransparent) {
-      to.scalar("opacity", values.opacity);
-    }
-    if (values.isTransmissive) {
-      to.scalar("transmission", values.transmission);
-    }
-    if (!values.isDoubleSided) {
-      to.singleSided();
-    }
-    if (values.coatNormals.isPresent()) {
-      to.clearcoatNormals();
-    }
-    if (!values.isThin) {
-      to.volume(values.attenuation);
-    }
+  /** Returns whether back faces are visible. */
+  public boolean isDoubleSided() {
+    return isDoubleSided;
   }
 
   /** Returns a builder of a white, rough metal that is opaque and double-sided. */
@@ -154,7 +130,7 @@ public final class MetallicRoughness implements Material {
   /** {@inheritDoc} Back faces of a single-sided surface are invisible. */
   @Override
   public Rgb transmittance(SurfaceHit hit) {
-    if (!values.isDoubleSided && !hit.isFrontal()) {
+    if (!isDoubleSided && !hit.isFrontal()) {
       return Rgb.WHITE;
     }
     double opacity = opacity(hit);
@@ -163,12 +139,12 @@ public final class MetallicRoughness implements Material {
   }
 
   private double opacity(SurfaceHit hit) {
-    return values.isTransparent ? Math.max(0, Math.min(1, values.opacity.at(hit))) : 1;
+    return isTransparent ? Math.max(0, Math.min(1, opacity.at(hit))) : 1;
   }
 
   /** Returns what smooth thin transmission passes; black for other surfaces. */
   private Rgb smoothlyTransmitted(SurfaceHit hit) {
-    if (!values.isThinlyTransmissive() || alpha(hit) >= CookTorrance.SMOOTH) {
+    if (!isThinlyTransmissive || alpha(hit) >= CookTorrance.SMOOTH) {
       return Rgb.BLACK;
     }
     double share = glassShare(hit);
@@ -183,17 +159,16 @@ public final class MetallicRoughness implements Material {
 
   /** Returns the fraction of light that sheen and clear coat leave to straight transmission. */
   private double passedByLayers(SurfaceHit hit, double cosine) {
-    double sheen =
-        sheenColor(hit).max() * Sheen.albedo(cosine, unit(values.sheenRoughness.at(hit)));
-    return (1 - sheen) * (1 - coatAlbedo(unit(values.clearcoat.at(hit)), cosine, coatAlpha(hit)));
+    double sheen = sheenColor(hit).max() * Sheen.albedo(cosine, unit(sheenRoughness.at(hit)));
+    return (1 - sheen) * (1 - coatAlbedo(unit(clearcoat.at(hit)), cosine, coatAlpha(hit)));
   }
 
   private Rgb sheenColor(SurfaceHit hit) {
-    return values.sheenColor.at(hit).clampedToOne();
+    return sheenColor.at(hit).clampedToOne();
   }
 
   private double coatAlpha(SurfaceHit hit) {
-    double roughness = unit(values.clearcoatRoughness.at(hit));
+    double roughness = unit(clearcoatRoughness.at(hit));
     return Math.max(MIN_ALPHA, roughness * roughness);
   }
 
@@ -203,12 +178,12 @@ public final class MetallicRoughness implements Material {
 
   /** Returns the fraction of the surface that transmits light. */
   private double glassShare(SurfaceHit hit) {
-    return (1 - unit(values.metallic.at(hit))) * unit(values.transmission.at(hit));
+    return (1 - unit(metallic.at(hit))) * unit(transmission.at(hit));
   }
 
   @Override
   public Rgb absorption() {
-    return values.absorption;
+    return absorption;
   }
 
   private static double unit(double x) {
@@ -216,22 +191,22 @@ public final class MetallicRoughness implements Material {
   }
 
   private double alpha(SurfaceHit hit) {
-    double roughness = unit(values.roughness.at(hit));
-    return roughness * roughness;
+    double perceptual = unit(roughness.at(hit));
+    return perceptual * perceptual;
   }
 
   private Rgb baseColor(SurfaceHit hit) {
-    return values.baseColor.at(hit).clampedToOne();
+    return baseColor.at(hit).clampedToOne();
   }
 
   private Rgb dielectricF0(SurfaceHit hit) {
-    double ratio = values.ior == 0 ? 1 : (values.ior - 1) / (values.ior + 1);
-    Rgb color = values.specularColor.at(hit).times(ratio * ratio);
-    return color.clampedToOne().times(unit(values.specular.at(hit)));
+    double ratio = ior == 0 ? 1 : (ior - 1) / (ior + 1);
+    Rgb color = specularColor.at(hit).times(ratio * ratio);
+    return color.clampedToOne().times(unit(specular.at(hit)));
   }
 
   private double f90(SurfaceHit hit) {
-    return unit(values.specular.at(hit));
+    return unit(specular.at(hit));
   }
 
   @Override
@@ -247,16 +222,16 @@ public final class MetallicRoughness implements Material {
 
   /** Returns whether a clear coat may cover the surface somewhere. */
   boolean mayBeCoated() {
-    return !values.clearcoat.isConstant() || unit(values.clearcoat.at(ORIGIN)) > 0;
+    return !clearcoat.isConstant() || unit(clearcoat.at(ORIGIN)) > 0;
   }
 
   /** Returns whether a clear coat covers the surface at a hit. */
   boolean isCoated(SurfaceHit hit) {
-    return unit(values.clearcoat.at(hit)) > 0;
+    return unit(clearcoat.at(hit)) > 0;
   }
 
   /** Returns how the surface scatters at a hit, with a perturbed normal below the clear coat. */
-  Bsdf at(SurfaceHit hit, PerturbedNormal belowCoat) {
+  Bsdf at(SurfaceHit hit, NormalChannel belowCoat) {
     return coated(belowCoat.tilted(belowCoat(hit), hit), hit);
   }
 
@@ -264,7 +239,7 @@ public final class MetallicRoughness implements Material {
     Bsdf bsdf = base(hit);
     Rgb sheenColor = sheenColor(hit);
     if (!sheenColor.isBlack()) {
-      double roughness = unit(values.sheenRoughness.at(hit));
+      double roughness = unit(sheenRoughness.at(hit));
       double most = sheenColor.max();
       bsdf =
           new Layered(
@@ -277,7 +252,7 @@ public final class MetallicRoughness implements Material {
 
   /** Returns a BSDF below the clear coat, times the opacity. */
   private Bsdf coated(Bsdf base, SurfaceHit hit) {
-    double coat = unit(values.clearcoat.at(hit));
+    double coat = unit(clearcoat.at(hit));
     Bsdf bsdf = coat > 0 ? coated(base, coat, coatAlpha(hit), hit) : base;
     double opacity = opacity(hit);
     return opacity < 1 ? new Faded(bsdf, opacity) : bsdf;
@@ -285,8 +260,7 @@ public final class MetallicRoughness implements Material {
 
   private Bsdf coated(Bsdf base, double coat, double alpha, SurfaceHit hit) {
     Lobe smooth = new SchlickReflection(Rgb.grey(coat * COAT_F0), coat, new Ggx(alpha));
-    if (values.coatNormals.isPresent()
-        && values.coatNormals.get().tilted(smooth, hit) instanceof Tilted bumpy) {
+    if (coatNormals.isPresent() && coatNormals.get().tilted(smooth, hit) instanceof Tilted bumpy) {
       return new Layered(bumpy, base, (x, y, z) -> coatAlbedo(coat, bumpy.cosine(x, y, z), alpha));
     }
     return new Layered(smooth, base, (x, y, z) -> coatAlbedo(coat, Math.abs(z), alpha));
@@ -294,16 +268,15 @@ public final class MetallicRoughness implements Material {
 
   /** Returns the BSDF without sheen and clear coat. */
   private Bsdf base(SurfaceHit hit) {
-    double metallic = unit(values.metallic.at(hit));
-    double transmission = unit(values.transmission.at(hit));
-    double glass = (1 - metallic) * transmission;
+    double metal = unit(metallic.at(hit));
+    double glass = glassShare(hit);
     Rgb color = baseColor(hit);
     double alpha = alpha(hit);
     if (glass == 1) {
       return glass(hit, color, alpha);
     }
     // Rounding must not make more than all of the rest a metal.
-    Bsdf solid = solid(hit, color, Math.min(1, metallic / (1 - glass)), alpha);
+    Bsdf solid = solid(hit, color, Math.min(1, metal / (1 - glass)), alpha);
     return glass == 0 ? solid : new Blend(glass(hit, color, alpha), solid, glass);
   }
 
@@ -324,220 +297,71 @@ public final class MetallicRoughness implements Material {
   }
 
   private Bsdf glass(SurfaceHit hit, Rgb tint, double alpha) {
-    if (values.isThin) {
+    if (isThin) {
       Rgb f0 = dielectricF0(hit);
       Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
       return alpha < CookTorrance.SMOOTH
           ? new SchlickReflection(f0, f90(hit), facets)
           : new ThinGlass(tint, f0, f90(hit), facets);
     }
-    double ior = values.ior == 0 ? 1e6 : Math.max(1, values.ior);
-    return alpha < CookTorrance.SMOOTH || ior - 1 < 1e-8
-        ? new Dielectric(Rgb.WHITE, tint, ior)
-        : new RoughDielectric(Rgb.WHITE, tint, ior, new Ggx(alpha));
+    double index = ior == 0 ? 1e6 : Math.max(1, ior);
+    return alpha < CookTorrance.SMOOTH || index - 1 < 1e-8
+        ? new Dielectric(Rgb.WHITE, tint, index)
+        : new RoughDielectric(Rgb.WHITE, tint, index, new Ggx(alpha));
   }
 
   /** Builds a {@link MetallicRoughness}. Mutable. */
   public static final class Builder {
-    private ColorChannel baseColor = ColorChannel.of(Rgb.WHITE);
-    private ScalarChannel opacity = ScalarChannel.of(1);
-    private ScalarChannel metallic = ScalarChannel.of(1);
-    private ScalarChannel roughness = ScalarChannel.of(1);
-    private ScalarChannel specular = ScalarChannel.of(1);
-    private ColorChannel specularColor = ColorChannel.of(Rgb.WHITE);
-    private ScalarChannel transmission = ScalarChannel.of(0);
-    private ScalarChannel clearcoat = ScalarChannel.of(0);
-    private ScalarChannel clearcoatRoughness = ScalarChannel.of(0);
-    private Optional<PerturbedNormal> coatNormals = Optional.empty();
-    private ColorChannel sheenColor = ColorChannel.of(Rgb.BLACK);
-    private ScalarChannel sheenRoughness = ScalarChannel.of(0);
-    private double ior = 1.5;
-    private boolean isTransparent;
-    private boolean isDoubleSided = true;
-    private boolean isThin = true;
-    private boolean isTransmissive;
-    private Rgb absorption = Rgb.BLACK;
-    private Optional<Attenuation> attenuation = Optional.empty();
+    private final Map<MaterialParameter, Channel> stated = new HashMap<>();
+    private boolean isSingleSided;
 
     private Builder() {}
 
-    private Builder(Builder other) {
-      baseColor = other.baseColor;
-      opacity = other.opacity;
-      metallic = other.metallic;
-      roughness = other.roughness;
-      specular = other.specular;
-      specularColor = other.specularColor;
-      transmission = other.transmission;
-      clearcoat = other.clearcoat;
-      clearcoatRoughness = other.clearcoatRoughness;
-      coatNormals = other.coatNormals;
-      sheenColor = other.sheenColor;
-      sheenRoughness = other.sheenRoughness;
-      ior = other.ior;
-      isTransparent = other.isTransparent;
-      isDoubleSided = other.isDoubleSided;
-      isThin = other.isThin;
-      isTransmissive = other.isTransmissive;
-      absorption = other.absorption;
-      attenuation = other.attenuation;
-    }
-
-    private boolean isThinlyTransmissive() {
-      return isTransmissive && isThin;
-    }
-
-    /** Sets the albedo of dielectrics and the reflectance of metals; the default is white. */
-    public Builder baseColor(ColorChannel value) {
-      baseColor = Objects.requireNonNull(value, "baseColor");
-      return this;
-    }
-
-    /** Sets the fraction of light that the surface stops, in [0,1]; the default is 1. */
-    public Builder opacity(ScalarChannel value) {
-      opacity = Objects.requireNonNull(value, "opacity");
-      isTransparent = true;
-      return this;
-    }
-
-    /** Sets the metalness: 0 for dielectrics to 1 for metals, the default. */
-    public Builder metallic(ScalarChannel value) {
-      metallic = Objects.requireNonNull(value, "metallic");
-      return this;
-    }
-
-    /** Sets the perceptual roughness, in [0,1]: the square root of α; the default is 1. */
-    public Builder roughness(ScalarChannel value) {
-      roughness = Objects.requireNonNull(value, "roughness");
-      return this;
-    }
-
-    /** Sets the strength of the dielectric reflection, in [0,1]; the default is 1. */
-    public Builder specular(ScalarChannel value) {
-      specular = Objects.requireNonNull(value, "specular");
-      return this;
-    }
-
-    /** Sets the tint of the dielectric reflection at normal incidence; the default is white. */
-    public Builder specularColor(ColorChannel value) {
-      specularColor = Objects.requireNonNull(value, "specularColor");
-      return this;
-    }
-
-    /** Sets the fraction of non-reflected light that is transmitted, in [0,1]. */
-    public Builder transmission(ScalarChannel value) {
-      transmission = Objects.requireNonNull(value, "transmission");
-      isTransmissive = true;
-      return this;
-    }
-
-    /** Sets the strength of the clear coat, in [0,1]; the default is 0. */
-    public Builder clearcoat(ScalarChannel value) {
-      clearcoat = Objects.requireNonNull(value, "clearcoat");
-      return this;
-    }
-
-    /** Sets the perceptual roughness of the clear coat, in [0,1]. */
-    public Builder clearcoatRoughness(ScalarChannel value) {
-      clearcoatRoughness = Objects.requireNonNull(value, "clearcoatRoughness");
-      return this;
-    }
-
-    /** Sets the normals of the clear coat; without a map, they are those of the vertices. */
-    public Builder clearcoatNormals(NormalMap map, int uvSet) {
-      coatNormals = Optional.of(new PerturbedNormal(map, uvSet));
-      return this;
-    }
-
-    /** Sets the color of the sheen; black, the default, means none. */
-    public Builder sheenColor(ColorChannel value) {
-      sheenColor = Objects.requireNonNull(value, "sheenColor");
-      return this;
-    }
-
-    /** Sets the perceptual roughness of the sheen, in [0,1]. */
-    public Builder sheenRoughness(ScalarChannel value) {
-      sheenRoughness = Objects.requireNonNull(value, "sheenRoughness");
+    /**
+     * Sets a parameter.
+     *
+     * @throws IllegalArgumentException if it has values of another kind, or must be constant
+     */
+    public Builder set(MaterialParameter parameter, Channel value) {
+      stated.put(parameter, parameter.require(value));
       return this;
     }
 
     /**
-     * Sets the index of refraction; the default is 1.5.
+     * Sets a number.
      *
-     * @param value at least 1, or 0 for a dielectric that reflects everything
+     * @throws IllegalArgumentException if the parameter is no number, or the value is out of range
      */
-    public Builder ior(double value) {
-      if (!(value == 0 || value >= 1 && value <= 1e6)) {
-        throw new IllegalArgumentException("ior: expected 0 or 1 to 1e6, found " + value);
-      }
-      ior = value;
-      return this;
+    public Builder set(MaterialParameter parameter, double value) {
+      return set(parameter, parameter.constant(Rgb.grey(value)));
     }
 
-    /** Makes back faces invisible. */
+    /**
+     * Sets a linear color.
+     *
+     * @throws IllegalArgumentException if the parameter is no color, or the value is out of range
+     */
+    public Builder set(MaterialParameter parameter, Rgb value) {
+      return set(parameter, parameter.constant(value));
+    }
+
+    /** Makes back faces invisible, unless the surface is the boundary of a volume. */
     public Builder singleSided() {
-      isDoubleSided = false;
+      isSingleSided = true;
       return this;
     }
 
-    /**
-     * Makes the surface the boundary of a volume, which refracts: the mesh must be closed.
-     *
-     * @param newAbsorption absorption coefficient inside, per world unit, each component at least 0
-     */
-    public Builder volume(Rgb newAbsorption) {
-      absorption = Objects.requireNonNull(newAbsorption, "absorption");
-      attenuation = Optional.empty();
-      isThin = false;
-      isDoubleSided = true;
-      return this;
+    private Channel value(MaterialParameter parameter) {
+      Channel value = stated.get(parameter);
+      return value == null ? parameter.constant(parameter.missing()) : value;
     }
 
-    /**
-     * Makes the surface the boundary of a volume, which refracts: the shape must be closed.
-     *
-     * @param color of white light after the distance, each component in [0, 1]
-     * @param distance in world units, &gt; 0
-     * @throws IllegalArgumentException if a number is out of range
-     */
-    public Builder volume(Rgb color, double distance) {
-      Values.reflectance("color", color);
-      if (!(distance > 0)) {
-        throw new IllegalArgumentException("distance: expected > 0, found " + distance);
-      }
-      volume(MetallicRoughness.absorption(color, distance));
-      attenuation = Optional.of(new Attenuation(color, distance));
-      return this;
+    private ColorChannel color(MaterialParameter parameter) {
+      return (ColorChannel) value(parameter);
     }
 
-    /** Sets the albedo of dielectrics and the reflectance of metals, each component in [0, 1]. */
-    public Builder baseColor(Rgb value) {
-      return baseColor(ColorChannel.of(Values.reflectance("baseColor", value), 0));
-    }
-
-    /** Sets the metalness: 0 for dielectrics to 1 for metals. */
-    public Builder metallic(double value) {
-      return metallic(ScalarChannel.of(Values.number("metallic", value, 0, 1), 0));
-    }
-
-    /** Sets the perceptual roughness, in [0, 1]. */
-    public Builder roughness(double value) {
-      return roughness(ScalarChannel.of(Values.number("roughness", value, 0, 1), 0));
-    }
-
-    /** Sets the fraction of light that the surface stops, in [0, 1]. */
-    public Builder opacity(double value) {
-      return opacity(ScalarChannel.of(Values.number("opacity", value, 0, 1), 0));
-    }
-
-    /** Sets the fraction of non-reflected light that is transmitted, in [0, 1]. */
-    public Builder transmission(double value) {
-      return transmission(ScalarChannel.of(Values.number("transmission", value, 0, 1), 0));
-    }
-
-    /** Sets the strength of the clear coat, in [0, 1]. */
-    public Builder clearcoat(double value) {
-      return clearcoat(ScalarChannel.of(Values.number("clearcoat", value, 0, 1), 0));
+    private ScalarChannel number(MaterialParameter parameter) {
+      return (ScalarChannel) value(parameter);
     }
 
     /** Returns the material. */

@@ -48,7 +48,7 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
   @Override
   public Bsdf at(SurfaceHit hit) {
     return material instanceof MetallicRoughness layered && layered.isCoated(hit)
-        ? layered.at(hit, new PerturbedNormal(map, uvSet))
+        ? layered.at(hit, new NormalChannel(map, uvSet))
         : material.at(hit);
   }
 
@@ -71,7 +71,7 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
   public void perturb(SurfaceHit hit) {
     material.perturb(hit);
     if (!(material instanceof MetallicRoughness layered && layered.isCoated(hit))) {
-      new PerturbedNormal(map, uvSet).perturb(hit);
+      new NormalChannel(map, uvSet).perturb(hit);
     }
   }
 

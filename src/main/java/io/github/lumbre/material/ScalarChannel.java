@@ -6,14 +6,9 @@ import java.util.Objects;
 
 /** A number that varies over a surface, and may depend on any vertex attribute. Immutable. */
 @FunctionalInterface
-public interface ScalarChannel {
+public non-sealed interface ScalarChannel extends Channel {
   /** Returns the value at a point of a surface. */
   double at(SurfacePoint point);
-
-  /** Returns whether the value is known to be the same everywhere. */
-  default boolean isConstant() {
-    return false;
-  }
 
   /** Returns a channel with the same value everywhere. */
   static ScalarChannel of(double value) {

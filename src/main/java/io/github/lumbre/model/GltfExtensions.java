@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.util.List;
 import java.util.Map;
@@ -8,18 +9,13 @@ import java.util.TreeSet;
 
 /** Checks the version and the extensions of a glTF file against those that are supported. */
 final class GltfExtensions {
+  /** Supported extensions, besides those with parameters of materials. */
   private static final Set<String> SUPPORTED =
       Set.of(
           "KHR_lights_punctual",
-          "KHR_materials_clearcoat",
           "KHR_materials_emissive_strength",
-          "KHR_materials_ior",
-          "KHR_materials_sheen",
-          "KHR_materials_specular",
-          "KHR_materials_transmission",
           "KHR_materials_unlit",
           "KHR_materials_variants",
-          "KHR_materials_volume",
           "KHR_mesh_quantization",
           "KHR_texture_transform");
 
@@ -110,7 +106,9 @@ final class GltfExtensions {
   }
 
   private static boolean isSupported(String name) {
-    return SUPPORTED.contains(name) || INVISIBLE.contains(name);
+    return SUPPORTED.contains(name)
+        || INVISIBLE.contains(name)
+        || name.startsWith("KHR_") && MaterialParameter.gltfObjects().contains(name);
   }
 
   private static void checkVersion(GltfJson asset) throws ModelFormatException {

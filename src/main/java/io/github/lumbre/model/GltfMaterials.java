@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelMaterial.AlphaMode;
 import java.io.IOException;
 import java.util.HashMap;
@@ -14,11 +15,6 @@ import java.util.OptionalInt;
  * each material is built once.
  */
 final class GltfMaterials {
-  private static final int RED = 0;
-  private static final int GREEN = 1;
-  private static final int BLUE = 2;
-  private static final int ALPHA = 3;
-
   private final GltfDocument document;
   private final GltfTextures textures;
   private final ModelMaterial standard = ModelMaterial.builder("", "").build();
@@ -43,150 +39,121 @@ final class GltfMaterials {
   }
 
   private ModelMaterial read(GltfJson json) throws ModelFormatException, IOException {
+    Optional<ModelTexture> bumps = textures.read(json, "normalTexture");
     ModelMaterial.Builder material =
         ModelMaterial.builder(json.text("name", ""), json.location())
-            .normalMap(normal(json, "normalTexture"))
+            .normalMap(bumps.isPresent() ? normals(json, "normalTexture", bumps) : Optional.empty())
             .alphaMode(
                 AlphaMode.valueOf(
                     json.choice("alphaMode", "OPAQUE", List.of("OPAQUE", "MASK", "BLEND"))))
             .alphaCutoff(json.number("alphaCutoff", .5))
             .doubleSided(json.flag("doubleSided", false))
-            .unlit(json.extension("KHR_materials_unlit").isPresent());
-    readMetallicRoughness(json, material);
-    readEmission(json, material);
-    readDielectric(json, material);
-    readTransmission(json, material);
-    readLayers(json, material);
+            .unlit(json.extension("KHR_materials_unlit").isPresent())
+            .emission(emission(json));
+    for (String name : MaterialParameter.gltfObjects()) {
+      Optional<GltfJson> found = name.startsWith("KHR_") ? json.extension(name) : json.object(name);
+      if (found.isPresent() && isValid(name, found.get())) {
+        readParameters(found.get(), name, material);
+      }
+    }
     return material.build();
   }
 
-  private void readMetallicRoughness(GltfJson material, ModelMaterial.Builder out)
-      throws ModelFormatException, IOException {
-    Optional<GltfJson> found = material.object("pbrMetallicRoughness");
-    if (found.isEmpty()) {
-      return;
-    }
-    GltfJson json = found.get();
-    double[] factor = json.numbers("baseColorFactor", 1, 1, 1, 1);
-    for (int i = 0; i < factor.length; i++) {
-      factor[i] = clamped(json, "baseColorFactor", factor[i], 1);
-    }
-    Optional<ModelTexture> texture = textures.read(json, "baseColorTexture");
-    out.baseColor(new ColorInput(new Rgb(factor[0], factor[1], factor[2]), texture));
-    out.opacity(new ScalarInput(factor[3], texture, ALPHA));
-    Optional<ModelTexture> both = textures.read(json, "metallicRoughnessTexture");
-    out.metallic(new ScalarInput(fraction(json, "metallicFactor", 1), both, BLUE));
-    out.roughness(new ScalarInput(fraction(json, "roughnessFactor", 1), both, GREEN));
+  /** Returns whether the parameters of an object count: those of a volume need a thickness. */
+  private boolean isValid(String name, GltfJson json) throws ModelFormatException {
+    return !name.equals(MaterialParameter.VOLUME_EXTENSION)
+        || clamped(json, "thicknessFactor", json.number("thicknessFactor", 0), Double.MAX_VALUE)
+            > 0;
   }
 
-  private void readEmission(GltfJson json, ModelMaterial.Builder out)
+  private void readParameters(GltfJson json, String object, ModelMaterial.Builder out)
       throws ModelFormatException, IOException {
+    Map<String, Optional<ModelTexture>> read = new HashMap<>();
+    for (MaterialParameter parameter : MaterialParameter.all()) {
+      if (parameter.gltfObject().equals(object)) {
+        String member = parameter.gltfTexture();
+        if (!read.containsKey(member)) {
+          read.put(member, textures.read(json, member));
+        }
+        Optional<MaterialInput> value = input(json, parameter, read.get(member));
+        value.ifPresent(input -> out.set(parameter, input));
+      }
+    }
+  }
+
+  private Optional<MaterialInput> input(
+      GltfJson json, MaterialParameter parameter, Optional<ModelTexture> texture)
+      throws ModelFormatException {
+    return switch (parameter.kind()) {
+      case NORMALS -> normals(json, parameter.gltfTexture(), texture);
+      case COLOR -> Optional.of(new MaterialInput(rgb(json, parameter), texture, 0));
+      case NUMBER ->
+          Optional.of(
+              new MaterialInput(
+                  Rgb.grey(number(json, parameter)), texture, parameter.gltfChannel()));
+    };
+  }
+
+  private MaterialInput emission(GltfJson json) throws ModelFormatException, IOException {
     Optional<GltfJson> extension = json.extension("KHR_materials_emissive_strength");
-    double strength =
-        extension.isPresent() ? atLeastZero(extension.get(), "emissiveStrength", 1) : 1;
-    ColorInput plain = color(json, "emissiveFactor", "emissiveTexture", Rgb.BLACK, false);
+    double strength = 1;
+    if (extension.isPresent()) {
+      double stated = extension.get().number("emissiveStrength", 1);
+      strength = clamped(extension.get(), "emissiveStrength", stated, Double.MAX_VALUE);
+    }
+    double[] factor = clamped(json, "emissiveFactor", Double.MAX_VALUE, 0, 0, 0);
+    Optional<ModelTexture> texture = textures.read(json, "emissiveTexture");
     // Without its texture, a surface would glow all over.
-    boolean isLost = json.has("emissiveTexture") && plain.texture().isEmpty();
-    Rgb radiance = isLost ? Rgb.BLACK : plain.factor().times(strength);
+    boolean isLost = json.has("emissiveTexture") && texture.isEmpty();
+    Rgb radiance = isLost ? Rgb.BLACK : new Rgb(factor[0], factor[1], factor[2]).times(strength);
     if (!radiance.isFinite()) {
       throw json.malformed("emissiveFactor", "expected a finite radiance, found an infinite one");
     }
-    out.emission(new ColorInput(radiance, plain.texture()));
+    return new MaterialInput(radiance, texture, 0);
   }
 
-  private void readDielectric(GltfJson material, ModelMaterial.Builder out)
-      throws ModelFormatException, IOException {
-    Optional<GltfJson> ior = material.extension("KHR_materials_ior");
-    if (ior.isPresent()) {
-      double value = ior.get().number("ior", 1.5);
-      if (value != 0 && !(value >= 1)) {
-        throw ior.get().expected("ior", "0 or at least 1");
-      }
-      out.ior(value);
+  private static Optional<MaterialInput> normals(
+      GltfJson json, String member, Optional<ModelTexture> texture) throws ModelFormatException {
+    if (texture.isEmpty()) {
+      return Optional.empty();
     }
-    Optional<GltfJson> specular = material.extension("KHR_materials_specular");
-    if (specular.isPresent()) {
-      GltfJson json = specular.get();
-      out.specular(scalar(json, "specularFactor", 1, "specularTexture", ALPHA));
-      out.specularColor(
-          color(json, "specularColorFactor", "specularColorTexture", Rgb.WHITE, false));
-    }
+    double scale = json.requireObject(member).number("scale", 1);
+    return Optional.of(new MaterialInput(Rgb.grey(scale), texture, 0));
   }
 
-  private void readTransmission(GltfJson material, ModelMaterial.Builder out)
-      throws ModelFormatException, IOException {
-    Optional<GltfJson> transmission = material.extension("KHR_materials_transmission");
-    if (transmission.isPresent()) {
-      GltfJson json = transmission.get();
-      out.transmission(scalar(json, "transmissionFactor", 0, "transmissionTexture", RED));
+  private double number(GltfJson json, MaterialParameter parameter) throws ModelFormatException {
+    String member = parameter.gltfFactor();
+    if (parameter == MaterialParameter.OPACITY) {
+      return clamped(json, member, json.numbers(member, 1, 1, 1, 1)[3], 1);
     }
-    Optional<GltfJson> volume = material.extension("KHR_materials_volume");
-    if (volume.isPresent() && atLeastZero(volume.get(), "thicknessFactor", 0) > 0) {
-      GltfJson json = volume.get();
-      double distance =
-          json.has("attenuationDistance")
-              ? json.requirePositive("attenuationDistance")
-              : Double.POSITIVE_INFINITY;
-      Rgb color = rgb(json, "attenuationColor", Rgb.WHITE, true);
-      out.volume(Optional.of(new ModelMaterial.Volume(distance, color)));
+    double value = json.number(member, parameter.missing().r());
+    if (parameter.most() == 1) {
+      return clamped(json, member, value, 1);
     }
+    if (!parameter.accepts(value)) {
+      throw json.expected(member, parameter.expected());
+    }
+    return value;
   }
 
-  private void readLayers(GltfJson material, ModelMaterial.Builder out)
-      throws ModelFormatException, IOException {
-    Optional<GltfJson> coat = material.extension("KHR_materials_clearcoat");
-    if (coat.isPresent()) {
-      GltfJson json = coat.get();
-      out.clearcoat(scalar(json, "clearcoatFactor", 0, "clearcoatTexture", RED));
-      out.clearcoatRoughness(
-          scalar(json, "clearcoatRoughnessFactor", 0, "clearcoatRoughnessTexture", GREEN));
-      out.clearcoatNormalMap(normal(json, "clearcoatNormalTexture"));
-    }
-    Optional<GltfJson> sheen = material.extension("KHR_materials_sheen");
-    if (sheen.isPresent()) {
-      GltfJson json = sheen.get();
-      out.sheenColor(color(json, "sheenColorFactor", "sheenColorTexture", Rgb.BLACK, true));
-      out.sheenRoughness(scalar(json, "sheenRoughnessFactor", 0, "sheenRoughnessTexture", ALPHA));
-    }
-  }
-
-  private Optional<NormalInput> normal(GltfJson json, String member)
-      throws ModelFormatException, IOException {
-    Optional<ModelTexture> texture = textures.read(json, member);
-    return texture.isPresent()
-        ? Optional.of(new NormalInput(texture.get(), json.requireObject(member).number("scale", 1)))
-        : Optional.empty();
-  }
-
-  private ScalarInput scalar(
-      GltfJson json, String factor, double fallback, String texture, int channel)
-      throws ModelFormatException, IOException {
-    return new ScalarInput(fraction(json, factor, fallback), textures.read(json, texture), channel);
-  }
-
-  private ColorInput color(
-      GltfJson json, String factor, String texture, Rgb fallback, boolean isFraction)
-      throws ModelFormatException, IOException {
-    return new ColorInput(rgb(json, factor, fallback, isFraction), textures.read(json, texture));
-  }
-
-  private Rgb rgb(GltfJson json, String member, Rgb fallback, boolean isFraction)
-      throws ModelFormatException {
-    double[] c = json.numbers(member, fallback.r(), fallback.g(), fallback.b());
-    for (int i = 0; i < 3; i++) {
-      c[i] = clamped(json, member, c[i], isFraction ? 1 : Double.MAX_VALUE);
-    }
+  private Rgb rgb(GltfJson json, MaterialParameter parameter) throws ModelFormatException {
+    Rgb missing = parameter.missing();
+    double[] fallback =
+        parameter == MaterialParameter.BASE_COLOR
+            ? new double[] {1, 1, 1, 1}
+            : new double[] {missing.r(), missing.g(), missing.b()};
+    double[] c = clamped(json, parameter.gltfFactor(), parameter.most(), fallback);
     return new Rgb(c[0], c[1], c[2]);
   }
 
-  private double fraction(GltfJson json, String member, double fallback)
+  /** Returns numbers of which the first three are clamped. */
+  private double[] clamped(GltfJson json, String member, double max, double... fallback)
       throws ModelFormatException {
-    return clamped(json, member, json.number(member, fallback), 1);
-  }
-
-  private double atLeastZero(GltfJson json, String member, double fallback)
-      throws ModelFormatException {
-    return clamped(json, member, json.number(member, fallback), Double.MAX_VALUE);
+    double[] c = json.numbers(member, fallback);
+    for (int i = 0; i < 3; i++) {
+      c[i] = clamped(json, member, c[i], max);
+    }
+    return c;
   }
 
   private double clamped(GltfJson json, String member, double value, double max) {

@@ -1,8 +1,10 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The texture coordinates of a normal map. Tangents point along increasing u of the picture, so
@@ -16,19 +18,28 @@ record MapCoordinates(int uvSet, UvTransform transform) {
 
   /**
    * Returns the coordinates whose tangents a mesh needs and lacks: those of the normal map, or else
-   * those of the clear coat's. It is empty if the material has no normal map, if the mesh has
-   * tangents or no texture coordinates, and if each triangle of a flat mesh has the tangents of its
-   * first texture coordinates.
+   * those of a layer's. It is empty if the material has no normal map, if the mesh has tangents or
+   * no texture coordinates, and if each triangle of a flat mesh has the tangents of its first
+   * texture coordinates.
    */
   static Optional<MapCoordinates> missing(ModelMaterial material, ModelGeometry geometry) {
-    Optional<NormalInput> map =
-        material.normalMap().isPresent() ? material.normalMap() : material.clearcoatNormalMap();
+    Optional<ModelTexture> map =
+        Stream.concat(material.normalMap().stream(), layers(material))
+            .flatMap(input -> input.texture().stream())
+            .findFirst();
     if (map.isEmpty() || geometry.tangents().length > 0) {
       return Optional.empty();
     }
-    MapCoordinates used = of(map.get().texture(), geometry);
+    MapCoordinates used = of(map.get(), geometry);
     boolean hasOwn = geometry.normals().length == 0 && used.equals(FIRST);
     return hasOwn || used.of(geometry).length == 0 ? Optional.empty() : Optional.of(used);
+  }
+
+  /** Returns the normal maps of layers. */
+  private static Stream<MaterialInput> layers(ModelMaterial material) {
+    return MaterialParameter.all().stream()
+        .filter(p -> p.kind() == MaterialParameter.Kind.NORMALS)
+        .map(material::input);
   }
 
   private static MapCoordinates of(ModelTexture texture, ModelGeometry geometry) {

@@ -5,9 +5,12 @@ import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.Channel;
 import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.material.MetallicRoughness;
+import io.github.lumbre.material.NormalChannel;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.math.Transform;
@@ -95,54 +98,46 @@ final class ModelMaterials {
   private Material material(ModelMaterial m, boolean isClosed) throws ModelFormatException {
     MetallicRoughness.Builder builder = MetallicRoughness.builder();
     if (m.unlit()) {
-      builder.baseColor(ColorChannel.of(Rgb.BLACK)).specular(ScalarChannel.of(0));
-      builder.metallic(ScalarChannel.of(0));
+      builder.set(MaterialParameter.BASE_COLOR, Rgb.BLACK);
+      builder.set(MaterialParameter.SPECULAR, 0).set(MaterialParameter.METALLIC, 0);
     } else {
       addLobes(m, builder);
     }
     switch (m.alphaMode()) {
       case OPAQUE -> {}
-      case MASK -> builder.opacity(mask(opacity(m), m.alphaCutoff()));
-      case BLEND -> builder.opacity(opacity(m));
+      case MASK -> builder.set(MaterialParameter.OPACITY, mask(opacity(m), m.alphaCutoff()));
+      case BLEND -> builder.set(MaterialParameter.OPACITY, opacity(m));
     }
     if (!m.doubleSided() && !isClosed) {
       builder.singleSided();
     }
-    if (m.volume().isPresent() && m.transmission().factor() > 0) {
-      ModelMaterial.Volume volume = m.volume().get();
-      builder.volume(
-          MetallicRoughness.absorption(
-              volume.attenuationColor(), volume.attenuationDistance() * unit));
-    }
     Material material = builder.build();
-    Optional<NormalInput> map = usableMap(m.normalMap());
-    return map.isPresent() && !m.unlit()
-        ? new NormalMapped(material, normalMap(map.get()), map.get().texture().uvSet())
+    Optional<NormalChannel> normals =
+        m.normalMap().isPresent() && !m.unlit() ? normals(m.normalMap().get()) : Optional.empty();
+    return normals.isPresent()
+        ? new NormalMapped(material, normals.get().map(), normals.get().uvSet())
         : material;
   }
 
   private void addLobes(ModelMaterial m, MetallicRoughness.Builder builder)
       throws ModelFormatException {
-    builder
-        .baseColor(timesVertexColor(color(m.baseColor())))
-        .metallic(scalar(m.metallic()))
-        .roughness(scalar(m.roughness()))
-        .specular(scalar(m.specular()))
-        .specularColor(color(m.specularColor()))
-        .ior(m.ior());
-    if (m.transmission().factor() > 0) {
-      builder.transmission(scalar(m.transmission()));
-    }
-    if (m.clearcoat().factor() > 0) {
-      builder.clearcoat(scalar(m.clearcoat()));
-      builder.clearcoatRoughness(scalar(m.clearcoatRoughness()));
-      Optional<NormalInput> map = usableMap(m.clearcoatNormalMap());
-      if (map.isPresent()) {
-        builder.clearcoatNormals(normalMap(map.get()), map.get().texture().uvSet());
+    for (MaterialParameter parameter : MaterialParameter.all()) {
+      if (m.uses(parameter) && parameter != MaterialParameter.OPACITY) {
+        MaterialInput input = m.input(parameter);
+        Optional<? extends Channel> value =
+            switch (parameter.kind()) {
+              case COLOR -> Optional.of(color(input));
+              case NUMBER -> Optional.of(scalar(input));
+              case NORMALS -> normals(input);
+            };
+        value.ifPresent(channel -> builder.set(parameter, channel));
       }
     }
-    if (!m.sheenColor().factor().isBlack()) {
-      builder.sheenColor(color(m.sheenColor())).sheenRoughness(scalar(m.sheenRoughness()));
+    ColorChannel baseColor = color(m.input(MaterialParameter.BASE_COLOR));
+    builder.set(MaterialParameter.BASE_COLOR, timesVertexColor(baseColor));
+    if (m.uses(MaterialParameter.ATTENUATION_DISTANCE)) {
+      double distance = m.input(MaterialParameter.ATTENUATION_DISTANCE).number();
+      builder.set(MaterialParameter.ATTENUATION_DISTANCE, distance * unit);
     }
   }
 
@@ -151,7 +146,7 @@ final class ModelMaterials {
   }
 
   private ScalarChannel opacity(ModelMaterial m) throws ModelFormatException {
-    ScalarChannel opacity = scalar(m.opacity());
+    ScalarChannel opacity = scalar(m.input(MaterialParameter.OPACITY));
     return point -> opacity.at(point) * point.vertexAlpha();
   }
 
@@ -160,14 +155,14 @@ final class ModelMaterials {
   }
 
   /** Returns a normal map, unless its picture cannot be decoded. */
-  private Optional<NormalInput> usableMap(Optional<NormalInput> map) throws ModelFormatException {
-    return map.isPresent() && usable(map.map(NormalInput::texture)).isPresent()
-        ? map
-        : Optional.empty();
-  }
-
-  private NormalMap normalMap(NormalInput input) throws ModelFormatException {
-    return new NormalMap(texture(input.texture(), ImageTexture.Role.NORMAL), input.scale());
+  private Optional<NormalChannel> normals(MaterialInput input) throws ModelFormatException {
+    Optional<ModelTexture> usable = usable(input.texture());
+    if (usable.isEmpty()) {
+      return Optional.empty();
+    }
+    Texture<Rgb> texture = texture(usable.get(), ImageTexture.Role.NORMAL);
+    return Optional.of(
+        new NormalChannel(new NormalMap(texture, input.number()), usable.get().uvSet()));
   }
 
   /**
@@ -177,7 +172,7 @@ final class ModelMaterials {
    * @throws ModelFormatException if a texture is too large
    */
   Optional<Emission> emission(ModelMaterial m, boolean isColored) throws ModelFormatException {
-    ColorInput input = m.unlit() ? m.baseColor() : m.emission();
+    MaterialInput input = m.unlit() ? m.input(MaterialParameter.BASE_COLOR) : m.emission();
     if (input.factor().isBlack()) {
       return Optional.empty();
     }
@@ -220,7 +215,7 @@ final class ModelMaterials {
     return point -> color.at(point).times(used.at(point));
   }
 
-  private ColorChannel color(ColorInput input) throws ModelFormatException {
+  private ColorChannel color(MaterialInput input) throws ModelFormatException {
     Optional<ModelTexture> usable = usable(input.texture());
     if (usable.isEmpty()) {
       return ColorChannel.of(input.factor());
@@ -231,15 +226,15 @@ final class ModelMaterials {
     return ColorChannel.of((u, v) -> texture.at(u, v).times(factor), source.uvSet());
   }
 
-  private ScalarChannel scalar(ScalarInput input) throws ModelFormatException {
+  private ScalarChannel scalar(MaterialInput input) throws ModelFormatException {
     Optional<ModelTexture> usable = usable(input.texture());
     if (usable.isEmpty()) {
-      return ScalarChannel.of(input.factor());
+      return ScalarChannel.of(input.number());
     }
     ModelTexture source = usable.get();
     SampledTexture texture = sampled(source, ImageTexture.Role.DATA);
     UvTransform map = source.uvTransform();
-    double factor = input.factor();
+    double factor = input.number();
     int channel = input.channel();
     return ScalarChannel.of(
         (u, v) -> factor * texture.channel(map.u(u, v), map.v(u, v), channel), source.uvSet());

@@ -1,8 +1,18 @@
 package io.github.lumbre.model;
 
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
+
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelMaterial.AlphaMode;
-import io.github.lumbre.model.ModelMaterial.Volume;
 import java.io.IOException;
 import java.util.Optional;
 
@@ -35,7 +45,7 @@ final class MtlConversion {
   /** The reflectance at normal incidence of a Ks of 1. */
   private static final double FULL_REFLECTANCE = .08;
 
-  private static final double SHEEN_ROUGHNESS = .5;
+  private static final double DEFAULT_SHEEN_ROUGHNESS = .5;
 
   private final MtlMaterial in;
   private final ObjTextures textures;
@@ -51,10 +61,10 @@ final class MtlConversion {
 
   /** Returns the material. */
   ModelMaterial material() throws ModelFormatException, IOException {
-    out.baseColor(color("kd", PlainModel.defaultMaterial().baseColor().factor()));
+    out.set(BASE_COLOR, color("kd", Rgb.grey(PlainModel.ALBEDO)));
     out.emission(color("ke", Rgb.BLACK));
     out.normalMap(normalMap());
-    if (in.has("pr") || in.has("pm") || in.has("pc") || in.has("pcr") || in.has("ps")) {
+    if (MaterialParameter.all().stream().anyMatch(p -> in.has(p.mtl()))) {
       setPhysical();
     } else {
       setPhong();
@@ -72,29 +82,29 @@ final class MtlConversion {
   }
 
   private void setPhysical() throws ModelFormatException, IOException {
-    out.metallic(scalar("pm", 0));
-    out.roughness(scalar("pr", phongRoughness()));
-    out.clearcoat(ScalarInput.of(unit("pc", 0)));
-    out.clearcoatRoughness(ScalarInput.of(unit("pcr", 0)));
-    out.sheenRoughness(ScalarInput.of(SHEEN_ROUGHNESS));
-    ScalarInput sheen = scalar("ps", 0);
-    out.sheenColor(new ColorInput(Rgb.grey(sheen.factor()), sheen.texture()));
-    out.specular(ScalarInput.of(1));
-    out.ior(ior());
+    out.set(ROUGHNESS, phongRoughness());
+    for (MaterialParameter parameter : MaterialParameter.all()) {
+      if (in.has(parameter.mtl())) {
+        out.set(parameter, scalar(parameter, parameter == ROUGHNESS ? phongRoughness() : 0));
+      }
+    }
+    out.set(SHEEN_ROUGHNESS, DEFAULT_SHEEN_ROUGHNESS);
+    out.set(SPECULAR, 1);
+    out.set(IOR, ior());
   }
 
   private void setPhong() throws ModelFormatException, IOException {
-    ColorInput reflectance = color("ks", Rgb.BLACK);
+    MaterialInput reflectance = color("ks", Rgb.BLACK);
     int illumination = illumination();
     if (reflectance.factor().isBlack() || illumination < 2) {
       return;
     }
     boolean reflects = illumination == 3 || illumination == 5 || illumination == 8;
     double scale = (reflects ? 1 : FULL_REFLECTANCE) / DEFAULT_REFLECTANCE;
-    out.specular(ScalarInput.of(1));
-    out.specularColor(
-        new ColorInput(reflectance.factor().clampedToOne().times(scale), reflectance.texture()));
-    out.roughness(ScalarInput.of(phongRoughness()));
+    out.set(SPECULAR, 1);
+    out.set(
+        SPECULAR_COLOR, reflectance.withFactor(reflectance.factor().clampedToOne().times(scale)));
+    out.set(ROUGHNESS, phongRoughness());
   }
 
   private double phongRoughness() {
@@ -107,23 +117,24 @@ final class MtlConversion {
 
   private void setRefraction() {
     double opacity = opacity();
-    out.transmission(ScalarInput.of(opacity < 1 ? 1 - opacity : 1));
-    out.baseColor(ColorInput.of(in.color("tf").orElse(Rgb.WHITE).clampedToOne()));
-    out.volume(Optional.of(new Volume(Double.POSITIVE_INFINITY, Rgb.WHITE)));
-    out.specular(ScalarInput.of(1));
-    out.specularColor(ColorInput.of(Rgb.WHITE));
-    out.ior(ior());
+    out.set(TRANSMISSION, opacity < 1 ? 1 - opacity : 1);
+    out.set(BASE_COLOR, in.color("tf").orElse(Rgb.WHITE).clampedToOne());
+    out.set(ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY);
+    out.set(SPECULAR, 1);
+    out.set(SPECULAR_COLOR, Rgb.WHITE);
+    out.set(IOR, ior());
     if (in.number("ns").isEmpty() && in.number("pr").isEmpty()) {
-      out.roughness(ScalarInput.of(0));
+      out.set(ROUGHNESS, 0);
     }
   }
 
   private double ior() {
     double ior = in.number("ni").orElse(1.5);
-    if (ior < 1) {
-      warnings.add(in.location(), "replaced an Ni below 1 by 1");
+    if (!IOR.accepts(ior)) {
+      String found = ior < 1 ? "below 1 by 1" : "above 1e6 by 1e6";
+      warnings.add(in.location(), "replaced an Ni " + found);
     }
-    return Math.max(1, ior);
+    return Math.max(IOR.least(), Math.min(ior, IOR.most()));
   }
 
   private double opacity() {
@@ -154,7 +165,7 @@ final class MtlConversion {
       warnings.add(in.location(), "the material is invisible: its opacity, d or 1 - Tr, is 0");
     }
     if (opacity < 1 || map.isPresent()) {
-      out.opacity(new ScalarInput(opacity, texture, channel));
+      out.set(OPACITY, new MaterialInput(Rgb.grey(opacity), texture, channel));
       out.alphaMode(AlphaMode.BLEND);
     }
   }
@@ -165,7 +176,7 @@ final class MtlConversion {
     return map.channel() >= 0 ? map.channel() : isColor ? 3 : 0;
   }
 
-  private Optional<NormalInput> normalMap() throws ModelFormatException, IOException {
+  private Optional<MaterialInput> normalMap() throws ModelFormatException, IOException {
     Optional<MtlMap> norm = map("norm");
     Optional<MtlMap> map = norm.isPresent() ? norm : map("map_bump", "bump");
     if (map.isEmpty()) {
@@ -175,15 +186,17 @@ final class MtlConversion {
       warnings.add(map.get().location(), "ignored a height map: only normal maps are supported");
       return Optional.empty();
     }
-    return Optional.of(new NormalInput(textures.texture(map.get()), map.get().bumpScale()));
+    return Optional.of(
+        new MaterialInput(
+            Rgb.grey(map.get().bumpScale()), Optional.of(textures.texture(map.get())), 0));
   }
 
-  private ColorInput color(String key, Rgb otherwise) throws ModelFormatException, IOException {
+  private MaterialInput color(String key, Rgb otherwise) throws ModelFormatException, IOException {
     Optional<MtlMap> map = map("map_" + key);
     boolean isMapped = in.map("map_" + key).isPresent();
     if (key.equals("ke") && isMapped && map.isEmpty()) {
       // Without its picture, a surface would glow all over.
-      return ColorInput.of(Rgb.BLACK);
+      return MaterialInput.of(Rgb.BLACK);
     }
     // A factor of 0 is not meant, even if the picture is missing.
     boolean isBlackMeant = !isMapped;
@@ -193,19 +206,20 @@ final class MtlConversion {
             .orElse(map.isPresent() ? Rgb.WHITE : otherwise);
     Rgb limited = key.equals("ke") ? factor : factor.clampedToOne();
     return map.isEmpty()
-        ? ColorInput.of(limited)
-        : new ColorInput(limited, Optional.of(textures.texture(map.get())));
+        ? MaterialInput.of(limited)
+        : new MaterialInput(limited, Optional.of(textures.texture(map.get())), 0);
   }
 
-  private ScalarInput scalar(String key, double otherwise)
+  private MaterialInput scalar(MaterialParameter parameter, double otherwise)
       throws ModelFormatException, IOException {
-    Optional<MtlMap> map = map("map_" + key);
-    double factor = unit(key, map.isPresent() ? 1 : otherwise);
+    Optional<MtlMap> map = map("map_" + parameter.mtl());
+    double stated = in.number(parameter.mtl()).orElse(map.isPresent() ? 1 : otherwise);
+    double factor = Math.max(parameter.least(), Math.min(stated, parameter.most()));
     if (map.isEmpty()) {
-      return ScalarInput.of(factor);
+      return MaterialInput.of(factor);
     }
-    return new ScalarInput(
-        factor == 0 ? 1 : factor,
+    return new MaterialInput(
+        Rgb.grey(factor == 0 ? 1 : factor),
         Optional.of(textures.texture(map.get())),
         Math.max(0, map.get().channel()));
   }
@@ -216,9 +230,5 @@ final class MtlConversion {
   private Optional<MtlMap> map(String... keys) throws ModelFormatException, IOException {
     Optional<MtlMap> map = in.map(keys);
     return map.isPresent() && textures.isReadable(map.get(), warnings) ? map : Optional.empty();
-  }
-
-  private double unit(String key, double otherwise) {
-    return Math.max(0, Math.min(in.number(key).orElse(otherwise), 1));
   }
 }

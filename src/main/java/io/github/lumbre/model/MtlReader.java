@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.MaterialParameter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -14,20 +15,12 @@ final class MtlReader {
   private static final int MAX_MATERIALS = 100_000;
 
   private static final Set<String> COLORS = Set.of("kd", "ks", "ke", "tf");
-  private static final Set<String> NUMBERS =
-      Set.of("ns", "d", "tr", "ni", "illum", "pr", "pm", "pc", "pcr", "ps");
+
+  /** Numbers and maps, besides those of {@link MaterialParameter#mtl}. */
+  private static final Set<String> NUMBERS = Set.of("ns", "d", "tr", "ni", "illum");
+
   private static final Set<String> MAPS =
-      Set.of(
-          "map_kd",
-          "map_ks",
-          "map_ke",
-          "map_d",
-          "map_bump",
-          "bump",
-          "norm",
-          "map_pr",
-          "map_pm",
-          "map_ps");
+      Set.of("map_kd", "map_ks", "map_ke", "map_d", "map_bump", "bump", "norm");
 
   /** Keys without an effect on light transport here: ambient light, sharpness, anisotropy. */
   private static final Set<String> SILENT =
@@ -79,18 +72,22 @@ final class MtlReader {
   private void readStatement(String key, MtlMaterial material) throws ModelFormatException {
     if (COLORS.contains(key)) {
       readColor(key, material);
-    } else if (NUMBERS.contains(key)) {
+    } else if (NUMBERS.contains(key) || isParameter(key)) {
       boolean isHalo = scanner.nextWord() && scanner.wordIs("-halo");
       if (isHalo) {
         warnOption("-halo");
       }
       material.put(key, isHalo ? scanner.nextNumber() : currentNumber());
-    } else if (MAPS.contains(key)) {
+    } else if (MAPS.contains(key) || key.startsWith("map_") && isParameter(key.substring(4))) {
       String before = file.substring(0, file.lastIndexOf('/') + 1);
       material.put(key, new MtlMapReader(scanner, this::warnOption).read(before));
     } else if (!SILENT.contains(key)) {
       warn(key, "ignored the unknown key " + PrintableText.quoted(scanner.word()));
     }
+  }
+
+  private static boolean isParameter(String key) {
+    return MaterialParameter.all().stream().anyMatch(p -> p.mtl().equals(key));
   }
 
   private double currentNumber() throws ModelFormatException {

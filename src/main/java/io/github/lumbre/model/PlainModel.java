@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.MaterialParameter;
 import java.util.List;
 
 /** What models without materials, cameras and lights have in common. Stateless. */
@@ -18,7 +19,7 @@ final class PlainModel {
    * Returns the material of surfaces that have none: diffuse light gray, visible from both sides.
    */
   static ModelMaterial defaultMaterial() {
-    return matte("", "").baseColor(ColorInput.of(Rgb.grey(ALBEDO))).build();
+    return matte("", "").set(MaterialParameter.BASE_COLOR, Rgb.grey(ALBEDO)).build();
   }
 
   /**
@@ -33,8 +34,8 @@ final class PlainModel {
   /** Returns a builder of a white diffuse material that is visible from both sides. */
   static ModelMaterial.Builder matte(String name, String location) {
     return ModelMaterial.builder(name, location)
-        .metallic(ScalarInput.of(0))
-        .specular(ScalarInput.of(0))
+        .set(MaterialParameter.METALLIC, 0)
+        .set(MaterialParameter.SPECULAR, 0)
         .doubleSided(true);
   }
 

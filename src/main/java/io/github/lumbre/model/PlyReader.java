@@ -1,6 +1,5 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.List;
@@ -162,7 +161,6 @@ final class PlyReader {
       return PlainModel.defaultMaterial();
     }
     return PlainModel.matte("", "")
-        .baseColor(ColorInput.of(Rgb.WHITE))
         .alphaMode(
             vertices.hasTransparency()
                 ? ModelMaterial.AlphaMode.BLEND

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.ModelTexture.Wrap;
 import java.io.IOException;
@@ -84,7 +85,7 @@ final class PlyTextures {
 
   private static ModelMaterial material(ModelTexture texture) {
     return PlainModel.matte("", "")
-        .baseColor(new ColorInput(Rgb.WHITE, Optional.of(texture)))
+        .set(MaterialParameter.BASE_COLOR, new MaterialInput(Rgb.WHITE, Optional.of(texture), 0))
         .alphaMode(AlphaMode.OPAQUE)
         .build();
   }

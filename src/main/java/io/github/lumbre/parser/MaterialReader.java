@@ -2,14 +2,17 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.Channel;
 import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.MicrofacetDistribution.Kind;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.NormalChannel;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.ScalarChannel;
@@ -26,6 +29,10 @@ import java.util.stream.Stream;
 /** Reads each material at its first use. */
 final class MaterialReader {
   static final double MAX_IOR = 1e6;
+
+  /** The end of a key that names the texture of a channel. */
+  private static final String TEXTURE = "TextureId";
+
   private static final Range IOR = Range.above(0, MAX_IOR);
   private static final Range ROUGHNESS = Range.closed(0, 1);
   private static final Map<String, Kind> DISTRIBUTIONS = new LinkedHashMap<>();
@@ -83,8 +90,8 @@ final class MaterialReader {
         .flatMap(
             c ->
                 Stream.of(
-                    c.equals("normal") ? "normalStrength" : c,
-                    c + "TextureId",
+                    c.equals("normal") || c.endsWith("Normal") ? c + "Strength" : c,
+                    c + TEXTURE,
                     c + "Offset",
                     c + "Scale"))
         .toArray(String[]::new);
@@ -208,74 +215,73 @@ final class MaterialReader {
   }
 
   private static String[] metallicRoughnessKeys() {
-    List<String> all =
-        new ArrayList<>(
-            List.of(
-                keys(
-                    "baseColor",
-                    "metallic",
-                    "roughness",
-                    "opacity",
-                    "specular",
-                    "specularColor",
-                    "transmission",
-                    "clearcoat",
-                    "clearcoatRoughness",
-                    "sheenColor",
-                    "sheenRoughness",
-                    "normal")));
-    all.addAll(List.of("ior", "twoSided", "attenuationColor", "attenuationDistance"));
-    return all.toArray(String[]::new);
+    Stream<String> keys =
+        MaterialParameter.all().stream()
+            .flatMap(p -> p.isTextured() ? Stream.of(keys(p.key())) : Stream.of(p.key()));
+    return Stream.of(keys, Stream.of(keys("normal")), Stream.of("twoSided"))
+        .flatMap(each -> each)
+        .toArray(String[]::new);
   }
 
   private Surface metallicRoughness(JsonNode material) {
-    MetallicRoughness.Builder builder =
-        MetallicRoughness.builder()
-            .baseColor(color(material, "baseColor", Rgb.WHITE))
-            .metallic(scalar(material, "metallic", 1))
-            .roughness(scalar(material, "roughness", 1))
-            .specular(scalar(material, "specular", 1))
-            .specularColor(color(material, "specularColor", Rgb.WHITE))
-            .clearcoat(scalar(material, "clearcoat", 0))
-            .clearcoatRoughness(scalar(material, "clearcoatRoughness", 0))
-            .sheenColor(color(material, "sheenColor", Rgb.BLACK))
-            .sheenRoughness(scalar(material, "sheenRoughness", 0))
-            .ior(material.number("ior", 1.5, Range.closed(1, MAX_IOR)));
-    if (material.has("opacity") || material.has("opacityTextureId")) {
-      builder.opacity(scalar(material, "opacity", 1));
-    }
-    if (material.has("transmission")) {
-      builder.transmission(scalar(material, "transmission", 0));
+    MetallicRoughness.Builder builder = MetallicRoughness.builder();
+    for (MaterialParameter parameter : MaterialParameter.all()) {
+      Optional<? extends Channel> value =
+          switch (parameter.kind()) {
+            case COLOR -> Optional.of(color(material, parameter));
+            case NUMBER -> Optional.of(number(material, parameter));
+            case NORMALS ->
+                textures.normalMap(material, parameter.key()).map(map -> new NormalChannel(map, 0));
+          };
+      if (material.has(parameter.key()) || material.has(parameter.key() + TEXTURE)) {
+        value.ifPresent(channel -> builder.set(parameter, channel));
+      }
     }
     if (!material.flag("twoSided", true)) {
       builder.singleSided();
     }
-    if (material.has("attenuationDistance")) {
-      double distance = material.number("attenuationDistance", 1, Range.POSITIVE);
-      builder.volume(material.rgb("attenuationColor").clampedToOne(), distance);
-      hasGlass = true;
-    }
+    hasGlass |= material.has(MaterialParameter.ATTENUATION_DISTANCE.key());
     return surface(material, builder.build());
   }
 
-  private ColorChannel color(JsonNode material, String channel, Rgb missing) {
-    Rgb constant = material.has(channel) ? material.rgb(channel) : missing;
+  private ColorChannel color(JsonNode material, MaterialParameter parameter) {
+    String key = parameter.key();
+    Rgb constant = material.has(key) ? material.rgb(key) : parameter.missing();
     if (constant.max() > 1) {
-      material.warn(channel, "the reflectance exceeds 1; it is clamped to 1");
+      material.warn(key, "the reflectance exceeds 1; it is clamped to 1");
     }
-    return ColorChannel.of(textures.reflectance(material, channel, constant), 0);
+    return parameter.isTextured()
+        ? ColorChannel.of(textures.reflectance(material, key, constant), 0)
+        : ColorChannel.of(constant.clampedToOne());
   }
 
-  private ScalarChannel scalar(JsonNode material, String channel, double missing) {
-    return ScalarChannel.of(textures.scalar(material, channel, missing, ROUGHNESS, 0, 1), 0);
+  private ScalarChannel number(JsonNode material, MaterialParameter parameter) {
+    double missing = parameter.missing().r();
+    if (!parameter.isTextured()) {
+      return ScalarChannel.of(material.number(parameter.key(), missing, range(parameter)));
+    }
+    return ScalarChannel.of(
+        textures.scalar(
+            material,
+            parameter.key(),
+            missing,
+            range(parameter),
+            parameter.least(),
+            parameter.most()),
+        0);
+  }
+
+  private static Range range(MaterialParameter parameter) {
+    return parameter == MaterialParameter.ATTENUATION_DISTANCE
+        ? Range.POSITIVE
+        : Range.closed(parameter.least(), parameter.most());
   }
 
   /** Returns the surface of a material, with its normal map if it has one. */
   private Surface surface(JsonNode material, Material flat) {
-    double strength = material.number("normalStrength", 1, Range.ANY);
     return Surface.of(
         textures
-            .normalMap(material, strength)
+            .normalMap(material, "normal")
             .<Material>map(map -> new NormalMapped(flat, map))
             .orElse(flat));
   }

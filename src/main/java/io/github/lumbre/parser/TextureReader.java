@@ -293,10 +293,11 @@ final class TextureReader {
     return new RedChannel(mapping.over(watched(picture.get(), Role.DATA)), constant, low, high);
   }
 
-  /** Returns the normal map of a material, or empty if it has none. */
-  Optional<NormalMap> normalMap(JsonNode material, double strength) {
-    UvMapping mapping = mapping(material, "normal");
-    return find(material, "normal", mapping)
+  /** Returns the normal map of a channel, or empty if it has none. */
+  Optional<NormalMap> normalMap(JsonNode material, String channel) {
+    double strength = material.number(channel + "Strength", 1, Range.ANY);
+    UvMapping mapping = mapping(material, channel);
+    return find(material, channel, mapping)
         .map(picture -> new NormalMap(watched(picture, Role.NORMAL), mapping, strength));
   }
 

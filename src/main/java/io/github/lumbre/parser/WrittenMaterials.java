@@ -2,14 +2,17 @@ package io.github.lumbre.parser;
 
 import com.google.gson.JsonObject;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.Channel;
 import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.NormalChannel;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.ScalarChannel;
@@ -81,7 +84,7 @@ final class WrittenMaterials {
       if (mapped.material() instanceof ShadowCatcher) {
         throw new Unwritable("a shadow catcher without a normal map", "one with a normal map");
       }
-      textures.normalMap(to, mapped.map());
+      textures.normalMap(to, "normal", mapped.map());
     } else {
       flat(to, material);
     }
@@ -107,8 +110,7 @@ final class WrittenMaterials {
     } else if (material instanceof CookTorrance glossy) {
       cookTorrance(to, glossy);
     } else if (material instanceof MetallicRoughness layered) {
-      to.addProperty("materialType", "MetallicRoughness");
-      layered.describe(new Layered(to));
+      metallicRoughness(to, layered);
     } else {
       throw new Unwritable("a material of the format", Written.name(material));
     }
@@ -132,54 +134,27 @@ final class WrittenMaterials {
     to.addProperty("distribution", isGgx ? "ggx" : "beckmann");
   }
 
-  /** Writes a {@link MetallicRoughness}. */
-  private final class Layered implements MetallicRoughness.Description {
-    private final JsonObject to;
-
-    Layered(JsonObject to) {
-      this.to = to;
+  private void metallicRoughness(JsonObject to, MetallicRoughness material) {
+    to.addProperty("materialType", "MetallicRoughness");
+    for (MaterialParameter parameter : MaterialParameter.all()) {
+      material.stated(parameter).ifPresent(value -> parameter(to, parameter, value));
     }
-
-    @Override
-    public void color(String name, ColorChannel value) {
-      if (!(value instanceof ColorChannel.Textured channel) || channel.uvSet() != 0) {
-        throw new Unwritable(
-            name + ": a texture with the first texture coordinates", Written.name(value));
-      }
-      textures.color(to, name, channel.texture());
-    }
-
-    @Override
-    public void scalar(String name, ScalarChannel value) {
-      if (!(value instanceof ScalarChannel.Textured channel) || channel.uvSet() != 0) {
-        throw new Unwritable(
-            name + ": a texture with the first texture coordinates", Written.name(value));
-      }
-      textures.scalar(to, name, channel.texture(), 0, 1);
-    }
-
-    @Override
-    public void number(String name, double value) {
-      to.addProperty(name, value);
-    }
-
-    @Override
-    public void singleSided() {
+    if (!material.isDoubleSided()) {
       to.addProperty("twoSided", false);
     }
+  }
 
-    @Override
-    public void clearcoatNormals() {
-      throw new Unwritable("a clear coat without a normal map", "one with a normal map");
-    }
-
-    @Override
-    public void volume(Optional<MetallicRoughness.Attenuation> color) {
-      MetallicRoughness.Attenuation known =
-          color.orElseThrow(
-              () -> new Unwritable("a volume by color and distance", "one by absorption"));
-      to.addProperty("attenuationDistance", known.distance());
-      to.add("attenuationColor", Written.color(known.color()));
+  private void parameter(JsonObject to, MaterialParameter parameter, Channel value) {
+    String key = parameter.key();
+    if (value instanceof ColorChannel.Textured color && color.uvSet() == 0) {
+      textures.color(to, key, color.texture());
+    } else if (value instanceof ScalarChannel.Textured number && number.uvSet() == 0) {
+      textures.scalar(to, key, number.texture(), parameter.least(), parameter.most());
+    } else if (value instanceof NormalChannel normals && normals.uvSet() == 0) {
+      textures.normalMap(to, key, normals.map());
+    } else {
+      throw new Unwritable(
+          key + ": a texture with the first texture coordinates", Written.name(value));
     }
   }
 }

@@ -80,6 +80,9 @@ final class WrittenTextures {
    */
   void scalar(JsonObject to, String channel, ScalarTexture texture, double low, double high) {
     if (texture instanceof ConstantScalar constant) {
+      if (!(constant.value() >= low && constant.value() <= Math.min(high, Double.MAX_VALUE))) {
+        throw new Unwritable(channel + ": a number that scenes may state", "" + constant.value());
+      }
       to.addProperty(channel, constant.value());
       return;
     }
@@ -97,10 +100,10 @@ final class WrittenTextures {
   }
 
   /** Writes a normal map. */
-  void normalMap(JsonObject to, NormalMap map) {
+  void normalMap(JsonObject to, String channel, NormalMap map) {
     Parts parts = parts(map.normals());
-    to.addProperty("normalStrength", map.strength());
-    picture(to, "normal", new Parts(Rgb.WHITE, map.mapping(), parts.picture()), Role.NORMAL);
+    to.addProperty(channel + "Strength", map.strength());
+    picture(to, channel, new Parts(Rgb.WHITE, map.mapping(), parts.picture()), Role.NORMAL);
   }
 
   private void picture(JsonObject to, String channel, Parts parts, Role role) {

@@ -6,6 +6,8 @@ import static io.github.lumbre.integrator.TestScenes.floor;
 import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
 import static io.github.lumbre.integrator.TestScenes.matte;
 import static io.github.lumbre.integrator.TestScenes.point;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -116,8 +118,8 @@ class CaughtShadowsTest {
   void panesCastShadowsThatTheirOpacityDims() {
     MetallicRoughness veil =
         MetallicRoughness.builder()
-            .baseColor(ColorChannel.of(Rgb.grey(.5)))
-            .opacity(ScalarChannel.of(.3))
+            .set(BASE_COLOR, ColorChannel.of(Rgb.grey(.5)))
+            .set(OPACITY, ScalarChannel.of(.3))
             .build();
     Scene scene = caught().add(ceilingLamp(1, 1, 1), veil).add(point(new Vec3(0, 2, 0), 3)).build();
     assertThat(opacity(new PathTracer(scene, 3), lookingDownAt(0))).isCloseTo(.3, within(.02));

@@ -6,6 +6,10 @@ import static io.github.lumbre.integrator.TestScenes.floor;
 import static io.github.lumbre.integrator.TestScenes.matte;
 import static io.github.lumbre.integrator.TestScenes.point;
 import static io.github.lumbre.integrator.TestScenes.turned;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.camera.CameraRay;
@@ -83,13 +87,13 @@ class CoincidingSurfacesTest {
 
   private static MetallicRoughness.Builder plastic(double albedo) {
     return MetallicRoughness.builder()
-        .metallic(ScalarChannel.of(0))
-        .specular(ScalarChannel.of(0))
-        .baseColor(ColorChannel.of(Rgb.grey(albedo)));
+        .set(METALLIC, ScalarChannel.of(0))
+        .set(SPECULAR, ScalarChannel.of(0))
+        .set(BASE_COLOR, ColorChannel.of(Rgb.grey(albedo)));
   }
 
   private static Material veil(double opacity) {
-    return plastic(0).opacity(ScalarChannel.of(opacity)).build();
+    return plastic(0).set(OPACITY, ScalarChannel.of(opacity)).build();
   }
 
   private static SceneBuilder lit() {

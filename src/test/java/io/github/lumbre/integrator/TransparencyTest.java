@@ -7,6 +7,15 @@ import static io.github.lumbre.integrator.TestScenes.glow;
 import static io.github.lumbre.integrator.TestScenes.matte;
 import static io.github.lumbre.integrator.TestScenes.point;
 import static io.github.lumbre.integrator.TestScenes.turned;
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -54,21 +63,21 @@ class TransparencyTest {
 
   private static MetallicRoughness.Builder plastic(double albedo) {
     return MetallicRoughness.builder()
-        .metallic(ScalarChannel.of(0))
-        .specular(ScalarChannel.of(0))
-        .baseColor(ColorChannel.of(Rgb.grey(albedo)));
+        .set(METALLIC, ScalarChannel.of(0))
+        .set(SPECULAR, ScalarChannel.of(0))
+        .set(BASE_COLOR, ColorChannel.of(Rgb.grey(albedo)));
   }
 
   private static Material veil(double albedo, double opacity) {
-    return plastic(albedo).opacity(ScalarChannel.of(opacity)).build();
+    return plastic(albedo).set(OPACITY, ScalarChannel.of(opacity)).build();
   }
 
   /** Returns a pane without reflection that transmits a part of each color. */
   private static Material tinted(Rgb tint) {
     return plastic(1)
-        .roughness(ScalarChannel.of(0))
-        .transmission(ScalarChannel.of(1))
-        .baseColor(ColorChannel.of(tint))
+        .set(ROUGHNESS, ScalarChannel.of(0))
+        .set(TRANSMISSION, ScalarChannel.of(1))
+        .set(BASE_COLOR, ColorChannel.of(tint))
         .build();
   }
 
@@ -153,10 +162,10 @@ class TransparencyTest {
     Rgb tint = new Rgb(.9, .5, .1);
     Material glass =
         MetallicRoughness.builder()
-            .metallic(ScalarChannel.of(0))
-            .roughness(ScalarChannel.of(0))
-            .transmission(ScalarChannel.of(1))
-            .baseColor(ColorChannel.of(tint))
+            .set(METALLIC, ScalarChannel.of(0))
+            .set(ROUGHNESS, ScalarChannel.of(0))
+            .set(TRANSMISSION, ScalarChannel.of(1))
+            .set(BASE_COLOR, ColorChannel.of(tint))
             .build();
     Scene scene =
         empty()
@@ -184,7 +193,8 @@ class TransparencyTest {
   /** The opacity of a mask is 0 or 1, here by the texture coordinate. */
   @Test
   void masksHaveHolesAndNothingInBetween() {
-    Material mask = plastic(0).opacity(hit -> hit.u(0) < .5 ? 1 : 0).build();
+    ScalarChannel half = hit -> hit.u(0) < .5 ? 1 : 0;
+    Material mask = plastic(0).set(OPACITY, half).build();
     Scene scene = empty().add(wall(1), mask).addEmissive(wall(2), glow(1)).build();
     double sum = 0;
     for (double x : new double[] {-1, 1}) {
@@ -222,11 +232,22 @@ class TransparencyTest {
     assertThat(radiance(path(seen), outside).g()).isZero();
   }
 
+  /** Returns the color of white light after one unit of a medium with an absorption coefficient. */
+  private static Rgb passed(Rgb sigma) {
+    return new Rgb(Math.exp(-sigma.r()), Math.exp(-sigma.g()), Math.exp(-sigma.b()));
+  }
+
   /** The box has the index of its surroundings, so that nothing is reflected or refracted. */
   @Test
   void mediaAbsorbByBeersLaw() {
     Rgb sigma = new Rgb(.1, .5, 2);
-    Material medium = plastic(1).transmission(ScalarChannel.of(1)).ior(1).volume(sigma).build();
+    Material medium =
+        plastic(1)
+            .set(TRANSMISSION, ScalarChannel.of(1))
+            .set(IOR, 1)
+            .set(ATTENUATION_COLOR, passed(sigma))
+            .set(ATTENUATION_DISTANCE, 1)
+            .build();
     Scene scene =
         empty().add(new Box(at(0, 0, 3), 2, 2, 1.5), medium).addEmissive(wall(9), glow(1)).build();
     for (Integrator integrator : new Integrator[] {path(scene), ray(scene)}) {
@@ -241,7 +262,12 @@ class TransparencyTest {
   @Test
   void mediaAbsorbAlongTheWholeWayThroughVeils() {
     Material medium =
-        plastic(1).transmission(ScalarChannel.of(1)).ior(1).volume(Rgb.grey(.5)).build();
+        plastic(1)
+            .set(TRANSMISSION, ScalarChannel.of(1))
+            .set(IOR, 1)
+            .set(ATTENUATION_COLOR, passed(Rgb.grey(.5)))
+            .set(ATTENUATION_DISTANCE, 1)
+            .build();
     Rectangle inside = new Rectangle(at(0, 0, 3).times(turned(-90, 0, 0)), .5, .5, true);
     Scene scene =
         empty()
@@ -394,10 +420,11 @@ class TransparencyTest {
   void mediaDimPointLightsThatPassTheirBoundaries() {
     Material medium =
         plastic(1)
-            .transmission(ScalarChannel.of(1))
-            .ior(1)
-            .volume(Rgb.grey(.5))
-            .opacity(ScalarChannel.of(.25))
+            .set(TRANSMISSION, ScalarChannel.of(1))
+            .set(IOR, 1)
+            .set(ATTENUATION_COLOR, passed(Rgb.grey(.5)))
+            .set(ATTENUATION_DISTANCE, 1)
+            .set(OPACITY, ScalarChannel.of(.25))
             .build();
     Scene scene =
         empty()
@@ -425,7 +452,12 @@ class TransparencyTest {
   /** Veils, panes, media, emitters that scatter, and a backplate. */
   private static Scene everything() {
     Material medium =
-        plastic(1).transmission(ScalarChannel.of(1)).ior(1.5).volume(new Rgb(.1, .5, 2)).build();
+        plastic(1)
+            .set(TRANSMISSION, ScalarChannel.of(1))
+            .set(IOR, 1.5)
+            .set(ATTENUATION_COLOR, passed(new Rgb(.1, .5, 2)))
+            .set(ATTENUATION_DISTANCE, 1)
+            .build();
     return empty()
         .add(floor(), matte(.7))
         .add(new Rectangle(at(0, 2, 0), 3, 3, true), veil(.5, .3))

@@ -1,5 +1,12 @@
 package io.github.lumbre.material;
 
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_NORMAL;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -24,11 +31,11 @@ class ClearcoatNormalsTest {
 
   private static MetallicRoughness.Builder layered(Rgb color, double coat) {
     return MetallicRoughness.builder()
-        .baseColor(color)
-        .metallic(0)
-        .specular(ScalarChannel.of(0))
-        .clearcoat(coat)
-        .clearcoatRoughness(ScalarChannel.of(.4));
+        .set(BASE_COLOR, color)
+        .set(METALLIC, 0)
+        .set(SPECULAR, ScalarChannel.of(0))
+        .set(CLEARCOAT, coat)
+        .set(CLEARCOAT_ROUGHNESS, ScalarChannel.of(.4));
   }
 
   private static SurfaceHit hit(Material material) {
@@ -75,8 +82,13 @@ class ClearcoatNormalsTest {
   @Test
   void bumpsOfTheCoatAreThoseOfASurfaceThatIsOnlyACoat() {
     Material reflection =
-        MetallicRoughness.builder().baseColor(Rgb.BLACK).metallic(0).roughness(.4).build();
-    Material coat = layered(Rgb.BLACK, 1).clearcoatNormals(BUMPS, 0).build();
+        MetallicRoughness.builder()
+            .set(BASE_COLOR, Rgb.BLACK)
+            .set(METALLIC, 0)
+            .set(ROUGHNESS, .4)
+            .build();
+    Material coat =
+        layered(Rgb.BLACK, 1).set(CLEARCOAT_NORMAL, new NormalChannel(BUMPS, 0)).build();
     assertAlike(coat, new NormalMapped(reflection, BUMPS));
     assertThat(coat.simplified()).isSameAs(coat);
   }
@@ -84,12 +96,15 @@ class ClearcoatNormalsTest {
   @Test
   void bumpsOfTheCoatLeaveTheBaseSmooth() {
     Material bare = layered(Rgb.grey(.6), 0).build();
-    assertAlike(layered(Rgb.grey(.6), 1e-10).clearcoatNormals(BUMPS, 0).build(), bare);
+    assertAlike(
+        layered(Rgb.grey(.6), 1e-10).set(CLEARCOAT_NORMAL, new NormalChannel(BUMPS, 0)).build(),
+        bare);
   }
 
   @Test
   void samplesHaveTheWeightOfTheirDensity() {
-    Material coat = layered(Rgb.grey(.6), 1).clearcoatNormals(BUMPS, 0).build();
+    Material coat =
+        layered(Rgb.grey(.6), 1).set(CLEARCOAT_NORMAL, new NormalChannel(BUMPS, 0)).build();
     for (Material material : new Material[] {coat, new NormalMapped(coat, BUMPS)}) {
       Bsdf bsdf = material.at(hit(material));
       BsdfLaws.assertWeightIsEvalOverPdf(bsdf, WO, 200, random, 1e-12);

@@ -4,6 +4,20 @@ import static io.github.lumbre.material.BsdfLaws.COSINES;
 import static io.github.lumbre.material.BsdfLaws.EPS;
 import static io.github.lumbre.material.BsdfLaws.direction;
 import static io.github.lumbre.material.BsdfLaws.relative;
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -42,15 +56,15 @@ class MetallicRoughnessTest {
     MetallicRoughness.Builder builder(Rgb color) {
       MetallicRoughness.Builder builder =
           MetallicRoughness.builder()
-              .baseColor(ColorChannel.of(color))
-              .metallic(ScalarChannel.of(metallic))
-              .roughness(ScalarChannel.of(roughness))
-              .transmission(ScalarChannel.of(transmission))
-              .clearcoat(ScalarChannel.of(coat))
-              .clearcoatRoughness(ScalarChannel.of(.2))
-              .sheenColor(ColorChannel.of(Rgb.grey(sheen)))
-              .sheenRoughness(ScalarChannel.of(.4));
-      return isThin ? builder : builder.volume(Rgb.BLACK);
+              .set(BASE_COLOR, ColorChannel.of(color))
+              .set(METALLIC, ScalarChannel.of(metallic))
+              .set(ROUGHNESS, ScalarChannel.of(roughness))
+              .set(TRANSMISSION, ScalarChannel.of(transmission))
+              .set(CLEARCOAT, ScalarChannel.of(coat))
+              .set(CLEARCOAT_ROUGHNESS, ScalarChannel.of(.2))
+              .set(SHEEN_COLOR, ColorChannel.of(Rgb.grey(sheen)))
+              .set(SHEEN_ROUGHNESS, ScalarChannel.of(.4));
+      return isThin ? builder : builder.set(ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY);
     }
 
     Bsdf bsdf(Rgb color) {
@@ -168,7 +182,7 @@ class MetallicRoughnessTest {
         // A volume of the index of its surroundings scatters by a delta lobe.
         continue;
       }
-      BsdfLaws.assertExtremesAreHarmless(look.builder(Rgb.WHITE).ior(ior).build().at(0, 0));
+      BsdfLaws.assertExtremesAreHarmless(look.builder(Rgb.WHITE).set(IOR, ior).build().at(0, 0));
     }
   }
 
@@ -197,7 +211,7 @@ class MetallicRoughnessTest {
     Bsdf coated =
         new Look(0, .7, .5, 1, 1, true)
             .builder(COLOR)
-            .clearcoatRoughness(ScalarChannel.of(.8))
+            .set(CLEARCOAT_ROUGHNESS, ScalarChannel.of(.8))
             .build()
             .at(0, 0);
     assertSamplesFollowPdf("coated", coated, direction(.7));
@@ -241,7 +255,7 @@ class MetallicRoughnessTest {
     assertThat(metal.evaluate(Vec3.Z, Vec3.Z).f().r()).isCloseTo(.9 * facets / 4, within(1e-12));
     Bsdf smooth = new Look(0, 0, 0, 0, 0, true).bsdf(Rgb.BLACK);
     assertThat(BsdfLaws.sampledAlbedo(smooth, Vec3.Z, 2000)).isCloseTo(.04, within(1e-4));
-    Bsdf diamond = plastic.builder(Rgb.BLACK).ior(2.4).build().at(0, 0);
+    Bsdf diamond = plastic.builder(Rgb.BLACK).set(IOR, 2.4).build().at(0, 0);
     double f0 = Math.pow(1.4 / 3.4, 2);
     assertThat(diamond.evaluate(Vec3.Z, Vec3.Z).f().g()).isCloseTo(f0 * facets / 4, within(1e-12));
   }
@@ -253,8 +267,8 @@ class MetallicRoughnessTest {
       Bsdf bsdf =
           plastic
               .builder(Rgb.BLACK)
-              .specular(ScalarChannel.of(specular))
-              .specularColor(ColorChannel.of(new Rgb(1, .5, .25)))
+              .set(SPECULAR, ScalarChannel.of(specular))
+              .set(SPECULAR_COLOR, ColorChannel.of(new Rgb(1, .5, .25)))
               .build()
               .at(0, 0);
       Rgb full = plastic.bsdf(Rgb.BLACK).evaluate(Vec3.Z, Vec3.Z).f();
@@ -265,7 +279,7 @@ class MetallicRoughnessTest {
     Bsdf metal =
         new Look(1, .5, 0, 0, 0, true)
             .builder(COLOR)
-            .specular(ScalarChannel.of(0))
+            .set(SPECULAR, ScalarChannel.of(0))
             .build()
             .at(0, 0);
     assertThat(metal).isEqualTo(new Look(1, .5, 0, 0, 0, true).bsdf(COLOR));
@@ -275,7 +289,11 @@ class MetallicRoughnessTest {
   @Test
   void surfacesWithoutReflectionAreLambertian() {
     Bsdf matte =
-        new Look(0, 1, 0, 0, 0, true).builder(COLOR).specular(ScalarChannel.of(0)).build().at(0, 0);
+        new Look(0, 1, 0, 0, 0, true)
+            .builder(COLOR)
+            .set(SPECULAR, ScalarChannel.of(0))
+            .build()
+            .at(0, 0);
     Bsdf lambertian = new Lambertian(COLOR);
     for (double cos : COSINES) {
       Vec3 wi = direction(cos);
@@ -327,7 +345,7 @@ class MetallicRoughnessTest {
   @Test
   void opacityDividesLightBetweenScatteringAndPassing() {
     Look plastic = new Look(0, .5, 0, 0, 0, true);
-    MetallicRoughness veil = plastic.builder(COLOR).opacity(ScalarChannel.of(.25)).build();
+    MetallicRoughness veil = plastic.builder(COLOR).set(OPACITY, ScalarChannel.of(.25)).build();
     assertThat(veil.transmittance(seenFrom(Vec3.Z))).isEqualTo(Rgb.grey(.75));
     Vec3 wo = direction(.7);
     Vec3 wi = direction(.3);
@@ -347,12 +365,14 @@ class MetallicRoughnessTest {
 
   @Test
   void absorptionGivesTheColorAtTheDistance() {
-    Rgb sigma = MetallicRoughness.absorption(new Rgb(1, .5, 0), 2);
+    MetallicRoughness.Builder medium =
+        MetallicRoughness.builder().set(ATTENUATION_COLOR, new Rgb(1, .5, 0));
+    Rgb sigma = medium.set(ATTENUATION_DISTANCE, 2).build().absorption();
     assertThat(sigma.r()).isZero();
     assertThat(Math.exp(-2 * sigma.g())).isCloseTo(.5, within(1e-12));
     assertThat(Math.exp(-2 * sigma.b())).isCloseTo(1e-9, within(1e-20));
-    assertThat(MetallicRoughness.absorption(Rgb.BLACK, Double.POSITIVE_INFINITY).isBlack())
-        .isTrue();
+    medium.set(ATTENUATION_COLOR, Rgb.BLACK).set(ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY);
+    assertThat(medium.build().absorption().isBlack()).isTrue();
   }
 
   @Test
@@ -361,19 +381,20 @@ class MetallicRoughnessTest {
     MetallicRoughness constant = plastic.builder(COLOR).build();
     assertThat(constant.isUniform()).isTrue();
     MetallicRoughness opaque =
-        MetallicRoughness.builder().baseColor(ColorChannel.of(COLOR)).build();
+        MetallicRoughness.builder().set(BASE_COLOR, ColorChannel.of(COLOR)).build();
     assertThat(opaque.simplified()).isEqualTo(new UniformMaterial(opaque.at(0, 0)));
-    MetallicRoughness textured = MetallicRoughness.builder().baseColor(hit -> COLOR).build();
+    ColorChannel varying = hit -> COLOR;
+    MetallicRoughness textured = MetallicRoughness.builder().set(BASE_COLOR, varying).build();
     assertThat(textured.isUniform()).isFalse();
     assertThat(textured.simplified()).isSameAs(textured);
-    MetallicRoughness veil = MetallicRoughness.builder().opacity(ScalarChannel.of(.5)).build();
+    MetallicRoughness veil = MetallicRoughness.builder().set(OPACITY, ScalarChannel.of(.5)).build();
     assertThat(veil.simplified()).isSameAs(veil);
     assertThat(constant.simplified()).isSameAs(constant);
   }
 
   @Test
   void refractiveIndicesBelowOneAreRefused() {
-    assertThatThrownBy(() -> MetallicRoughness.builder().ior(.5))
+    assertThatThrownBy(() -> MetallicRoughness.builder().set(IOR, .5))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("ior: expected 0 or 1 to 1e6, found 0.5");
   }

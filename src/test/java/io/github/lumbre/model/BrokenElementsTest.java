@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.material.MaterialParameter;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.Charset;
@@ -99,7 +100,8 @@ class BrokenElementsTest {
         .containsExactly(
             "expected UTF-8, found UTF-16, which is read, too",
             "line 1: expected UTF-8, found UTF-16, which is read, too");
-    assertThat(model.parts().get(0).material().baseColor().factor().r()).isEqualTo(1);
+    assertThat(model.parts().get(0).material().input(MaterialParameter.BASE_COLOR).factor().r())
+        .isEqualTo(1);
   }
 
   @ParameterizedTest
@@ -115,7 +117,8 @@ class BrokenElementsTest {
             .with("a.mtl", "newmtl m\nmap_Kd " + map)
             .with("a.png", Pixels.of(1, 1, 3, new byte[3]).toPng());
     Model model = triangle(file);
-    assertThat(model.parts().get(0).material().baseColor().texture()).isPresent();
+    assertThat(model.parts().get(0).material().input(MaterialParameter.BASE_COLOR).texture())
+        .isPresent();
     assertThat(model.warnings().get(0)).isEqualTo("a.mtl line 2: ignored the option " + option);
   }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.material.MaterialParameter;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -46,7 +47,13 @@ class FileSearchTest {
   }
 
   private static boolean isTextured(Model model) {
-    return model.parts().get(0).material().baseColor().texture().isPresent();
+    return model
+        .parts()
+        .get(0)
+        .material()
+        .input(MaterialParameter.BASE_COLOR)
+        .texture()
+        .isPresent();
   }
 
   @ParameterizedTest
@@ -124,7 +131,8 @@ class FileSearchTest {
     Files.writeString(folder.resolve("maps/Library.MTL"), "newmtl m\nKd 0 1 0\n");
     Path obj = Files.writeString(folder.resolve("b.obj"), "mtllib D:\\library.mtl\n" + QUAD);
     Model model = Models.read(obj).model();
-    assertThat(model.parts().get(0).material().baseColor().factor().r()).isZero();
+    assertThat(model.parts().get(0).material().input(MaterialParameter.BASE_COLOR).factor().r())
+        .isZero();
     GltfFile file = new GltfFile();
     file.triangle(", 'material': 0");
     file.add("nodes", "{'mesh': 0}");

@@ -283,8 +283,11 @@ class GltfErrorsTest {
         "{'doubleSided': 1} | materials[0].doubleSided: expected true or false, found 1",
         "{'emissiveFactor': 1} | materials[0].emissiveFactor: expected an array, found 1",
         "{'extensions': {'KHR_materials_ior': {'ior': 0.5}}}"
-            + " | materials[0].extensions.KHR_materials_ior.ior: expected 0 or at least 1, found"
+            + " | materials[0].extensions.KHR_materials_ior.ior: expected 0 or 1 to 1e6, found"
             + " 0.5",
+        "{'extensions': {'KHR_materials_ior': {'ior': 1e7}}}"
+            + " | materials[0].extensions.KHR_materials_ior.ior: expected 0 or 1 to 1e6, found"
+            + " 10000000",
         "{'extensions': {'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationDistance': 0}"
             + "}} | materials[0].extensions.KHR_materials_volume.attenuationDistance: expected a"
             + " number > 0, found 0",

@@ -1,5 +1,20 @@
 package io.github.lumbre.model;
 
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_NORMAL;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
@@ -51,18 +66,18 @@ class GltfMaterialTest {
     ModelMaterial material = material("{'name': 'plain', 'pbrMetallicRoughness': {}}");
     assertThat(material.name()).isEqualTo("plain");
     assertThat(material.location()).isEqualTo("materials[0]");
-    assertThat(material.baseColor()).isEqualTo(ColorInput.of(Rgb.WHITE));
-    assertThat(material.opacity().factor()).isEqualTo(1);
-    assertThat(material.metallic().factor()).isEqualTo(1);
-    assertThat(material.roughness().factor()).isEqualTo(1);
-    assertThat(material.emission()).isEqualTo(ColorInput.of(Rgb.BLACK));
+    assertThat(material.input(BASE_COLOR)).isEqualTo(MaterialInput.of(Rgb.WHITE));
+    assertThat(material.input(OPACITY).number()).isEqualTo(1);
+    assertThat(material.input(METALLIC).number()).isEqualTo(1);
+    assertThat(material.input(ROUGHNESS).number()).isEqualTo(1);
+    assertThat(material.emission()).isEqualTo(MaterialInput.of(Rgb.BLACK));
     assertThat(material.alphaMode()).isEqualTo(AlphaMode.OPAQUE);
     assertThat(material.alphaCutoff()).isEqualTo(.5);
     assertThat(material.doubleSided()).isFalse();
     assertThat(material.unlit()).isFalse();
-    assertThat(material.ior()).isEqualTo(1.5);
+    assertThat(material.input(IOR).number()).isEqualTo(1.5);
     assertThat(material.normalMap()).isEmpty();
-    assertThat(material.volume()).isEmpty();
+    assertThat(material.uses(ATTENUATION_DISTANCE)).isFalse();
   }
 
   @Test
@@ -71,7 +86,7 @@ class GltfMaterialTest {
     file.add("nodes", "{'mesh': 0}");
     ModelMaterial material = file.read().parts().get(0).material();
     assertThat(material.location()).isEmpty();
-    assertThat(material.metallic().factor()).isEqualTo(1);
+    assertThat(material.input(METALLIC).number()).isEqualTo(1);
   }
 
   @Test
@@ -87,23 +102,23 @@ class GltfMaterialTest {
              'emissiveTexture': {'index': 0}, 'alphaMode': 'MASK', 'alphaCutoff': 0.25,
              'doubleSided': true}
             """);
-    assertThat(material.baseColor().factor()).isEqualTo(new Rgb(.1, .2, .3));
-    assertThat(image(material.baseColor().texture())).containsExactly(1, 2, 3);
-    assertThat(material.opacity().factor()).isEqualTo(.4);
-    assertThat(material.opacity().channel()).isEqualTo(3);
-    assertThat(material.opacity().texture()).isEqualTo(material.baseColor().texture());
-    assertThat(material.metallic().factor()).isEqualTo(.5);
-    assertThat(material.metallic().channel()).isEqualTo(2);
-    assertThat(image(material.metallic().texture())).containsExactly(4, 5);
-    assertThat(material.metallic().texture().orElseThrow().uvSet()).isEqualTo(1);
-    assertThat(material.roughness().factor()).isEqualTo(.6);
-    assertThat(material.roughness().channel()).isEqualTo(1);
-    assertThat(material.normalMap().orElseThrow().scale()).isEqualTo(.7);
-    assertThat(material.normalMap().orElseThrow().texture().image().location())
+    assertThat(material.input(BASE_COLOR).factor()).isEqualTo(new Rgb(.1, .2, .3));
+    assertThat(image(material.input(BASE_COLOR).texture())).containsExactly(1, 2, 3);
+    assertThat(material.input(OPACITY).number()).isEqualTo(.4);
+    assertThat(material.input(OPACITY).channel()).isEqualTo(3);
+    assertThat(material.input(OPACITY).texture()).isEqualTo(material.input(BASE_COLOR).texture());
+    assertThat(material.input(METALLIC).number()).isEqualTo(.5);
+    assertThat(material.input(METALLIC).channel()).isEqualTo(2);
+    assertThat(image(material.input(METALLIC).texture())).containsExactly(4, 5);
+    assertThat(material.input(METALLIC).texture().orElseThrow().uvSet()).isEqualTo(1);
+    assertThat(material.input(ROUGHNESS).number()).isEqualTo(.6);
+    assertThat(material.input(ROUGHNESS).channel()).isEqualTo(1);
+    assertThat(material.normalMap().orElseThrow().number()).isEqualTo(.7);
+    assertThat(material.normalMap().orElseThrow().texture().orElseThrow().image().location())
         .isEqualTo("images[1]");
     assertThat(material.emission().factor()).isEqualTo(new Rgb(.8, .9, 1));
     assertThat(material.emission().texture().orElseThrow().image())
-        .isSameAs(material.baseColor().texture().orElseThrow().image());
+        .isSameAs(material.input(BASE_COLOR).texture().orElseThrow().image());
     assertThat(material.alphaMode()).isEqualTo(AlphaMode.MASK);
     assertThat(material.alphaCutoff()).isEqualTo(.25);
     assertThat(material.doubleSided()).isTrue();
@@ -122,7 +137,7 @@ class GltfMaterialTest {
 
   @Test
   void dielectricsAreRead() throws ModelFormatException, IOException {
-    assertThat(extended("KHR_materials_ior", "{'ior': 1.4}").ior()).isEqualTo(1.4);
+    assertThat(extended("KHR_materials_ior", "{'ior': 1.4}").input(IOR).number()).isEqualTo(1.4);
   }
 
   @Test
@@ -134,11 +149,11 @@ class GltfMaterialTest {
             {'specularFactor': 0.5, 'specularTexture': {'index': 0},
              'specularColorFactor': [0, 1, 2], 'specularColorTexture': {'index': 1}}
             """);
-    assertThat(material.specular().factor()).isEqualTo(.5);
-    assertThat(material.specular().channel()).isEqualTo(3);
-    assertThat(image(material.specular().texture())).containsExactly(1, 2, 3);
-    assertThat(material.specularColor().factor()).isEqualTo(new Rgb(0, 1, 2));
-    assertThat(image(material.specularColor().texture())).containsExactly(4, 5);
+    assertThat(material.input(SPECULAR).number()).isEqualTo(.5);
+    assertThat(material.input(SPECULAR).channel()).isEqualTo(3);
+    assertThat(image(material.input(SPECULAR).texture())).containsExactly(1, 2, 3);
+    assertThat(material.input(SPECULAR_COLOR).factor()).isEqualTo(new Rgb(0, 1, 2));
+    assertThat(image(material.input(SPECULAR_COLOR).texture())).containsExactly(4, 5);
   }
 
   @Test
@@ -147,36 +162,48 @@ class GltfMaterialTest {
         extended(
             "KHR_materials_transmission",
             "{'transmissionFactor': 0.5, 'transmissionTexture': {'index': 0}}");
-    assertThat(material.transmission().factor()).isEqualTo(.5);
-    assertThat(material.transmission().channel()).isZero();
-    assertThat(material.transmission().texture()).isPresent();
+    assertThat(material.input(TRANSMISSION).number()).isEqualTo(.5);
+    assertThat(material.input(TRANSMISSION).channel()).isZero();
+    assertThat(material.input(TRANSMISSION).texture()).isPresent();
   }
 
   @Test
   void thicknessMakesAVolume() throws ModelFormatException, IOException {
-    ModelMaterial.Volume volume =
+    ModelMaterial material =
         extended(
-                "KHR_materials_volume",
-                """
-                {'thicknessFactor': 0.1, 'attenuationDistance': 2,
-                 'attenuationColor': [0.5, 1, 0]}
-                """)
-            .volume()
-            .orElseThrow();
-    assertThat(volume.attenuationDistance()).isEqualTo(2);
-    assertThat(volume.attenuationColor()).isEqualTo(new Rgb(.5, 1, 0));
+            "KHR_materials_volume",
+            """
+            {'thicknessFactor': 0.1, 'attenuationDistance': 2,
+             'attenuationColor': [0.5, 1, 0]}
+            """);
+    assertThat(material.input(ATTENUATION_DISTANCE)).isEqualTo(MaterialInput.of(2));
+    assertThat(material.input(ATTENUATION_COLOR)).isEqualTo(MaterialInput.of(new Rgb(.5, 1, 0)));
   }
 
   @Test
   void volumesAreClearByDefault() throws ModelFormatException, IOException {
-    ModelMaterial material = extended("KHR_materials_volume", "{'thicknessFactor': 1}");
-    assertThat(material.volume())
-        .contains(new ModelMaterial.Volume(Double.POSITIVE_INFINITY, Rgb.WHITE));
+    addTextures();
+    ModelMaterial material =
+        material(
+            """
+            {'extensions': {'KHR_materials_volume': {'thicknessFactor': 1},
+              'KHR_materials_transmission': {'transmissionFactor': 1}}}
+            """);
+    assertThat(material.uses(ATTENUATION_DISTANCE)).isTrue();
+    assertThat(material.input(ATTENUATION_DISTANCE).number()).isInfinite();
+    assertThat(material.input(ATTENUATION_COLOR)).isEqualTo(MaterialInput.of(Rgb.WHITE));
   }
 
   @Test
   void zeroThicknessIsThinWalled() throws ModelFormatException, IOException {
-    assertThat(extended("KHR_materials_volume", "{'attenuationDistance': 2}").volume()).isEmpty();
+    addTextures();
+    ModelMaterial material =
+        material(
+            """
+            {'extensions': {'KHR_materials_volume': {'attenuationDistance': 2},
+              'KHR_materials_transmission': {'transmissionFactor': 1}}}
+            """);
+    assertThat(material.uses(ATTENUATION_DISTANCE)).isFalse();
   }
 
   @Test
@@ -189,12 +216,12 @@ class GltfMaterialTest {
              'clearcoatRoughnessFactor': 0.25, 'clearcoatRoughnessTexture': {'index': 1},
              'clearcoatNormalTexture': {'index': 1, 'scale': 2}}
             """);
-    assertThat(material.clearcoat().factor()).isEqualTo(.5);
-    assertThat(material.clearcoat().channel()).isZero();
-    assertThat(material.clearcoatRoughness().factor()).isEqualTo(.25);
-    assertThat(material.clearcoatRoughness().channel()).isEqualTo(1);
-    assertThat(image(material.clearcoatRoughness().texture())).containsExactly(4, 5);
-    assertThat(material.clearcoatNormalMap().orElseThrow().scale()).isEqualTo(2);
+    assertThat(material.input(CLEARCOAT).number()).isEqualTo(.5);
+    assertThat(material.input(CLEARCOAT).channel()).isZero();
+    assertThat(material.input(CLEARCOAT_ROUGHNESS).number()).isEqualTo(.25);
+    assertThat(material.input(CLEARCOAT_ROUGHNESS).channel()).isEqualTo(1);
+    assertThat(image(material.input(CLEARCOAT_ROUGHNESS).texture())).containsExactly(4, 5);
+    assertThat(material.input(CLEARCOAT_NORMAL).number()).isEqualTo(2);
   }
 
   @Test
@@ -206,10 +233,10 @@ class GltfMaterialTest {
             {'sheenColorFactor': [0.1, 0.2, 0.3], 'sheenColorTexture': {'index': 0},
              'sheenRoughnessFactor': 0.5, 'sheenRoughnessTexture': {'index': 1}}
             """);
-    assertThat(material.sheenColor().factor()).isEqualTo(new Rgb(.1, .2, .3));
-    assertThat(material.sheenColor().texture()).isPresent();
-    assertThat(material.sheenRoughness().factor()).isEqualTo(.5);
-    assertThat(material.sheenRoughness().channel()).isEqualTo(3);
+    assertThat(material.input(SHEEN_COLOR).factor()).isEqualTo(new Rgb(.1, .2, .3));
+    assertThat(material.input(SHEEN_COLOR).texture()).isPresent();
+    assertThat(material.input(SHEEN_ROUGHNESS).number()).isEqualTo(.5);
+    assertThat(material.input(SHEEN_ROUGHNESS).channel()).isEqualTo(3);
   }
 
   @Test
@@ -220,7 +247,7 @@ class GltfMaterialTest {
   @Test
   void factorsBeyondTheirRangeAreClamped() throws ModelFormatException, IOException {
     Model model = model("{'pbrMetallicRoughness': {'roughnessFactor': 1.5}}");
-    assertThat(model.parts().get(0).material().roughness().factor()).isEqualTo(1);
+    assertThat(model.parts().get(0).material().input(ROUGHNESS).number()).isEqualTo(1);
     assertThat(model.warnings())
         .containsExactly(
             "materials[0].pbrMetallicRoughness.roughnessFactor: expected 0 to 1, found 1.5; 1 is"
@@ -229,7 +256,7 @@ class GltfMaterialTest {
 
   private ModelTexture texture(String info) throws ModelFormatException, IOException {
     return material("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0" + info + "}}}")
-        .baseColor()
+        .input(BASE_COLOR)
         .texture()
         .orElseThrow();
   }

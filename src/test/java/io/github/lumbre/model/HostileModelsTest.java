@@ -1,5 +1,15 @@
 package io.github.lumbre.model;
 
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.TriangleMesh;
@@ -309,27 +319,27 @@ class HostileModelsTest {
   private static void check(ModelMaterial material) {
     for (Rgb color :
         new Rgb[] {
-          material.baseColor().factor(),
+          material.input(BASE_COLOR).factor(),
           material.emission().factor(),
-          material.specularColor().factor(),
-          material.sheenColor().factor()
+          material.input(SPECULAR_COLOR).factor(),
+          material.input(SHEEN_COLOR).factor()
         }) {
       assertThat(color.isFinite() && Math.min(color.r(), Math.min(color.g(), color.b())) >= 0)
           .isTrue();
     }
-    for (ScalarInput scalar :
-        new ScalarInput[] {
-          material.opacity(),
-          material.roughness(),
-          material.metallic(),
-          material.transmission(),
-          material.clearcoat(),
-          material.clearcoatRoughness()
+    for (MaterialInput scalar :
+        new MaterialInput[] {
+          material.input(OPACITY),
+          material.input(ROUGHNESS),
+          material.input(METALLIC),
+          material.input(TRANSMISSION),
+          material.input(CLEARCOAT),
+          material.input(CLEARCOAT_ROUGHNESS)
         }) {
-      assertThat(scalar.factor()).isBetween(0., 1.);
+      assertThat(scalar.number()).isBetween(0., 1.);
       assertThat(scalar.channel()).isBetween(0, 3);
     }
-    assertThat(material.ior()).isGreaterThanOrEqualTo(1).isFinite();
+    assertThat(material.input(IOR).number()).isGreaterThanOrEqualTo(1).isFinite();
     checkPrintable(material.location());
   }
 

@@ -1,5 +1,17 @@
 package io.github.lumbre.model;
 
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -68,8 +80,8 @@ class ObjModelReaderTest {
             .with("b/my lib.mtl", "newmtl Hard plastic\nKd 1 0 0\nmap_Kd t.png")
             .with("b/t.png", PICTURE)
             .part();
-    assertThat(part.material().baseColor().factor()).isEqualTo(new Rgb(1, 0, 0));
-    assertThat(part.material().baseColor().texture().orElseThrow().image().location())
+    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(new Rgb(1, 0, 0));
+    assertThat(part.material().input(BASE_COLOR).texture().orElseThrow().image().location())
         .isEqualTo("b/t.png");
   }
 
@@ -92,12 +104,12 @@ class ObjModelReaderTest {
                     + "norm no.png;map_Pr other.png;map_Pm a.png")
             .read();
     ModelMaterial material = model.parts().get(0).material();
-    assertThat(material.baseColor()).isEqualTo(ColorInput.of(Rgb.grey(.5)));
-    assertThat(material.emission()).isEqualTo(ColorInput.of(Rgb.BLACK));
+    assertThat(material.input(BASE_COLOR)).isEqualTo(MaterialInput.of(Rgb.grey(.5)));
+    assertThat(material.emission()).isEqualTo(MaterialInput.of(Rgb.BLACK));
     assertThat(material.alphaMode()).isEqualTo(AlphaMode.OPAQUE);
     assertThat(material.normalMap()).isEmpty();
-    assertThat(material.roughness()).isEqualTo(ScalarInput.of(1));
-    assertThat(material.metallic().texture()).isPresent();
+    assertThat(material.input(ROUGHNESS)).isEqualTo(MaterialInput.of(1));
+    assertThat(material.input(METALLIC).texture()).isPresent();
     assertThat(model.warnings())
         .containsExactly(
             "a.mtl line 6: expected a file, found none: no.png; the picture is left out",
@@ -106,10 +118,10 @@ class ObjModelReaderTest {
 
   @Test
   void blackStandsForAMissingPicture() throws ModelFormatException {
-    Rgb lightGray = PlainModel.defaultMaterial().baseColor().factor();
-    assertThat(read("Kd 0;map_Kd no.png").baseColor()).isEqualTo(ColorInput.of(lightGray));
-    assertThat(read("Kd 0").baseColor()).isEqualTo(ColorInput.of(Rgb.BLACK));
-    assertThat(read("Ke 0;map_Ke no.png").emission()).isEqualTo(ColorInput.of(Rgb.BLACK));
+    Rgb lightGray = PlainModel.defaultMaterial().input(BASE_COLOR).factor();
+    assertThat(read("Kd 0;map_Kd no.png").input(BASE_COLOR)).isEqualTo(MaterialInput.of(lightGray));
+    assertThat(read("Kd 0").input(BASE_COLOR)).isEqualTo(MaterialInput.of(Rgb.BLACK));
+    assertThat(read("Ke 0;map_Ke no.png").emission()).isEqualTo(MaterialInput.of(Rgb.BLACK));
   }
 
   @Test
@@ -136,12 +148,12 @@ class ObjModelReaderTest {
     ModelPart part =
         new ModelFixture("a.obj", "v 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0 7\nf 1 2 3").part();
     float gray = (float) PlainModel.ALBEDO;
-    assertThat(part.material().baseColor().factor()).isEqualTo(Rgb.WHITE);
+    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.WHITE);
     assertThat(part.geometry().colors())
         .startsWith(1, (float) Srgb.decode(.5), 0, 1, gray, gray, gray, 1);
     ModelPart plain = obj("v 0 0 1 1 1 1;o a;f 1 2 3").part();
     assertThat(plain.geometry().colors()).isEmpty();
-    assertThat(plain.material().baseColor().factor()).isEqualTo(Rgb.grey(PlainModel.ALBEDO));
+    assertThat(plain.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(PlainModel.ALBEDO));
   }
 
   /** With a material of a library, colors are factors of its base color; others are 1. */
@@ -152,7 +164,7 @@ class ObjModelReaderTest {
                 "a.obj", "mtllib a.mtl\nusemtl m\nv 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")
             .with("a.mtl", "newmtl m\nKd .5")
             .part();
-    assertThat(part.material().baseColor().factor()).isEqualTo(Rgb.grey(.5));
+    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(.5));
     assertThat(part.geometry().colors()).startsWith(1, (float) Srgb.decode(.5), 0, 1, 1, 1, 1, 1);
   }
 
@@ -171,8 +183,8 @@ class ObjModelReaderTest {
     float[] colors = model.parts().get(0).geometry().colors();
     if (red < 0) {
       assertThat(colors).isEmpty();
-      assertThat(model.parts().get(0).material().baseColor())
-          .isEqualTo(PlainModel.defaultMaterial().baseColor());
+      assertThat(model.parts().get(0).material().input(BASE_COLOR))
+          .isEqualTo(PlainModel.defaultMaterial().input(BASE_COLOR));
     } else {
       assertThat(colors[8]).isEqualTo((float) Srgb.decode(red));
       assertThat(colors[9]).isEqualTo((float) Srgb.decode(green));
@@ -209,16 +221,16 @@ class ObjModelReaderTest {
   @Test
   void phongBecomesRoughness() throws ModelFormatException {
     ModelMaterial material = read("Kd .1 .2 .3;Ks .5;Ns 510;Ka 1 1 1;Ni 1;illum 2");
-    assertThat(material.baseColor().factor()).isEqualTo(new Rgb(.1, .2, .3));
-    assertThat(material.metallic().factor()).isZero();
-    assertThat(material.roughness().factor()).isEqualTo(.25);
-    assertThat(material.specularColor().factor()).isEqualTo(Rgb.grey(1));
-    assertThat(material.specular().factor()).isEqualTo(1);
-    assertThat(material.ior()).isEqualTo(1.5);
+    assertThat(material.input(BASE_COLOR).factor()).isEqualTo(new Rgb(.1, .2, .3));
+    assertThat(material.input(METALLIC).number()).isZero();
+    assertThat(material.input(ROUGHNESS).number()).isEqualTo(.25);
+    assertThat(material.input(SPECULAR_COLOR).factor()).isEqualTo(Rgb.grey(1));
+    assertThat(material.input(SPECULAR).number()).isEqualTo(1);
+    assertThat(material.input(IOR).number()).isEqualTo(1.5);
     assertThat(material.doubleSided()).isTrue();
-    assertThat(read("Ks .5;illum 1").specular().factor()).isZero();
-    assertThat(read("Ks 1;illum 3;Ns 0").specularColor().factor().r()).isEqualTo(25);
-    assertThat(read("Kd 1 1 1").specular().factor()).isZero();
+    assertThat(read("Ks .5;illum 1").input(SPECULAR).number()).isZero();
+    assertThat(read("Ks 1;illum 3;Ns 0").input(SPECULAR_COLOR).factor().r()).isEqualTo(25);
+    assertThat(read("Kd 1 1 1").input(SPECULAR).number()).isZero();
   }
 
   @Test
@@ -227,36 +239,36 @@ class ObjModelReaderTest {
         read(
             "Kd 1 1 1;Ks 1;Pr .3;Pm .7;Pc .5;Pcr .25;Ps .125;Ke 2 3 4;Ni 1.4;aniso 1;"
                 + "map_Pr a.png;map_Pm -imfchan g a.png");
-    assertThat(material.roughness().factor()).isEqualTo(.3);
-    assertThat(material.roughness().channel()).isZero();
-    assertThat(material.metallic().factor()).isEqualTo(.7);
-    assertThat(material.metallic().channel()).isEqualTo(1);
-    assertThat(material.metallic().texture().orElseThrow().image())
-        .isSameAs(material.roughness().texture().orElseThrow().image());
-    assertThat(material.clearcoat().factor()).isEqualTo(.5);
-    assertThat(material.clearcoatRoughness().factor()).isEqualTo(.25);
-    assertThat(material.sheenColor().factor()).isEqualTo(Rgb.grey(.125));
+    assertThat(material.input(ROUGHNESS).number()).isEqualTo(.3);
+    assertThat(material.input(ROUGHNESS).channel()).isZero();
+    assertThat(material.input(METALLIC).number()).isEqualTo(.7);
+    assertThat(material.input(METALLIC).channel()).isEqualTo(1);
+    assertThat(material.input(METALLIC).texture().orElseThrow().image())
+        .isSameAs(material.input(ROUGHNESS).texture().orElseThrow().image());
+    assertThat(material.input(CLEARCOAT).number()).isEqualTo(.5);
+    assertThat(material.input(CLEARCOAT_ROUGHNESS).number()).isEqualTo(.25);
+    assertThat(material.input(SHEEN_COLOR).factor()).isEqualTo(Rgb.grey(.125));
     assertThat(material.emission().factor()).isEqualTo(new Rgb(2, 3, 4));
-    assertThat(material.ior()).isEqualTo(1.4);
-    assertThat(read("map_Pr a.png").roughness().factor()).isEqualTo(1);
+    assertThat(material.input(IOR).number()).isEqualTo(1.4);
+    assertThat(read("map_Pr a.png").input(ROUGHNESS).number()).isEqualTo(1);
   }
 
   @Test
   void transparencyIsOpacityOrRefraction() throws ModelFormatException {
     assertThat(read("d 1").alphaMode()).isEqualTo(AlphaMode.OPAQUE);
     assertThat(read("d .25").alphaMode()).isEqualTo(AlphaMode.BLEND);
-    assertThat(read("d -halo .25").opacity().factor()).isEqualTo(.25);
-    assertThat(read("Tr .25").opacity().factor()).isEqualTo(.75);
+    assertThat(read("d -halo .25").input(OPACITY).number()).isEqualTo(.25);
+    assertThat(read("Tr .25").input(OPACITY).number()).isEqualTo(.75);
     assertThat(read("d 1;Tr 1").alphaMode()).isEqualTo(AlphaMode.OPAQUE);
-    assertThat(read("map_Kd a.png;map_d a.png").opacity().channel()).isEqualTo(3);
-    assertThat(read("map_Kd a.png;map_d b c.png").opacity().channel()).isZero();
+    assertThat(read("map_Kd a.png;map_d a.png").input(OPACITY).channel()).isEqualTo(3);
+    assertThat(read("map_Kd a.png;map_d b c.png").input(OPACITY).channel()).isZero();
     ModelMaterial glass = read("illum 7;Kd 0 0 0;Tf .9 1 1;Ni 1.33");
-    assertThat(glass.transmission().factor()).isEqualTo(1);
-    assertThat(glass.baseColor().factor()).isEqualTo(new Rgb(.9, 1, 1));
-    assertThat(glass.ior()).isEqualTo(1.33);
-    assertThat(glass.roughness().factor()).isZero();
-    assertThat(glass.volume()).isPresent();
-    assertThat(read("illum 6;d .25").transmission().factor()).isEqualTo(.75);
+    assertThat(glass.input(TRANSMISSION).number()).isEqualTo(1);
+    assertThat(glass.input(BASE_COLOR).factor()).isEqualTo(new Rgb(.9, 1, 1));
+    assertThat(glass.input(IOR).number()).isEqualTo(1.33);
+    assertThat(glass.input(ROUGHNESS).number()).isZero();
+    assertThat(glass.uses(ATTENUATION_DISTANCE)).isTrue();
+    assertThat(read("illum 6;d .25").input(TRANSMISSION).number()).isEqualTo(.75);
   }
 
   /** {@code Tr 1} without {@code d} is opaque; a material that shows nothing is reported. */
@@ -288,8 +300,8 @@ class ObjModelReaderTest {
       throws ModelFormatException {
     Model model = material(statements).read();
     ModelMaterial material = model.parts().get(0).material();
-    assertThat(material.opacity().factor()).isCloseTo(opacity, within(1e-12));
-    if (material.opacity().texture().isEmpty()) {
+    assertThat(material.input(OPACITY).number()).isCloseTo(opacity, within(1e-12));
+    if (material.input(OPACITY).texture().isEmpty()) {
       assertThat(material.alphaMode()).isEqualTo(opacity < 1 ? AlphaMode.BLEND : AlphaMode.OPAQUE);
     }
     assertThat(model.warnings().isEmpty()).isEqualTo(warning == null);
@@ -300,7 +312,7 @@ class ObjModelReaderTest {
   void optionsOfTexturesAreHonored() throws ModelFormatException {
     ModelTexture texture =
         read("map_Kd -s 2 3 1 -o .5 -clamp on -blendu off -mm 0 1 b c.png # a comment")
-            .baseColor()
+            .input(BASE_COLOR)
             .texture()
             .orElseThrow();
     assertThat(texture.image().location()).isEqualTo("b c.png");
@@ -315,9 +327,9 @@ class ObjModelReaderTest {
 
   @Test
   void factorsOfZeroDoNotHidePictures() throws ModelFormatException {
-    assertThat(read("Kd 0 0 0;map_Kd a.png").baseColor().factor()).isEqualTo(Rgb.WHITE);
+    assertThat(read("Kd 0 0 0;map_Kd a.png").input(BASE_COLOR).factor()).isEqualTo(Rgb.WHITE);
     assertThat(read("map_Ke a.png").emission().factor()).isEqualTo(Rgb.WHITE);
-    assertThat(read("Kd .5;map_Kd a.png").baseColor().factor()).isEqualTo(Rgb.grey(.5));
+    assertThat(read("Kd .5;map_Kd a.png").input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(.5));
   }
 
   private static byte[] png(int rgb) {
@@ -335,7 +347,7 @@ class ObjModelReaderTest {
   @Test
   void coloredBumpMapsAreNormalMaps() throws ModelFormatException {
     ModelFixture colored = material("map_Bump -bm .5 n.png").with("n.png", png(0x8080ff));
-    assertThat(colored.part().material().normalMap().orElseThrow().scale()).isEqualTo(.5);
+    assertThat(colored.part().material().normalMap().orElseThrow().number()).isEqualTo(.5);
     Model gray = material("bump n.png").with("n.png", png(0x808080)).read();
     assertThat(gray.parts().get(0).material().normalMap()).isEmpty();
     assertThat(gray.warnings())

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.Srgb;
+import io.github.lumbre.material.MaterialParameter;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
@@ -33,7 +34,12 @@ class PlyFaceDataTest {
   }
 
   private static String picture(ModelPart part) {
-    return part.material().baseColor().texture().orElseThrow().image().location();
+    return part.material()
+        .input(MaterialParameter.BASE_COLOR)
+        .texture()
+        .orElseThrow()
+        .image()
+        .location();
   }
 
   @Test
@@ -50,7 +56,8 @@ class PlyFaceDataTest {
                         + "end_header;0 0 0 0 0 1 2 3;1 0 0 1 0 1 2 3;0 1 0 0 1 1 2 3;3 0 1 2")
                     .replace(';', '\n')));
     assertThat(picture(file.part())).isEqualTo("a b.png");
-    assertThat(file.part().material().baseColor().factor()).isEqualTo(Rgb.WHITE);
+    assertThat(file.part().material().input(MaterialParameter.BASE_COLOR).factor())
+        .isEqualTo(Rgb.WHITE);
     assertThat(file.part().geometry().colors()).isEmpty();
     assertThat(file.read().warnings())
         .containsExactly("ignored the colors, since there is a texture");
@@ -67,7 +74,7 @@ class PlyFaceDataTest {
             "comment texturefile no.png;",
             "element face 1;" + CORNERS + TEXCOORD,
             SQUARE + "3 0 1 2 6 0 0 1 0 1 1");
-    assertThat(file.part().material().baseColor().texture()).isEmpty();
+    assertThat(file.part().material().input(MaterialParameter.BASE_COLOR).texture()).isEmpty();
     assertThat(file.read().warnings()).hasSize(1);
     assertThat(file.read().warnings().get(0)).endsWith("no.png; the picture is left out");
   }
@@ -142,7 +149,8 @@ class PlyFaceDataTest {
     float middle = (float) Srgb.decode(128 / 255.);
     assertThat(file.geometry().colors()).startsWith(1, 0, middle, 1, 1, 0, middle, 1);
     assertThat(file.geometry().colors()).endsWith(0, 1, 0, 1);
-    assertThat(file.part().material().baseColor().factor()).isEqualTo(Rgb.WHITE);
+    assertThat(file.part().material().input(MaterialParameter.BASE_COLOR).factor())
+        .isEqualTo(Rgb.WHITE);
     assertThat(file.read().warnings()).isEmpty();
   }
 }

@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Srgb;
@@ -143,7 +144,7 @@ class PlyReaderTest {
             "0 0 0 -1 .5 2;1 0 0 0 0 0;0 1 0 0 0 0;3 0 1 2");
     assertThat(Arrays.copyOf(floats.geometry().colors(), 4)).containsExactly(0, .5f, 1, 1);
     assertThat(floats.part().material().alphaMode()).isEqualTo(AlphaMode.OPAQUE);
-    assertThat(floats.part().material().baseColor().factor().r()).isEqualTo(1);
+    assertThat(floats.part().material().input(BASE_COLOR).factor().r()).isEqualTo(1);
   }
 
   @Test

@@ -1,5 +1,7 @@
 package io.github.lumbre.model;
 
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Vec3;
@@ -109,8 +111,8 @@ class StlReaderTest {
   @Test
   void materialIsDiffuse() throws ModelFormatException {
     ModelMaterial material = stl(binary("", SQUARE)).part().material();
-    assertThat(material.metallic().factor()).isZero();
-    assertThat(material.roughness().factor()).isEqualTo(1);
+    assertThat(material.input(METALLIC).number()).isZero();
+    assertThat(material.input(ROUGHNESS).number()).isEqualTo(1);
     assertThat(material.doubleSided()).isTrue();
   }
 

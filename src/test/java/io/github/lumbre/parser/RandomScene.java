@@ -1,5 +1,18 @@
 package io.github.lumbre.parser;
 
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
+
 import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Box;
@@ -254,18 +267,19 @@ final class RandomScene {
   private Material layered(int kind) {
     MetallicRoughness.Builder builder =
         MetallicRoughness.builder()
-            .baseColor(ColorChannel.of(color(kind), 0))
-            .metallic(random.nextDouble())
-            .roughness(ScalarChannel.of(scalar(0, 1, .8), 0))
-            .specularColor(ColorChannel.of(rgb(1)))
-            .sheenColor(ColorChannel.of(rgb(.3)))
-            .clearcoat(random.nextDouble())
-            .ior(1 + random.nextDouble());
+            .set(BASE_COLOR, ColorChannel.of(color(kind), 0))
+            .set(METALLIC, random.nextDouble())
+            .set(ROUGHNESS, ScalarChannel.of(scalar(0, 1, .8), 0))
+            .set(SPECULAR_COLOR, ColorChannel.of(rgb(1)))
+            .set(SHEEN_COLOR, ColorChannel.of(rgb(.3)))
+            .set(CLEARCOAT, random.nextDouble())
+            .set(IOR, 1 + random.nextDouble());
     switch (random.nextInt(4)) {
-      case 0 -> builder.transmission(.9).volume(rgb(1), 2);
-      case 1 -> builder.opacity(random.nextDouble());
-      case 2 -> builder.transmission(.5).singleSided();
-      default -> builder.sheenRoughness(ScalarChannel.of(.4));
+      case 0 ->
+          builder.set(TRANSMISSION, .9).set(ATTENUATION_COLOR, rgb(1)).set(ATTENUATION_DISTANCE, 2);
+      case 1 -> builder.set(OPACITY, random.nextDouble());
+      case 2 -> builder.set(TRANSMISSION, .5).singleSided();
+      default -> builder.set(SHEEN_ROUGHNESS, ScalarChannel.of(.4));
     }
     return builder.build();
   }

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -161,7 +162,9 @@ class SceneWriterTest {
                 .add(
                     "odd",
                     Sphere.of(Vec3.Y, 1),
-                    MetallicRoughness.builder().volume(Rgb.WHITE).build())
+                    MetallicRoughness.builder()
+                        .set(ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY)
+                        .build())
                 .build());
     for (Scene scene : scenes) {
       assertThatIllegalArgumentException()

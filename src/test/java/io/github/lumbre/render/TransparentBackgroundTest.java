@@ -1,5 +1,9 @@
 package io.github.lumbre.render;
 
+import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.material.MaterialParameter.SPECULAR;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.camera.PinholeCamera;
@@ -53,10 +57,10 @@ class TransparentBackgroundTest {
   /** Returns a black surface that lets a part of the rays pass. */
   private static Material veil(double opacity) {
     return MetallicRoughness.builder()
-        .metallic(ScalarChannel.of(0))
-        .specular(ScalarChannel.of(0))
-        .baseColor(ColorChannel.of(Rgb.BLACK))
-        .opacity(ScalarChannel.of(opacity))
+        .set(METALLIC, ScalarChannel.of(0))
+        .set(SPECULAR, ScalarChannel.of(0))
+        .set(BASE_COLOR, ColorChannel.of(Rgb.BLACK))
+        .set(OPACITY, ScalarChannel.of(opacity))
         .build();
   }
 

@@ -1,5 +1,13 @@
 package io.github.lumbre.lab.checks;
 
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.METALLIC;
+import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
+import static io.github.lumbre.material.MaterialParameter.SHEEN_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
+
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
@@ -151,25 +159,26 @@ final class MaterialInvariants {
         ColorChannel white = ColorChannel.of(Rgb.WHITE);
         materials.add(metallic(1, roughness).build());
         materials.add(metallic(0, roughness).build());
-        materials.add(metallic(.5, .6).clearcoat(1).clearcoatRoughness(varied).build());
-        materials.add(metallic(0, roughness).clearcoat(.5).clearcoatRoughness(medium).build());
-        materials.add(metallic(0, .6).sheenColor(white).sheenRoughness(varied).build());
+        materials.add(metallic(.5, .6).set(CLEARCOAT, 1).set(CLEARCOAT_ROUGHNESS, varied).build());
+        materials.add(
+            metallic(0, roughness).set(CLEARCOAT, .5).set(CLEARCOAT_ROUGHNESS, medium).build());
+        materials.add(metallic(0, .6).set(SHEEN_COLOR, white).set(SHEEN_ROUGHNESS, varied).build());
         materials.add(
             metallic(1, roughness)
-                .sheenColor(white)
-                .sheenRoughness(medium)
-                .clearcoat(1)
-                .clearcoatRoughness(varied)
+                .set(SHEEN_COLOR, white)
+                .set(SHEEN_ROUGHNESS, medium)
+                .set(CLEARCOAT, 1)
+                .set(CLEARCOAT_ROUGHNESS, varied)
                 .build());
-        materials.add(metallic(0, roughness).transmission(1).build());
-        materials.add(metallic(.3, roughness).transmission(.5).clearcoat(.5).build());
+        materials.add(metallic(0, roughness).set(TRANSMISSION, 1).build());
+        materials.add(metallic(.3, roughness).set(TRANSMISSION, .5).set(CLEARCOAT, .5).build());
       }
     }
     return materials;
   }
 
   private static MetallicRoughness.Builder metallic(double metallic, double roughness) {
-    return MetallicRoughness.builder().metallic(metallic).roughness(roughness);
+    return MetallicRoughness.builder().set(METALLIC, metallic).set(ROUGHNESS, roughness);
   }
 
   /** Returns BSDFs with every lobe that materials have. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -147,7 +148,7 @@ class SummaryTest {
   /** A clear surface in front of the whole picture covers nothing, unless there is nothing else. */
   @Test
   void automaticExposureLooksThroughTransparentSurfaces() {
-    Material clear = MetallicRoughness.builder().opacity(.1).build();
+    Material clear = MetallicRoughness.builder().set(OPACITY, .1).build();
     Sphere pane = new Sphere(Transform.IDENTITY, .5);
     float[] rgb = new float[96];
     Arrays.fill(rgb, 1e6f);

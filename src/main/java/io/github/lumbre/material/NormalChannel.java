@@ -6,12 +6,12 @@ import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
 
 /**
- * The normals of a surface, perturbed by a map.
+ * The normals of a surface, perturbed by a map. Immutable.
  *
  * @param uvSet 0 or 1: the texture coordinates of the map
  */
-record PerturbedNormal(NormalMap map, int uvSet) {
-  PerturbedNormal {
+public record NormalChannel(NormalMap map, int uvSet) implements Channel {
+  public NormalChannel {
     Objects.requireNonNull(map, "map");
   }
 

@@ -1,0 +1,314 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.image.Rgb;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A parameter of {@link MetallicRoughness}, with its names, values and default. This class is the
+ * only declaration. The readers of scene files, glTF and material libraries (MTL), and the writer
+ * of scene files use it. A new parameter needs a new constant, and the code of {@link
+ * MetallicRoughness} that applies it. Immutable after its declaration.
+ */
+public final class MaterialParameter {
+  private static final List<MaterialParameter> ALL = new ArrayList<>();
+
+  private static final String CORE = "pbrMetallicRoughness";
+  private static final String SPECULAR_EXTENSION = "KHR_materials_specular";
+  private static final String COAT_EXTENSION = "KHR_materials_clearcoat";
+  private static final String SHEEN_EXTENSION = "KHR_materials_sheen";
+
+  private static final int RED = 0;
+  private static final int GREEN = 1;
+  private static final int BLUE = 2;
+  private static final int ALPHA = 3;
+
+  /** The extension whose parameters are valid only if its {@code thicknessFactor} is above 0. */
+  public static final String VOLUME_EXTENSION = "KHR_materials_volume";
+
+  /** Albedo of dielectrics, and reflectance of metals at normal incidence. */
+  public static final MaterialParameter BASE_COLOR =
+      color("baseColor", Rgb.WHITE).gltf(CORE, "baseColorFactor", "baseColorTexture", 0);
+
+  /** Fraction of light that the surface stops; in glTF, the fourth number of the base color. */
+  public static final MaterialParameter OPACITY =
+      number("opacity", 1).gltf(CORE, "baseColorFactor", "baseColorTexture", ALPHA);
+
+  /** Metalness: 0 for dielectrics to 1 for metals. */
+  public static final MaterialParameter METALLIC =
+      number("metallic", 1)
+          .gltf(CORE, "metallicFactor", "metallicRoughnessTexture", BLUE)
+          .mtl("pm");
+
+  /** Perceptual roughness: the square root of α. */
+  public static final MaterialParameter ROUGHNESS =
+      number("roughness", 1)
+          .gltf(CORE, "roughnessFactor", "metallicRoughnessTexture", GREEN)
+          .mtl("pr");
+
+  /** Index of refraction of dielectrics; 0 for one that reflects everything. */
+  public static final MaterialParameter IOR =
+      number("ior", 1.5).within(1, 1e6).gltf("KHR_materials_ior", "ior");
+
+  /** Strength of the reflection of dielectrics. */
+  public static final MaterialParameter SPECULAR =
+      number("specular", 1).gltf(SPECULAR_EXTENSION, "specularFactor", "specularTexture", ALPHA);
+
+  /** Tint of the reflection of dielectrics at normal incidence. */
+  public static final MaterialParameter SPECULAR_COLOR =
+      color("specularColor", Rgb.WHITE)
+          .within(0, Double.MAX_VALUE)
+          .gltf(SPECULAR_EXTENSION, "specularColorFactor", "specularColorTexture", 0);
+
+  /** Fraction of non-reflected light that is transmitted. */
+  public static final MaterialParameter TRANSMISSION =
+      number("transmission", 0)
+          .gltf("KHR_materials_transmission", "transmissionFactor", "transmissionTexture", RED);
+
+  /** Color of white light after the attenuation distance in the volume. */
+  public static final MaterialParameter ATTENUATION_COLOR =
+      color("attenuationColor", Rgb.WHITE)
+          .gltf(VOLUME_EXTENSION, "attenuationColor")
+          .of(TRANSMISSION);
+
+  /**
+   * Distance, in world units, at which white light has the attenuation color; infinite in a clear
+   * medium. It makes the surface the boundary of a volume, which refracts: the shape must be
+   * closed.
+   */
+  public static final MaterialParameter ATTENUATION_DISTANCE =
+      number("attenuationDistance", Double.POSITIVE_INFINITY)
+          .within(Double.MIN_VALUE, Double.POSITIVE_INFINITY)
+          .gltf(VOLUME_EXTENSION, "attenuationDistance")
+          .of(TRANSMISSION);
+
+  /** Strength of the clear coat. */
+  public static final MaterialParameter CLEARCOAT =
+      number("clearcoat", 0)
+          .gltf(COAT_EXTENSION, "clearcoatFactor", "clearcoatTexture", RED)
+          .mtl("pc");
+
+  /** Perceptual roughness of the clear coat. */
+  public static final MaterialParameter CLEARCOAT_ROUGHNESS =
+      number("clearcoatRoughness", 0)
+          .gltf(COAT_EXTENSION, "clearcoatRoughnessFactor", "clearcoatRoughnessTexture", GREEN)
+          .mtl("pcr")
+          .of(CLEARCOAT);
+
+  /** Normals of the clear coat; without a map, they are those of the vertices. */
+  public static final MaterialParameter CLEARCOAT_NORMAL =
+      normals("clearcoatNormal")
+          .gltf(COAT_EXTENSION, "", "clearcoatNormalTexture", 0)
+          .of(CLEARCOAT);
+
+  /** Color of the sheen; black means none. */
+  public static final MaterialParameter SHEEN_COLOR =
+      color("sheenColor", Rgb.BLACK)
+          .gltf(SHEEN_EXTENSION, "sheenColorFactor", "sheenColorTexture", 0)
+          .mtl("ps");
+
+  /** Perceptual roughness of the sheen. */
+  public static final MaterialParameter SHEEN_ROUGHNESS =
+      number("sheenRoughness", 0)
+          .gltf(SHEEN_EXTENSION, "sheenRoughnessFactor", "sheenRoughnessTexture", ALPHA)
+          .of(SHEEN_COLOR);
+
+  private final Kind kind;
+  private final String key;
+  private final Rgb missing;
+  private double least;
+  private double most = 1;
+  private String gltfObject = "";
+  private String gltfFactor = "";
+  private String gltfTexture = "";
+  private int channel;
+  private String mtl = "";
+  private MaterialParameter strength = this;
+
+  /** The type of a parameter's values. */
+  public enum Kind {
+    /** Linear RGB: a {@link ColorChannel}. Textures are sRGB-encoded. */
+    COLOR,
+    /** A {@link ScalarChannel}. Textures are linear. */
+    NUMBER,
+    /** A {@link NormalChannel}. */
+    NORMALS
+  }
+
+  private MaterialParameter(Kind kind, String key, Rgb missing) {
+    this.kind = kind;
+    this.key = key;
+    this.missing = missing;
+    ALL.add(this);
+  }
+
+  private static MaterialParameter color(String key, Rgb missing) {
+    return new MaterialParameter(Kind.COLOR, key, missing);
+  }
+
+  private static MaterialParameter number(String key, double missing) {
+    return new MaterialParameter(Kind.NUMBER, key, Rgb.grey(missing));
+  }
+
+  private static MaterialParameter normals(String key) {
+    return new MaterialParameter(Kind.NORMALS, key, Rgb.WHITE);
+  }
+
+  private MaterialParameter within(double from, double to) {
+    least = from;
+    most = to;
+    return this;
+  }
+
+  private MaterialParameter gltf(String object, String factor) {
+    return gltf(object, factor, "", 0);
+  }
+
+  private MaterialParameter gltf(String object, String factor, String texture, int newChannel) {
+    gltfObject = object;
+    gltfFactor = factor;
+    gltfTexture = texture;
+    channel = newChannel;
+    return this;
+  }
+
+  private MaterialParameter mtl(String newMtl) {
+    mtl = newMtl;
+    return this;
+  }
+
+  private MaterialParameter of(MaterialParameter newStrength) {
+    strength = newStrength;
+    return this;
+  }
+
+  /** Returns all parameters, in the order of their declaration. */
+  public static List<MaterialParameter> all() {
+    return List.copyOf(ALL);
+  }
+
+  /**
+   * Returns the extensions of glTF materials, and objects in these, that have parameters; see
+   * {@link #gltfObject}.
+   */
+  public static Set<String> gltfObjects() {
+    Set<String> objects = new LinkedHashSet<>();
+    ALL.forEach(parameter -> objects.add(parameter.gltfObject));
+    return objects;
+  }
+
+  /** Returns the type of the values. */
+  public Kind kind() {
+    return kind;
+  }
+
+  /** Returns the key in scene files, and the stem of its texture's keys. */
+  public String key() {
+    return key;
+  }
+
+  /** Returns the default: three equal components of a number. */
+  public Rgb missing() {
+    return missing;
+  }
+
+  /** Returns the smallest number, or component of a color, except the index 0. */
+  public double least() {
+    return least;
+  }
+
+  /** Returns the largest number, or component of a color. */
+  public double most() {
+    return most;
+  }
+
+  /** Returns whether a texture can vary the value over the surface. */
+  public boolean isTextured() {
+    return !gltfTexture.isEmpty();
+  }
+
+  /** Returns the extension of a glTF material, or the object in it, that has the parameter. */
+  public String gltfObject() {
+    return gltfObject;
+  }
+
+  /** Returns the member of {@link #gltfObject} that states a factor; empty for normals. */
+  public String gltfFactor() {
+    return gltfFactor;
+  }
+
+  /** Returns the member of {@link #gltfObject} that states a texture; empty if there is none. */
+  public String gltfTexture() {
+    return gltfTexture;
+  }
+
+  /** Returns the channel of a number in glTF's texture: 0 to 3 for red, green, blue and alpha. */
+  public int gltfChannel() {
+    return channel;
+  }
+
+  /** Returns the key in material libraries, in lower case; empty if there is none. */
+  public String mtl() {
+    return mtl;
+  }
+
+  /** Returns the parameter that turns this one off if it is 0; this one if there is no other. */
+  public MaterialParameter strength() {
+    return strength;
+  }
+
+  /** Returns whether a number, or a component of a color, is in range. */
+  public boolean accepts(double value) {
+    return value >= least && value <= most || this == IOR && value == 0;
+  }
+
+  /** Returns a description of the range for messages. */
+  public String expected() {
+    if (most > Double.MAX_VALUE) {
+      return "a number > 0";
+    }
+    return most == Double.MAX_VALUE ? "at least 0" : this == IOR ? "0 or 1 to 1e6" : "0 to 1";
+  }
+
+  /**
+   * Returns a constant value.
+   *
+   * @param value three equal components of a number
+   * @throws IllegalArgumentException if it is out of range; the message names the parameter, the
+   *     expected range and the value
+   */
+  Channel constant(Rgb value) {
+    boolean isColor = kind == Kind.COLOR;
+    if (!(accepts(value.r()) && accepts(value.g()) && accepts(value.b()))) {
+      throw new IllegalArgumentException(
+          key + ": expected " + expected() + ", found " + (isColor ? value : value.r()));
+    }
+    return isColor ? ColorChannel.of(value) : ScalarChannel.of(value.r());
+  }
+
+  /**
+   * Returns a value if it suits this parameter.
+   *
+   * @throws IllegalArgumentException if it is of another kind, or varies without being allowed to
+   */
+  Channel require(Channel value) {
+    boolean suits =
+        switch (kind) {
+          case COLOR -> value instanceof ColorChannel;
+          case NUMBER -> value instanceof ScalarChannel;
+          case NORMALS -> value instanceof NormalChannel;
+        };
+    if (!suits || !isTextured() && !value.isConstant()) {
+      throw new IllegalArgumentException(
+          key + ": expected " + (isTextured() ? "" : "a constant ") + kind + ", found " + value);
+    }
+    return value;
+  }
+
+  @Override
+  public String toString() {
+    return key;
+  }
+}
