@@ -75,17 +75,6 @@ public record FilmHeader(
           Setting.HEIGHT,
           Setting.TRANSPARENT);
 
-  /** Creates the header of a film without layers. */
-  public FilmHeader(
-      Map<String, String> identity,
-      boolean hasAlpha,
-      Crop window,
-      List<FilmPart> parts,
-      RenderStatistics faults,
-      Map<String, String> notes) {
-    this(identity, hasAlpha, window, RecordedLayers.NONE, parts, faults, notes);
-  }
-
   public FilmHeader {
     identity = Collections.unmodifiableMap(new LinkedHashMap<>(identity));
     notes = Collections.unmodifiableMap(new LinkedHashMap<>(notes));

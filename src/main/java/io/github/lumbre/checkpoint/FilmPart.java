@@ -46,10 +46,7 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
 
   /** Returns whether this part has all samples of another one. */
   public boolean contains(FilmPart o) {
-    return equals(o)
-        || first <= o.first
-            && o.end() <= first + fewest
-            && hull(window, o.window).equals(window);
+    return equals(o) || first <= o.first && o.end() <= first + fewest && window.contains(o.window);
   }
 
   /**

@@ -17,6 +17,7 @@ import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -152,7 +153,7 @@ final class MaterialReader {
   private Surface color(JsonNode material) {
     Emission emission =
         new Emission(textures.color(material, "color", material.rgb("color")), true);
-    return (shape, scene) -> scene.addEmissive(shape, emission);
+    return (shape, scene) -> scene.add(shape, Unlit.INSTANCE, emission);
   }
 
   private static String[] areaLightKeys() {
@@ -167,13 +168,7 @@ final class MaterialReader {
         new Emission(
             textures.color(material, "color", material.rgb("color")),
             material.flag("twoSided", false));
-    return (shape, scene) -> {
-      if (Double.isFinite(shape.area())) {
-        scene.addAreaLight(shape, emission);
-      } else {
-        scene.addEmissive(shape, emission);
-      }
-    };
+    return (shape, scene) -> scene.addAreaLight(shape, emission);
   }
 
   private Surface reflective(JsonNode material) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 
 /** The threads that run the workers of a pass. */
 interface Crew {
@@ -23,8 +24,45 @@ interface Crew {
     return wanted;
   }
 
+  /** Runs a worker and keeps the first failure; workers stop the queue when they fail. */
+  static void attempt(BucketWorker worker, AtomicReference<Throwable> failure) {
+    try {
+      worker.run();
+    } catch (RuntimeException | Error e) {
+      failure.compareAndSet(null, e);
+    }
+  }
+
+  /** Throws the exception for the failure of a worker, if there is one. */
+  static void requireNone(AtomicReference<Throwable> failure) {
+    if (failure.get() != null) {
+      throw failure(failure.get());
+    }
+  }
+
   /** Returns the exception for the failure of a worker. */
   static RenderException failure(Throwable cause) {
     return new RenderException("rendering failed: " + cause, cause);
+  }
+
+  /** Waits for something. */
+  interface Wait {
+    void await() throws InterruptedException;
+  }
+
+  /** Waits for something that comes shortly, and restores the interrupt status at the end. */
+  static void await(Wait wait) {
+    boolean interrupted = false;
+    while (true) {
+      try {
+        wait.await();
+        break;
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

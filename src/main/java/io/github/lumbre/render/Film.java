@@ -3,7 +3,7 @@ package io.github.lumbre.render;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.SampleLayers;
-import io.github.lumbre.render.LayerSums.FirstMean;
+import io.github.lumbre.render.FirstMeans.FirstMean;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -46,11 +46,7 @@ public final class Film {
   /** The number of each pixel's samples that cover it; empty without alpha. */
   private final int[] covered;
 
-  /**
-   * The packed mean of each pixel's first samples, up to the largest power of two below their
-   * number.
-   */
-  private final long[] firstMeans;
+  private final FirstMeans firstMeans;
 
   private final LayerSums layers;
 
@@ -78,7 +74,7 @@ public final class Film {
     sums = new ExactSums(Math.multiplyExact(3, pixels));
     counts = new int[pixels];
     covered = new int[hasAlpha ? pixels : 0];
-    firstMeans = new long[pixels];
+    firstMeans = new FirstMeans(sums, counts);
     this.layers = new LayerSums(layers, pixels);
   }
 
@@ -95,6 +91,11 @@ public final class Film {
   /** Returns the layers that the film records besides the picture. */
   public FilmLayers layers() {
     return layers.layers();
+  }
+
+  /** Returns the sums of the light, three for each pixel. */
+  ExactSums sums() {
+    return sums;
   }
 
   /** Returns the sums of the layers. */
@@ -140,11 +141,7 @@ public final class Film {
 
   /** Returns the fraction of pixels without samples, 0 to 1. */
   public double shareWithoutSamples() {
-    int without = 0;
-    for (int count : counts) {
-      without += count == 0 ? 1 : 0;
-    }
-    return without / (double) counts.length;
+    return (double) Arrays.stream(counts).filter(count -> count == 0).count() / counts.length;
   }
 
   /** Returns the median number of samples per pixel; the upper one of two middle values. */
@@ -193,12 +190,7 @@ public final class Film {
    */
   public void addAll(Film other) {
     Crop part = other.window;
-    boolean inside =
-        part.x() >= window.x()
-            && part.y() >= window.y()
-            && part.x() + part.width() <= window.x() + window.width()
-            && part.y() + part.height() <= window.y() + window.height();
-    if (!inside || other.hasAlpha() != hasAlpha()) {
+    if (!window.contains(part) || other.hasAlpha() != hasAlpha()) {
       throw new IllegalArgumentException(
           "other: expected a film inside " + window + ", found " + part);
     }
@@ -206,14 +198,8 @@ public final class Film {
     for (int from = 0; from < other.counts.length; from++) {
       int to = index(part.x() + from % part.width(), part.y() + from / part.width());
       if (other.counts[from] != 0) {
-        FirstMean mean = firstMeanWith(other, from, to);
-        firstMeans[to] =
-            switch (mean) {
-              case KEPT -> firstMeans[to];
-              case LOST -> PackedRgb.NONE;
-              case OF_OTHER -> other.firstMeans[from];
-              case OF_ALL -> mean(to);
-            };
+        boolean continues = other.firstSample == firstSample + counts[to];
+        FirstMean mean = firstMeans.add(other.firstMeans, from, to, continues);
         layers.addAll(other.layers, from, to, mean, counts[to]);
       }
       counts[to] = Math.addExact(counts[to], other.counts[from]);
@@ -231,31 +217,6 @@ public final class Film {
       throw new IllegalArgumentException(
           "other: expected a film with " + layers() + ", found " + other.layers());
     }
-  }
-
-  /**
-   * Returns where the first mean of a pixel is stored once another film is added: the mean of its
-   * samples up to the last power of two below their number. Lost if the sums do not contain it.
-   */
-  private FirstMean firstMeanWith(Film other, int from, int to) {
-    int count = counts[to];
-    if (count == 0) {
-      return FirstMean.OF_OTHER;
-    }
-    int power = Integer.highestOneBit(count + other.counts[from] - 1);
-    if (other.firstSample != firstSample + count || power > count) {
-      return FirstMean.LOST;
-    }
-    return power == count ? FirstMean.OF_ALL : FirstMean.KEPT;
-  }
-
-  /** Returns the mean of all samples of a pixel that has some, packed. */
-  private long mean(int pixel) {
-    int count = counts[pixel];
-    return PackedRgb.of(
-        sums.get(3 * pixel) / count,
-        sums.get(3 * pixel + 1) / count,
-        sums.get(3 * pixel + 2) / count);
   }
 
   /** Returns an independent copy of this film. */
@@ -283,16 +244,7 @@ public final class Film {
     sums.set(other.sums);
     System.arraycopy(other.counts, 0, counts, 0, counts.length);
     System.arraycopy(other.covered, 0, covered, 0, covered.length);
-    System.arraycopy(other.firstMeans, 0, firstMeans, 0, firstMeans.length);
-  }
-
-  /** Returns the maximum number of bytes that {@link #encode} writes for all pixels. */
-  public long encodedBytes() {
-    long bytes = 0;
-    for (int pixel = 0; pixel < counts.length; pixel++) {
-      bytes += encodedBytes(pixel);
-    }
-    return bytes;
+    firstMeans.set(other.firstMeans);
   }
 
   /** Returns the maximum number of bytes that {@link #encode} writes for a pixel. */
@@ -321,7 +273,7 @@ public final class Film {
       FilmNumbers.put(out, sums.whole(i));
       out.putLong(Long.reverseBytes(sums.fraction(i)));
     }
-    out.putLong(Long.reverseBytes(firstMeans[pixel]));
+    out.putLong(Long.reverseBytes(firstMeans.packed(pixel)));
     layers.encode(pixel, out);
   }
 
@@ -346,7 +298,7 @@ public final class Film {
       long whole = FilmNumbers.get(in, (long) LARGEST * count);
       sums.set(i, whole, Long.reverseBytes(in.getLong()));
     }
-    firstMeans[pixel] = Long.reverseBytes(in.getLong());
+    firstMeans.set(pixel, Long.reverseBytes(in.getLong()));
     layers.decode(pixel, count, in);
   }
 
@@ -360,6 +312,11 @@ public final class Film {
     return counts[pixel];
   }
 
+  /** Returns the number of samples that cover the pixel at an index: all of them without alpha. */
+  int covered(int pixel) {
+    return hasAlpha() ? covered[pixel] : counts[pixel];
+  }
+
   /**
    * Adds the next sample of a pixel; values above {@link #LARGEST} are reduced to it.
    *
@@ -370,7 +327,7 @@ public final class Film {
   void add(int pixel, Rgb value, boolean covers) {
     int count = counts[pixel];
     if ((count & count - 1) == 0 && count != 0) {
-      firstMeans[pixel] = mean(pixel);
+      firstMeans.store(pixel);
     }
     addSilently(pixel, value, covers);
   }
@@ -407,19 +364,7 @@ public final class Film {
    * transparent if the film has alpha.
    */
   public Image develop() {
-    float[] rgb = new float[sums.size()];
-    float[] alpha = new float[covered.length];
-    for (int pixel = 0; pixel < counts.length; pixel++) {
-      // Straight alpha: the color is the mean over the covering samples only.
-      int count = covered.length == 0 ? counts[pixel] : covered[pixel];
-      for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-        rgb[i] = count == 0 ? 0 : (float) (sums.get(i) / count);
-      }
-      if (covered.length != 0 && count != 0) {
-        alpha[pixel] = (float) count / counts[pixel];
-      }
-    }
-    return new Image(window.width(), window.height(), rgb, alpha);
+    return new LayerDevelopment(this).picture();
   }
 
   /**
@@ -430,10 +375,6 @@ public final class Film {
    *     channels of its own ({@link Layer#OBJECT}, {@link Layer#MATERIAL}, {@link Layer#LIGHTS})
    */
   public float[] develop(Layer layer) {
-    require(layer);
-    if (layer.grid() == Layer.Grid.COUNTS || layer == Layer.LIGHTS) {
-      throw new IllegalArgumentException(layer + ": expected a layer with channels of its own");
-    }
     return new LayerDevelopment(this).of(layer);
   }
 
@@ -445,8 +386,6 @@ public final class Film {
    * @throws IndexOutOfBoundsException if there is no such group
    */
   public float[] developLightGroup(int group) {
-    require(Layer.LIGHTS);
-    Objects.checkIndex(group, layers().lightGroups());
     return new LayerDevelopment(this).lightGroup(group);
   }
 
@@ -457,7 +396,6 @@ public final class Film {
    * @throws IllegalArgumentException if the film does not have {@link Layer#LIGHTS}
    */
   public float[] developUngroupedLight() {
-    require(Layer.LIGHTS);
     return new LayerDevelopment(this).ungroupedLight();
   }
 
@@ -493,18 +431,7 @@ public final class Film {
    *     {@link Layer#DENOISING_ALBEDO} and {@link Layer#DENOISING_NORMAL}
    */
   public float[] developNoise(Layer layer) {
-    require(layer);
-    if (layer.grid() != Layer.Grid.GUIDE) {
-      throw new IllegalArgumentException(layer + ": expected a layer for denoisers");
-    }
     return new LayerDevelopment(this).noise(layer);
-  }
-
-  private void require(Layer layer) {
-    if (!layers().kinds().contains(layer)) {
-      throw new IllegalArgumentException(
-          layer + ": expected one of the film's layers " + layers().kinds());
-    }
   }
 
   /**
@@ -515,26 +442,6 @@ public final class Film {
    * @param y the pixel's row in the full frame, inside the window
    */
   public Optional<PixelHalves> halves(int x, int y) {
-    int count = samples(x, y);
-    int pixel = index(x, y);
-    if (count < 2 || firstMeans[pixel] == PackedRgb.NONE) {
-      return Optional.empty();
-    }
-    int firstCount = Integer.highestOneBit(count - 1);
-    int secondCount = count - firstCount;
-    Rgb first = PackedRgb.unpacked(firstMeans[pixel]);
-    Rgb all = new Rgb(sums.get(3 * pixel), sums.get(3 * pixel + 1), sums.get(3 * pixel + 2));
-    Rgb second = all.plus(first.times(-firstCount)).times(1.0 / secondCount);
-    return Optional.of(new PixelHalves(firstCount, first, secondCount, second));
-  }
-
-  /** Returns the whole part of the sum of a channel of a pixel. */
-  long whole(int channel, int pixel) {
-    return sums.whole(3 * pixel + channel);
-  }
-
-  /** Returns the fraction of the sum of a channel of a pixel, in units of 2^-64. */
-  long fraction(int channel, int pixel) {
-    return sums.fraction(3 * pixel + channel);
+    return samples(x, y) < 2 ? Optional.empty() : firstMeans.halves(index(x, y));
   }
 }

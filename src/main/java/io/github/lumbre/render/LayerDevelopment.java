@@ -1,11 +1,13 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.image.Image;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.math.BigInteger;
+import java.util.Objects;
 import java.util.Optional;
 
-/** Computes the values of a film's layers from its sums. */
+/** Computes a film's picture and the values of its layers from its sums. */
 final class LayerDevelopment {
   /** The sums count multiples of 2^-64. */
   private static final double UNIT = 0x1p-64;
@@ -21,8 +23,36 @@ final class LayerDevelopment {
     pixels = window.width() * window.height();
   }
 
+  /** Returns the picture. */
+  Image picture() {
+    float[] rgb = new float[3 * pixels];
+    float[] alpha = new float[film.hasAlpha() ? pixels : 0];
+    for (int pixel = 0; pixel < pixels; pixel++) {
+      // Straight alpha: the color is the mean over the covering samples only.
+      int count = film.covered(pixel);
+      for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
+        rgb[i] = count == 0 ? 0 : (float) (film.sums().get(i) / count);
+      }
+      if (alpha.length != 0 && count != 0) {
+        alpha[pixel] = (float) count / film.samples(pixel);
+      }
+    }
+    return new Image(film.window().width(), film.window().height(), rgb, alpha);
+  }
+
+  private void require(Layer layer) {
+    if (!film.layers().kinds().contains(layer)) {
+      throw new IllegalArgumentException(
+          layer + ": expected one of the film's layers " + film.layers().kinds());
+    }
+  }
+
   /** Returns the values of a layer with one value for each channel. */
   float[] of(Layer layer) {
+    require(layer);
+    if (layer.grid() == Layer.Grid.COUNTS || layer == Layer.LIGHTS) {
+      throw new IllegalArgumentException(layer + ": expected a layer with channels of its own");
+    }
     int channels = layer.channels().size();
     float[] values = new float[Math.multiplyExact(pixels, channels)];
     for (int pixel = 0; pixel < pixels; pixel++) {
@@ -90,6 +120,10 @@ final class LayerDevelopment {
 
   /** Returns the noise of a layer for denoisers, three values for each pixel. */
   float[] noise(Layer layer) {
+    require(layer);
+    if (layer.grid() != Layer.Grid.GUIDE) {
+      throw new IllegalArgumentException(layer + ": expected a layer for denoisers");
+    }
     float[] values = new float[Math.multiplyExact(3, pixels)];
     for (int i = 0; i < values.length; i++) {
       int samples = film.samples(i / 3);
@@ -110,6 +144,8 @@ final class LayerDevelopment {
 
   /** Returns the light of a group, three values for each pixel. */
   float[] lightGroup(int group) {
+    require(Layer.LIGHTS);
+    Objects.checkIndex(group, film.layers().lightGroups());
     float[] values = new float[Math.multiplyExact(3, pixels)];
     for (int i = 0; i < values.length; i++) {
       int samples = film.samples(i / 3);
@@ -122,6 +158,7 @@ final class LayerDevelopment {
 
   /** Returns the light of all lights without a group, three values for each pixel. */
   float[] ungroupedLight() {
+    require(Layer.LIGHTS);
     float[] values = new float[Math.multiplyExact(3, pixels)];
     int all = 3 * film.layers().lightGroups();
     for (int i = 0; i < values.length; i++) {
@@ -141,7 +178,8 @@ final class LayerDevelopment {
    * @param end channel before which to stop
    */
   private double rest(int pixel, int channel, Layer layer, int first, int end) {
-    BigInteger rest = exact(film.whole(channel, pixel), film.fraction(channel, pixel));
+    int own = 3 * pixel + channel;
+    BigInteger rest = exact(film.sums().whole(own), film.sums().fraction(own));
     for (int i = first; i < end; i += 3) {
       rest = rest.subtract(exact(sums.whole(layer, i, pixel), sums.fraction(layer, i, pixel)));
     }

@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.integrator.SampleLayers;
+import io.github.lumbre.render.FirstMeans.FirstMean;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Layer.Grid;
 import java.nio.ByteBuffer;
@@ -26,14 +27,6 @@ final class LayerSums {
 
   private static final long MEAN_MASK = (1L << MEAN_BITS) - 1;
   private static final long NO_MEAN = 0;
-
-  /** How the mean of the first half of a pixel's samples changes when films are added. */
-  enum FirstMean {
-    KEPT,
-    LOST,
-    OF_OTHER,
-    OF_ALL
-  }
 
   private final FilmLayers layers;
 

@@ -2,76 +2,40 @@ package io.github.lumbre.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
 
 /** Starts a thread for each worker, and watches them for stalled buckets. Stateless. */
 final class OwnThreads implements Crew {
-  private static final long SECONDS_PER_LOOK = 5;
+  private static final long MILLIS_PER_LOOK = 5000;
 
   @Override
   public void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
       throws InterruptedException {
+    AtomicReference<Throwable> failure = new AtomicReference<>();
     List<Thread> threads = new ArrayList<>();
-    ExecutorService pool =
-        Executors.newFixedThreadPool(
-            workers.size(),
-            task -> {
-              Thread thread = new Thread(task, "lumbre-render-" + (threads.size() + 1));
-              thread.setDaemon(true);
-              threads.add(thread);
-              return thread;
-            });
     try {
-      List<Future<?>> futures = new ArrayList<>();
-      workers.forEach(worker -> futures.add(pool.submit(worker)));
-      Watchdog watchdog = new Watchdog(workers, seconds(), progress);
-      for (Future<?> future : futures) {
-        await(future, watchdog);
+      for (BucketWorker worker : workers) {
+        Thread thread =
+            new Thread(
+                () -> Crew.attempt(worker, failure), "lumbre-render-" + (threads.size() + 1));
+        thread.setDaemon(true);
+        thread.start();
+        threads.add(thread);
       }
-    } catch (ExecutionException e) {
-      throw Crew.failure(e.getCause());
+      Watchdog watchdog = new Watchdog(workers, seconds(), progress);
+      for (Thread thread : threads) {
+        for (thread.join(MILLIS_PER_LOOK); thread.isAlive(); thread.join(MILLIS_PER_LOOK)) {
+          watchdog.look(seconds());
+        }
+      }
     } finally {
       queue.stop();
-      pool.shutdown();
-      awaitEnd(threads);
+      threads.forEach(thread -> Crew.await(thread::join));
     }
-  }
-
-  private static void await(Future<?> future, Watchdog watchdog)
-      throws InterruptedException, ExecutionException {
-    while (true) {
-      try {
-        future.get(SECONDS_PER_LOOK, TimeUnit.SECONDS);
-        return;
-      } catch (TimeoutException e) {
-        watchdog.look(seconds());
-      }
-    }
+    Crew.requireNone(failure);
   }
 
   private static double seconds() {
     return System.nanoTime() * 1e-9;
-  }
-
-  /** Waits for the threads, which end shortly, and restores the interrupt status. */
-  private static void awaitEnd(List<Thread> threads) {
-    boolean interrupted = Thread.interrupted();
-    for (Thread thread : threads) {
-      while (thread.isAlive()) {
-        try {
-          thread.join();
-        } catch (InterruptedException e) {
-          interrupted = true;
-        }
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
   }
 }

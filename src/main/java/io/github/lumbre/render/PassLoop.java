@@ -68,13 +68,13 @@ public final class PassLoop {
   }
 
   private boolean isOver(StopRule rule) {
-    return !isFirstPass() && (rule.isMet() || isOutOfTime(rule));
+    return (rule.isMet() || isOutOfTime(rule)) && !isFirstPass();
   }
 
   private boolean isTooLong(OptionalDouble seconds, StopRule rule) {
-    return !isFirstPass()
-        && seconds.isPresent()
-        && rule.secondsLeft().orElse(Double.POSITIVE_INFINITY) < seconds.getAsDouble();
+    return seconds.isPresent()
+        && rule.secondsLeft().orElse(Double.POSITIVE_INFINITY) < seconds.getAsDouble()
+        && !isFirstPass();
   }
 
   private Progress cut(Progress progress, StopRule rule, PassListener listener) {

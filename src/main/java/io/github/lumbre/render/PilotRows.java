@@ -96,22 +96,12 @@ record PilotRows(int threads, BooleanSupplier isStopped) {
       throw Crew.failure(e.getCause());
     } finally {
       pool.shutdownNow();
-      awaitEnd(pool);
-    }
-  }
-
-  /** Waits for the threads, which end with their pixel, and restores the interrupt status. */
-  private static void awaitEnd(ExecutorService pool) {
-    boolean interrupted = Thread.interrupted();
-    while (!pool.isTerminated()) {
-      try {
-        pool.awaitTermination(1, TimeUnit.SECONDS);
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
+      Crew.await(
+          () -> {
+            while (!pool.awaitTermination(1, TimeUnit.MINUTES)) {
+              continue;
+            }
+          });
     }
   }
 }

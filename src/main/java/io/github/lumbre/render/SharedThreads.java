@@ -37,7 +37,7 @@ final class SharedThreads implements Crew {
     public void run() {
       if (taken.compareAndSet(false, true)) {
         try {
-          attempt(worker, failure);
+          Crew.attempt(worker, failure);
         } finally {
           ended.countDown();
         }
@@ -46,19 +46,8 @@ final class SharedThreads implements Crew {
 
     /** Withdraws the offer, or waits for the end of its worker; restores the interrupt status. */
     void end() {
-      if (taken.compareAndSet(false, true)) {
-        return;
-      }
-      boolean interrupted = false;
-      while (ended.getCount() > 0) {
-        try {
-          ended.await();
-        } catch (InterruptedException e) {
-          interrupted = true;
-        }
-      }
-      if (interrupted) {
-        Thread.currentThread().interrupt();
+      if (!taken.compareAndSet(false, true)) {
+        Crew.await(ended::await);
       }
     }
   }
@@ -84,27 +73,16 @@ final class SharedThreads implements Crew {
       // The pool has no thread to spare: the threads that it has given so far render alone.
     }
     try {
-      attempt(workers.get(0), failure);
+      Crew.attempt(workers.get(0), failure);
     } finally {
       if (failure.get() != null || Thread.currentThread().isInterrupted()) {
         queue.stop();
       }
       offers.forEach(Offer::end);
     }
-    if (failure.get() != null) {
-      throw Crew.failure(failure.get());
-    }
+    Crew.requireNone(failure);
     if (!queue.isExhausted() && Thread.interrupted()) {
       throw new InterruptedException("rendering was interrupted");
-    }
-  }
-
-  /** Runs a worker and keeps the first failure; workers stop the queue when they fail. */
-  private static void attempt(BucketWorker worker, AtomicReference<Throwable> failure) {
-    try {
-      worker.run();
-    } catch (RuntimeException | Error e) {
-      failure.compareAndSet(null, e);
     }
   }
 }

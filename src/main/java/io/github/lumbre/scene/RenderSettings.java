@@ -44,10 +44,9 @@ public final class RenderSettings {
   private RenderSettings(Builder from) {
     values = List.of(from.values);
     crop = from.crop;
-    Crop window = crop.orElse(new Crop(0, 0, 1, 1));
-    if ((long) window.x + window.width > width() || (long) window.y + window.height > height()) {
+    if (!new Crop(0, 0, width(), height()).contains(window())) {
       throw new IllegalArgumentException(
-          "crop: expected a rectangle inside " + width() + "x" + height() + ", found " + window);
+          "crop: expected a rectangle inside " + width() + "x" + height() + ", found " + window());
     }
   }
 
@@ -282,6 +281,14 @@ public final class RenderSettings {
       requireIn(1, MAX_SIDE, height, "crop height");
     }
 
+    /** Returns whether all pixels of another rectangle are in this one. */
+    public boolean contains(Crop other) {
+      return other.x >= x
+          && other.y >= y
+          && other.x + other.width <= x + width
+          && other.y + other.height <= y + height;
+    }
+
     /** Java makes the default one at run time, which takes long at the start of a program. */
     @Override
     public boolean equals(Object other) {
@@ -327,15 +334,6 @@ public final class RenderSettings {
     public <T> Builder set(Setting<T> setting, T value) {
       values[setting.index()] = setting.require(value);
       return this;
-    }
-
-    /**
-     * Sets a value from its text form.
-     *
-     * @throws IllegalArgumentException if the text is invalid or the value is out of range
-     */
-    public <T> Builder setText(Setting<T> setting, String text) {
-      return set(setting, setting.type().parse(text));
     }
 
     /** Sets the size of the full frame in pixels. */

@@ -21,8 +21,7 @@ import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.stream.IntStream;
 
 /**
  * A complete scene in world space. All threads share it; nothing that it finds ever changes. {@link
@@ -37,12 +36,7 @@ public final class Scene {
    *
    * @param origin the scene that it continues; empty if there is none
    */
-  record Built(SceneDescription description, Placements placements, Optional<Scene> origin) {
-    /** Returns this without the scene that it continues, which need not be kept. */
-    Built alone() {
-      return new Built(description, placements, Optional.empty());
-    }
-  }
+  record Built(SceneDescription description, Placements placements, Optional<Scene> origin) {}
 
   private final Camera camera;
 
@@ -62,22 +56,11 @@ public final class Scene {
   private final Bvh bvh;
 
   private final KernelChange kernelChange;
-  private final List<Light> lights;
-  private final List<Light> emitters;
-  private final List<EnvironmentLight> environments;
-
-  /** The index in {@code emitters} of each environment light, and of each light. */
-  private final int[] emitterOfEnvironment, emitterOfLight;
-
+  private final SceneLights lights;
   private final Rgb ambient;
   private final Optional<Rgb> backplate;
   private final double radius;
-  private final LightGroups lightGroups;
   private final SurfaceNames names;
-
-  /** The index in {@code emitters} of each primitive; -1 if it is not sampled as a light. */
-  private final int[] emitterOfPrimitive;
-
   private final Set<Specialization> shortcuts;
 
   /** Whether rays may pass straight through some surface. */
@@ -86,11 +69,11 @@ public final class Scene {
   Scene(SceneAssembly built, Optional<Built> from) {
     camera = built.camera;
     viewpoint = from.flatMap(code -> code.description().viewpoint());
-    this.built = from.map(Built::alone);
+    // The scene that this one continues need not be kept.
+    this.built = from.map(b -> new Built(b.description(), b.placements(), Optional.empty()));
     kernel = built.kernel();
     primitives = List.copyOf(built.primitives);
-    lights = List.copyOf(built.lights);
-    emitters = List.copyOf(built.emitters);
+    lights = new SceneLights(built);
     ambient = built.ambient;
     backplate = built.backplate;
     radius =
@@ -102,23 +85,11 @@ public final class Scene {
     Optional<Scene> same = from.flatMap(Built::origin).filter(this::hasShapesOf);
     bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), kernel));
     hierarchies =
-        same.map(scene -> scene.hierarchiesFor(allLights()))
-            .orElseGet(() -> Hierarchies.of(bvh, shapes(), allLights(), bvh::part));
+        same.map(scene -> scene.hierarchiesFor(lights))
+            .orElseGet(() -> Hierarchies.of(bvh, shapes(), lights.all(), bvh::part));
     kernelChange =
         same.map(s -> s.kernelChange).orElseGet(() -> hierarchies.kernelChange(shapes()));
-    lightGroups = new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, primitives);
     names = SurfaceNames.of(built.objectNames, built.materialNames);
-    environments =
-        emitters.stream()
-            .filter(EnvironmentLight.class::isInstance)
-            .map(EnvironmentLight.class::cast)
-            .toList();
-    emitterOfEnvironment = indices(environments, emitters);
-    emitterOfLight = indices(lights, emitters);
-    emitterOfPrimitive = new int[primitives.size()];
-    for (int i = 0; i < primitives.size(); i++) {
-      emitterOfPrimitive[i] = built.emitterOfPrimitive.getOrDefault(i, -1);
-    }
     shortcuts = shortcuts();
     hasTransparency = primitives.stream().anyMatch(primitive -> !primitive.material().isOpaque());
     primitiveOfShape = primitivesOfShapes();
@@ -126,30 +97,13 @@ public final class Scene {
 
   /** Returns whether another scene has the same shapes and kernel, so that its hierarchy fits. */
   private boolean hasShapesOf(Scene other) {
-    if (kernel != other.kernel || primitives.size() != other.primitives.size()) {
-      return false;
-    }
-    for (int i = 0; i < primitives.size(); i++) {
-      if (primitives.get(i).shape() != other.primitives.get(i).shape()) {
-        return false;
-      }
-    }
-    return true;
+    return kernel == other.kernel
+        && primitives.size() == other.primitives.size()
+        && IntStream.range(0, primitives.size())
+            .allMatch(i -> primitives.get(i).shape() == other.primitives.get(i).shape());
   }
 
-  private Scene(Scene other, Hierarchies hierarchies, Set<Specialization> shortcuts) {
-    this(other, hierarchies, shortcuts, other.camera, other.viewpoint);
-  }
-
-  private Scene(
-      Scene other,
-      Hierarchies hierarchies,
-      Set<Specialization> shortcuts,
-      Camera camera,
-      Optional<Viewpoint> viewpoint) {
-    this(other, hierarchies, shortcuts, camera, viewpoint, other.names);
-  }
-
+  /** Creates a copy that shares surfaces and lights. */
   private Scene(
       Scene other,
       Hierarchies hierarchies,
@@ -167,42 +121,12 @@ public final class Scene {
     bvh = hierarchies.all();
     kernelChange = bvh == other.bvh ? other.kernelChange : hierarchies.kernelChange(shapes());
     lights = other.lights;
-    emitters = other.emitters;
-    environments = other.environments;
-    emitterOfEnvironment = other.emitterOfEnvironment;
-    emitterOfLight = other.emitterOfLight;
     ambient = other.ambient;
     backplate = other.backplate;
     radius = other.radius;
-    lightGroups = other.lightGroups;
-    emitterOfPrimitive = other.emitterOfPrimitive;
     hasTransparency = other.hasTransparency;
     this.shortcuts = Set.copyOf(shortcuts);
     primitiveOfShape = primitivesOfShapes();
-  }
-
-  /**
-   * Returns the index in {@code all} of each light in {@code some}, or -1; both have the same
-   * order.
-   */
-  private static int[] indices(List<? extends Light> some, List<Light> all) {
-    int[] indices = new int[some.size()];
-    int next = 0;
-    for (int i = 0; i < indices.length; i++) {
-      indices[i] = indexOf(some.get(i), all, next);
-      next = Math.max(next, indices[i] + 1);
-    }
-    return indices;
-  }
-
-  private static int indexOf(Light light, List<Light> all, int from) {
-    for (int i = from; i < all.size(); i++) {
-      // Most are the same; comparing others is slow.
-      if (all.get(i) == light || all.get(i).equals(light)) {
-        return i;
-      }
-    }
-    return -1;
   }
 
   private Set<Specialization> shortcuts() {
@@ -210,7 +134,7 @@ public final class Scene {
     if (primitives.stream().anyMatch(primitive -> primitive.material().isUniform())) {
       all.add(Specialization.UNIFORM_MATERIALS);
     }
-    if (emitters.size() == 1) {
+    if (emitters().size() == 1) {
       all.add(Specialization.ONE_EMITTER);
     }
     return Set.copyOf(all);
@@ -224,12 +148,10 @@ public final class Scene {
 
   /** Returns the same scene without a specialization. Its renders are bit-identical. */
   public Scene without(Specialization shortcut) {
-    return new Scene(
-        this,
-        hierarchies,
-        shortcuts.stream()
-            .filter(taken -> taken != shortcut)
-            .collect(Collectors.toUnmodifiableSet()));
+    Set<Specialization> others = EnumSet.noneOf(Specialization.class);
+    others.addAll(shortcuts);
+    others.remove(shortcut);
+    return new Scene(this, hierarchies, others, camera, viewpoint, names);
   }
 
   /**
@@ -269,20 +191,16 @@ public final class Scene {
 
   /** Returns the same scene with other hierarchies. */
   private Scene over(Bvh all, Function<List<Shape>, Bvh> build) {
-    return new Scene(this, Hierarchies.of(all, shapes(), allLights(), build), shortcuts);
+    Hierarchies others = Hierarchies.of(all, shapes(), lights.all(), build);
+    return new Scene(this, others, shortcuts, camera, viewpoint, names);
   }
 
   /**
    * Returns the hierarchies for another scene with the same shapes. Both change kernels together,
    * so that with other lights there is no second hierarchy.
    */
-  private Hierarchies hierarchiesFor(List<Light> others) {
-    return allLights().equals(others) ? hierarchies : new Hierarchies(bvh, bvh);
-  }
-
-  /** Returns all lights that any integrator samples; some of them twice. */
-  private List<Light> allLights() {
-    return Stream.concat(lights.stream(), emitters.stream()).toList();
+  private Hierarchies hierarchiesFor(SceneLights others) {
+    return lights.all().equals(others.all()) ? hierarchies : new Hierarchies(bvh, bvh);
   }
 
   private List<Shape> shapes() {
@@ -317,12 +235,16 @@ public final class Scene {
 
   /** Returns this scene, seen by another camera. Both share all surfaces and lights. */
   public Scene seenBy(Camera newCamera) {
-    return new Scene(this, hierarchies, shortcuts, newCamera, Optional.empty());
+    return seenBy(newCamera, Optional.empty());
   }
 
   /** Returns this scene, which shares everything, seen from elsewhere. */
   public Scene seenFrom(Viewpoint viewpoint) {
-    return new Scene(this, hierarchies, shortcuts, viewpoint.camera(1), Optional.of(viewpoint));
+    return seenBy(viewpoint.camera(1), Optional.of(viewpoint));
+  }
+
+  private Scene seenBy(Camera newCamera, Optional<Viewpoint> newViewpoint) {
+    return new Scene(this, hierarchies, shortcuts, newCamera, newViewpoint, names);
   }
 
   /**
@@ -332,9 +254,7 @@ public final class Scene {
    * @param aspect width of the film over its height
    */
   public Scene framed(double aspect) {
-    return viewpoint
-        .map(from -> new Scene(this, hierarchies, shortcuts, from.camera(aspect), viewpoint))
-        .orElse(this);
+    return viewpoint.map(from -> seenBy(from.camera(aspect), viewpoint)).orElse(this);
   }
 
   /**
@@ -343,19 +263,17 @@ public final class Scene {
    * @throws IllegalArgumentException if the numbers of primitives or emitters differ
    */
   public Scene named(SceneAssembly same) {
-    if (same.primitiveCount() != primitives.size() || same.emitterCount() != emitters.size()) {
+    if (same.primitiveCount() != primitives.size() || same.emitterCount() != emitters().size()) {
       throw new IllegalArgumentException(
           "same: expected %d primitives and %d emitters, found %d and %d"
               .formatted(
-                  primitives.size(), emitters.size(), same.primitiveCount(), same.emitterCount()));
+                  primitives.size(),
+                  emitters().size(),
+                  same.primitiveCount(),
+                  same.emitterCount()));
     }
-    return new Scene(
-        this,
-        hierarchies,
-        shortcuts,
-        camera,
-        viewpoint,
-        SurfaceNames.of(same.objectNames, same.materialNames));
+    SurfaceNames others = SurfaceNames.of(same.objectNames, same.materialNames);
+    return new Scene(this, hierarchies, shortcuts, camera, viewpoint, others);
   }
 
   /** Returns the description that the scene was built from; empty if it was read from a file. */
@@ -396,17 +314,17 @@ public final class Scene {
 
   /** Returns the declared lights, without black ones. */
   public List<Light> lights() {
-    return lights;
+    return lights.declared();
   }
 
   /** Returns all lights that can be sampled in path mode, without black ones. */
   public List<Light> emitters() {
-    return emitters;
+    return lights.emitters();
   }
 
   /** Returns the emitters that are environment lights, in the same order. */
   public List<EnvironmentLight> environments() {
-    return environments;
+    return lights.environments();
   }
 
   /**
@@ -426,7 +344,7 @@ public final class Scene {
 
   /** Returns the light groups of the emitters and primitives. */
   public LightGroups lightGroups() {
-    return lightGroups;
+    return lights.groups();
   }
 
   /** Returns the names of the objects and materials of the primitives. */
@@ -475,7 +393,7 @@ public final class Scene {
    * light.
    */
   public int emitterAt(NearestHit hit) {
-    return emitterOfPrimitive[hit.shape()];
+    return lights.ofPrimitive(hit.shape());
   }
 
   /**
@@ -483,7 +401,7 @@ public final class Scene {
    * #environments}.
    */
   public int emitterOfEnvironment(int environment) {
-    return emitterOfEnvironment[environment];
+    return lights.ofEnvironment(environment);
   }
 
   /**
@@ -491,17 +409,12 @@ public final class Scene {
    * if it is not there.
    */
   public int emitterOfLight(int light) {
-    return emitterOfLight[light];
+    return lights.ofLight(light);
   }
 
   /** Returns whether rays may pass straight through some surface. */
   public boolean hasTransparency() {
     return hasTransparency;
-  }
-
-  /** Returns whether any shape blocks a ray. */
-  public boolean isOccluded(Ray ray, NearestHit scratch) {
-    return bvh.isOccluded(ray, scratch);
   }
 
   /** Returns whether any shape blocks the ray that {@code scratch} was last aimed along. */
@@ -522,16 +435,12 @@ public final class Scene {
 
   /** Returns the radiance of all environment lights in a unit direction, in world space. */
   public Rgb background(Vec3 direction) {
-    Rgb sum = Rgb.BLACK;
-    for (EnvironmentLight environment : environments) {
-      sum = sum.plus(environment.from(direction));
-    }
-    return sum;
+    return lights.background(direction);
   }
 
   /** Returns the numbers of objects and lights, for people. */
   @Override
   public String toString() {
-    return "Scene of " + primitives().size() + " objects and " + lights().size() + " lights";
+    return "Scene of " + primitives.size() + " objects and " + lights().size() + " lights";
   }
 }

@@ -99,28 +99,22 @@ public final class SceneAssembly {
 
   /**
    * Adds an area light: a surface that emits light, does not scatter any, and is sampled as a light
-   * in both modes.
+   * in both modes. An infinite plane cannot be sampled; it contributes only to paths that hit it.
    */
   public SceneAssembly addAreaLight(Shape shape, Emission emission) {
     AreaLight light = new AreaLight(shape, emission);
     add(light, Unlit.INSTANCE);
-    if (!light.isBlack()) {
+    if (!light.isBlack() && Double.isFinite(shape.area())) {
       lights.add(light);
     }
     return this;
   }
 
   /**
-   * Adds an emissive surface that does not scatter light. In path mode, it is also sampled as a
-   * light. An infinite plane cannot be sampled; it contributes only to paths that hit it.
-   */
-  public SceneAssembly addEmissive(Shape shape, Emission emission) {
-    return add(shape, Unlit.INSTANCE, emission);
-  }
-
-  /**
-   * Adds a surface that scatters and emits light. In path mode, it is also sampled as a light; see
-   * {@link #addEmissive}.
+   * Adds a surface that emits light. In path mode, it is also sampled as a light; an infinite plane
+   * cannot be.
+   *
+   * @param material how the surface scatters light; {@link Unlit} if it does not
    */
   public SceneAssembly add(Shape shape, Material material, Emission emission) {
     return add(new AreaLight(shape, emission), material);

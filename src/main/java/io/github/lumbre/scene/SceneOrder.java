@@ -63,7 +63,7 @@ final class SceneOrder {
     var shape = placements.shape(surface, outer, isOutermost);
     if (surface.emission().isEmpty()) {
       scene.add(shape, surface.material());
-    } else if (surface.isDeclared() && Double.isFinite(shape.area())) {
+    } else if (surface.isDeclared()) {
       scene.addAreaLight(shape, surface.emission().get());
     } else {
       scene.add(shape, surface.material(), surface.emission().get());

@@ -72,7 +72,13 @@ class FilmFileTest {
     FilmHeader header = film.header();
     FilmHeader old =
         new FilmHeader(
-            older, true, header.window(), header.parts(), header.faults(), header.notes());
+            older,
+            true,
+            header.window(),
+            RecordedLayers.NONE,
+            header.parts(),
+            header.faults(),
+            header.notes());
     assertThatThrownBy(() -> old.requireSame(FilmFixture.IDENTITY, "a", "b"))
         .isInstanceOf(FilmMismatchException.class)
         .hasMessage("revision: a has nothing, b has " + FilmRenderer.REVISION);
@@ -208,6 +214,7 @@ class FilmFileTest {
                     header.identity(),
                     true,
                     header.window(),
+                    RecordedLayers.NONE,
                     header.parts(),
                     header.faults(),
                     notes),

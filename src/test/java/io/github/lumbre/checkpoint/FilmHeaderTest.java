@@ -25,6 +25,7 @@ class FilmHeaderTest {
         identity,
         true,
         FilmFixture.FRAME,
+        RecordedLayers.NONE,
         List.of(new FilmPart(FilmFixture.FRAME, 0, 1, 1)),
         RenderStatistics.ZERO,
         Map.of());

@@ -35,6 +35,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.zip.CRC32C;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -93,8 +94,9 @@ class FilmWithLayersTest {
   }
 
   private static byte[] pixels(Film film) {
-    ByteBuffer out = ByteBuffer.allocate((int) film.encodedBytes());
-    for (int pixel = 0; pixel < film.window().width() * film.window().height(); pixel++) {
+    int pixels = film.window().width() * film.window().height();
+    ByteBuffer out = ByteBuffer.allocate(IntStream.range(0, pixels).map(film::encodedBytes).sum());
+    for (int pixel = 0; pixel < pixels; pixel++) {
       film.encode(pixel, out);
     }
     return Arrays.copyOf(out.array(), out.position());

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.output.ExitCodes;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -115,7 +116,13 @@ class ChangedFilesTest {
     assertThat(notes.remove("files")).isNotNull();
     FilmHeader header =
         new FilmHeader(
-            old.identity(), old.hasAlpha(), old.window(), old.parts(), old.faults(), notes);
+            old.identity(),
+            old.hasAlpha(),
+            old.window(),
+            RecordedLayers.NONE,
+            old.parts(),
+            old.faults(),
+            notes);
     try (CheckpointFile target = CheckpointFile.reserve(Path.of(film))) {
       target.save(new FilmFile(header, file.film()));
     }

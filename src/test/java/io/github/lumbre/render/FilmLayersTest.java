@@ -33,6 +33,7 @@ import java.util.EnumSet;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -104,9 +105,9 @@ class FilmLayersTest {
   }
 
   private static byte[] bytes(Film film) {
-    ByteBuffer out = ByteBuffer.allocate((int) film.encodedBytes());
-    Crop window = film.window();
-    for (int pixel = 0; pixel < window.width() * window.height(); pixel++) {
+    int pixels = film.window().width() * film.window().height();
+    ByteBuffer out = ByteBuffer.allocate(IntStream.range(0, pixels).map(film::encodedBytes).sum());
+    for (int pixel = 0; pixel < pixels; pixel++) {
       film.encode(pixel, out);
     }
     byte[] bytes = new byte[out.position()];

@@ -6,6 +6,7 @@ import io.github.lumbre.render.RenderStatistics;
 import java.io.ByteArrayOutputStream;
 import java.io.Serializable;
 import java.nio.ByteBuffer;
+import java.util.stream.IntStream;
 import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
 import java.util.zip.Inflater;
@@ -27,7 +28,8 @@ record UnitResult(
   /** Returns the result of a unit whose samples are in a film. */
   static UnitResult of(WorkUnit unit, Film film, RenderStatistics statistics, double seconds) {
     int pixels = unit.width() * unit.height();
-    ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(film.encodedBytes()));
+    long most = IntStream.range(0, pixels).mapToLong(film::encodedBytes).sum();
+    ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(most));
     for (int pixel = 0; pixel < pixels; pixel++) {
       film.encode(pixel, bytes);
     }
